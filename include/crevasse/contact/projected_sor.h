@@ -1,0 +1,45 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_contact_projected_sor_h
+#define crevasse_contact_projected_sor_h
+
+#include <crevasse/contact/contact_solver.h>
+#include <crevasse/contact/sor_sweep.h>
+
+namespace Crevasse
+{
+  /** The paper's solver: overrelaxation with projection, started from the last
+   * solution. */
+  class ProjectedSor : public ContactSolver
+  {
+  public:
+    /** @param relaxation_factor in ]0,2[, where it converges. */
+    ProjectedSor(const SignoriniProblem &problem,
+                 const double            relaxation_factor,
+                 const double            tolerance,
+                 const unsigned int      maximum_iterations);
+
+    std::string
+    description() const override;
+
+  protected:
+    std::size_t
+    iterate(const Vector &right_hand_side, Vector &solution) override;
+
+  private:
+    const SorSweep     sweep;
+    const double       relaxation_factor;
+    const unsigned int maximum_iterations;
+  };
+} // namespace Crevasse
+
+#endif

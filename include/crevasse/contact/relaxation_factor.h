@@ -1,0 +1,52 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_contact_relaxation_factor_h
+#define crevasse_contact_relaxation_factor_h
+
+#include <crevasse/contact/signorini_problem.h>
+
+namespace Crevasse
+{
+  /** Number of SOR iterations, from zero, until max|Aq − b| is at most
+   * @p target (a force). */
+  struct SorCount
+  {
+    unsigned int iterations = 0;
+    bool         reached    = false;
+    /** `iterations`, or where the target was not reached what the observed
+     * contraction extrapolates to (infinity if there is none). */
+    double expected = 0.;
+  };
+
+  SorCount
+  count_sor_iterations(const SignoriniProblem &problem,
+                       const Vector           &right_hand_side,
+                       const double            relaxation_factor,
+                       const double            target,
+                       const unsigned int      maximum_iterations);
+
+  /**
+   * The relaxation factor that needs the fewest iterations, by golden-section
+   * dichotomy of ]0,2[ down to an interval of 0.002 (paper, §7: "dichotomic
+   * analysis of the interval"). To be called on the problem without bounds, as
+   * the paper does.
+   *
+   * @param target the residual (a force) at which iterations are counted.
+   */
+  double
+  find_relaxation_factor(const SignoriniProblem &problem,
+                         const Vector           &right_hand_side,
+                         const double            target,
+                         const unsigned int      maximum_iterations);
+} // namespace Crevasse
+
+#endif

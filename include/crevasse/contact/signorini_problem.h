@@ -1,0 +1,73 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_contact_signorini_problem_h
+#define crevasse_contact_signorini_problem_h
+
+#include <deal.II/base/types.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  using Vector       = dealii::LinearAlgebra::distributed::Vector<double>;
+  using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
+
+  /**
+   * The one-sided bounds of the locally owned contact dofs: `sign[k] *
+   * q[dofs[k]] >= gap[k]`. The sign (±1) turns a dof into the displacement
+   * along the inward normal of the lip.
+   */
+  struct UnilateralBounds
+  {
+    std::vector<dealii::types::global_dof_index> dofs;
+    std::vector<double>                          sign;
+    std::vector<double>                          gap;
+  };
+
+  /**
+   * The discrete variational inequality: minimise ½ qᵀAq − bᵀq under the
+   * bounds; in other words (paper, §6; model, §3)
+   *
+   *     A q − b = Lᵀ g,      0 ≤ g ⟂ L q − gap ≥ 0.
+   *
+   * A is symmetric positive definite. Nothing here knows of finite elements,
+   * time or materials. The right-hand side comes with each solve.
+   */
+  class SignoriniProblem
+  {
+  public:
+    /** Both must outlive the problem. @throw NumericalError if a diagonal
+     * entry is not positive: then A is not positive definite. */
+    SignoriniProblem(const SparseMatrix     &matrix,
+                     const UnilateralBounds &bounds);
+
+    const SparseMatrix &matrix;
+
+    const UnilateralBounds &bounds;
+
+    /** The diagonal of A: the scale of forces, and the SOR sweep's divisor. */
+    const Vector &
+    diagonal() const;
+
+    /** Number of bounds on all ranks. */
+    dealii::types::global_dof_index
+    n_bounds() const;
+
+  private:
+    Vector                          matrix_diagonal;
+    dealii::types::global_dof_index n_all_bounds;
+  };
+} // namespace Crevasse
+
+#endif

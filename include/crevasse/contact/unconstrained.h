@@ -1,0 +1,40 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_contact_unconstrained_h
+#define crevasse_contact_unconstrained_h
+
+#include <crevasse/contact/contact_solver.h>
+#include <crevasse/linear/linear_solver.h>
+
+namespace Crevasse
+{
+  /** A problem without bounds: one linear solve, certified like any other. */
+  class Unconstrained : public ContactSolver
+  {
+  public:
+    Unconstrained(const SignoriniProblem &problem,
+                  LinearSolver           &linear_solver,
+                  const double            tolerance);
+
+    std::string
+    description() const override;
+
+  protected:
+    std::size_t
+    iterate(const Vector &right_hand_side, Vector &solution) override;
+
+  private:
+    LinearSolver &linear_solver;
+  };
+} // namespace Crevasse
+
+#endif

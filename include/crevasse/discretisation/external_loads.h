@@ -1,0 +1,85 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_discretisation_external_loads_h
+#define crevasse_discretisation_external_loads_h
+
+#include <crevasse/discretisation/space.h>
+#include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/scene/expression.h>
+#include <crevasse/scene/parameters.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * The load vector ∫ φ₁·v + ∫_∂₃ φ₂·v as a function of time. What can be
+   * integrated once is: a component that is a function of time alone becomes
+   * its amplitude times a stored vector, one that does not depend on time a
+   * constant vector. Only a component that mixes space and time is evaluated
+   * at its quadrature points at each instant, whose weights are stored.
+   */
+  template <int dim>
+  class ExternalLoads
+  {
+  public:
+    ExternalLoads(const Space<dim>          &space,
+                  const StrainOperator<dim> &strain_operator,
+                  const LoadParameters      &parameters);
+
+    /** @param t instant within the period, 0 ≤ t < Period. */
+    void
+    evaluate(const double t, Vector &loads) const;
+
+  private:
+    /** f(t) times the integrals of the shape functions. */
+    struct Amplitude
+    {
+      Expression factor;
+      Vector     integrals;
+    };
+
+    /** A quadrature point and the entries of the load vector it feeds. */
+    struct WeightedPoint
+    {
+      dealii::Point<dim>                                              point;
+      std::vector<std::pair<dealii::types::global_dof_index, double>> weights;
+    };
+
+    /** f(x,t) at the points of its support. */
+    struct Density
+    {
+      Expression                 value;
+      std::vector<WeightedPoint> points;
+    };
+
+    /** Whether a component of the load acts on a boundary or in the volume. */
+    enum class Support
+    {
+      volume,
+      loaded_boundary
+    };
+
+    void
+    add(Expression               &&component_value,
+        const unsigned int         component,
+        const Support              support,
+        const Space<dim>          &space,
+        const StrainOperator<dim> &strain_operator);
+
+    std::vector<Amplitude> amplitudes;
+    std::vector<Density>   densities;
+    Vector                 constant;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,75 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_discretisation_quadrature_field_h
+#define crevasse_discretisation_quadrature_field_h
+
+#include <crevasse/discretisation/space.h>
+#include <crevasse/material/voigt.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * How fields at quadrature points (viscous strain, stress) are laid out: one
+   * distributed vector, cell by cell in the order of the active cells of this
+   * rank, the n_stress_components of a point side by side. Integrators, norms
+   * and checkpoints see an ordinary vector.
+   */
+  template <int dim>
+  class QuadratureField
+  {
+  public:
+    static constexpr unsigned int n_components = n_stress_components<dim>;
+
+    explicit QuadratureField(const Space<dim> &space);
+
+    /** Gives @p field this layout, all zero. */
+    void
+    initialize(Vector &field) const;
+
+    /** Where the first point of a locally owned cell begins, as local index. */
+    std::size_t
+    offset(const typename dealii::Triangulation<dim>::active_cell_iterator
+             &cell) const;
+
+    /** Points of this rank, and of all ranks. */
+    std::size_t
+    n_local_points() const;
+    std::size_t
+    n_points() const;
+
+    /** The components that begin at local index @p offset. */
+    static VoigtVector<dim>
+    get(const Vector &field, const std::size_t offset)
+    {
+      VoigtVector<dim> value;
+      for (unsigned int c = 0; c < n_components; ++c)
+        value[c] = field.local_element(offset + c);
+      return value;
+    }
+
+    static void
+    set(Vector &field, const std::size_t offset, const VoigtVector<dim> &value)
+    {
+      for (unsigned int c = 0; c < n_components; ++c)
+        field.local_element(offset + c) = value[c];
+    }
+
+  private:
+    std::vector<std::size_t> offsets; // by active cell index
+    std::size_t              n_local;
+    std::shared_ptr<dealii::Utilities::MPI::Partitioner> partitioner;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,37 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_discretisation_stiffness_h
+#define crevasse_discretisation_stiffness_h
+
+#include <crevasse/discretisation/space.h>
+#include <crevasse/material/voigt.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+namespace Crevasse
+{
+  using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
+
+  /**
+   * Assembles A = ∫ DᵀKD. Constrained dofs are condensed: their rows and
+   * columns hold a positive diagonal entry and nothing else.
+   *
+   * @param stiffness K (or η, for the secular problem), in units of stress.
+   */
+  template <int dim>
+  void
+  assemble_stiffness(const Space<dim>       &space,
+                     const VoigtMatrix<dim> &stiffness,
+                     SparseMatrix           &matrix);
+} // namespace Crevasse
+
+#endif

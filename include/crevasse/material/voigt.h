@@ -1,0 +1,69 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_material_voigt_h
+#define crevasse_material_voigt_h
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+namespace Crevasse
+{
+  /**
+   * Symmetric tensors as vectors. In two dimensions the components are
+   * (11, 22, 33, 12): the thickness direction is always carried, because creep
+   * works there even where the stress does not (plane stress) or the strain
+   * does not (plane strain). In three dimensions (11, 22, 33, 12, 13, 23).
+   * Strains have engineering shear components (e_12 = 2 ε_12), so that the
+   * product of stress and strain vectors is the work.
+   */
+  template <int dim>
+  constexpr unsigned int n_stress_components = (dim == 2 ? 4 : 6);
+
+  template <int dim>
+  using VoigtVector = dealii::Tensor<1, n_stress_components<dim>>;
+
+  template <int dim>
+  using VoigtMatrix = dealii::Tensor<2, n_stress_components<dim>>;
+
+  /** Position of the component (i,j), 0 ≤ i, j < 3. */
+  template <int dim>
+  constexpr unsigned int
+  voigt_index(const unsigned int i, const unsigned int j)
+  {
+    // 12, 13, 23 follow the three diagonal components: i + j = 1, 2, 3.
+    return i == j ? i : 2 + i + j;
+  }
+
+  /** "11", "22", ...: the names of the components in tables. */
+  template <int dim>
+  const char *
+  voigt_name(const unsigned int component)
+  {
+    constexpr const char *names[] = {"11", "22", "33", "12", "13", "23"};
+    return names[component];
+  }
+
+  /** The stress as a 3 × 3 tensor (zero where dim = 2 has no component). */
+  template <int dim>
+  dealii::SymmetricTensor<2, 3>
+  stress_tensor(const VoigtVector<dim> &stress)
+  {
+    dealii::SymmetricTensor<2, 3> tensor;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = i; j < 3; ++j)
+        if (i == j || j < dim)
+          tensor[i][j] = stress[voigt_index<dim>(i, j)];
+    return tensor;
+  }
+} // namespace Crevasse
+
+#endif

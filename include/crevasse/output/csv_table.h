@@ -1,0 +1,46 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_output_csv_table_h
+#define crevasse_output_csv_table_h
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** A table written row by row, so that what was computed survives whatever
+   * happens next. Numbers keep all their digits. */
+  class CsvTable
+  {
+  public:
+    /** @throw FileError if the file cannot be written. */
+    CsvTable(const std::string              &file_name,
+             const std::vector<std::string> &header);
+
+    /** @throw FileError if the row cannot be written. */
+    void
+    add_row(const std::vector<double> &values);
+
+  private:
+    const std::string file_name;
+    const std::size_t n_columns;
+    std::ofstream     file;
+  };
+
+  /** Creates the directory and its parents where needed and makes sure that
+   * files can be written there. @throw FileError otherwise. */
+  void
+  require_writable_directory(const std::string &directory);
+} // namespace Crevasse
+
+#endif

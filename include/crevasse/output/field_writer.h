@@ -1,0 +1,75 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_output_field_writer_h
+#define crevasse_output_field_writer_h
+
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/space.h>
+#include <crevasse/discretisation/stress_recovery.h>
+#include <crevasse/periodic/observer.h>
+#include <crevasse/time/step_list.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * Fields for ParaView at chosen instants of the last period and at the end
+   * of the run. Which period is the last is known only after it, so that the
+   * states are kept in memory and written by write().
+   */
+  template <int dim>
+  class FieldWriter : public Observer
+  {
+  public:
+    /** @param times instants within the period; the nearest step is taken. */
+    FieldWriter(const Space<dim>           &space,
+                const StressRecovery<dim>  &recovery,
+                const ContactBoundary<dim> &lip,
+                const StepList             &steps,
+                const std::vector<double>  &times,
+                const std::string          &directory);
+
+    void
+    observe(const Sample &sample) override;
+
+    /** Writes solution_<n>.vtu, .pvtu and solution.pvd; returns the number of
+     * instants. Collective. @throw FileError */
+    unsigned int
+    write() const;
+
+  private:
+    struct Snapshot
+    {
+      double time;
+      State  state;
+      Vector viscous_strain;
+    };
+
+    void
+    write(const Snapshot &snapshot, const unsigned int number) const;
+
+    const Space<dim>           &space;
+    const StressRecovery<dim>  &recovery;
+    const ContactBoundary<dim> &lip;
+    const unsigned int          n_steps;
+    const std::string           directory;
+
+    /** By step, so that a period replaces the one before. */
+    std::map<unsigned int, Snapshot> snapshots;
+    std::vector<bool>                wanted;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,81 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_output_tables_h
+#define crevasse_output_tables_h
+
+#include <crevasse/output/csv_table.h>
+#include <crevasse/output/lip_state.h>
+#include <crevasse/output/probe.h>
+#include <crevasse/periodic/observer.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** probe_<name>.csv: one row for each accepted step. */
+  template <int dim>
+  class ProbeTable : public Observer
+  {
+  public:
+    /** @param file_name empty on ranks that do not write. */
+    ProbeTable(const ProbeEvaluator<dim> &probe, const std::string &file_name);
+
+    void
+    observe(const Sample &sample) override;
+
+  private:
+    const ProbeEvaluator<dim> &probe;
+    std::unique_ptr<CsvTable>  table;
+  };
+
+  /** contact.csv: closed nodes, contact force and largest pressure. */
+  template <int dim>
+  class ContactTable : public Observer
+  {
+  public:
+    ContactTable(const ContactBoundary<dim> &lip, const std::string &file_name);
+
+    void
+    observe(const Sample &sample) override;
+
+    /** The largest opening seen so far. */
+    double
+    largest_opening() const;
+
+  private:
+    const ContactBoundary<dim> &lip;
+    std::unique_ptr<CsvTable>   table;
+    double                      opening = 0.;
+  };
+
+  /** periods.csv: how the run approached its periodic state, at which cost. */
+  class PeriodTable : public Observer
+  {
+  public:
+    explicit PeriodTable(const std::string &file_name);
+
+    void
+    observe(const Sample &) override
+    {
+    }
+
+    void
+    end_of_period(const PeriodReport &report) override;
+
+  private:
+    std::unique_ptr<CsvTable> table;
+  };
+} // namespace Crevasse
+
+#endif

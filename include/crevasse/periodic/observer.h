@@ -1,0 +1,67 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_periodic_observer_h
+#define crevasse_periodic_observer_h
+
+#include <crevasse/time/evolution.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace Crevasse
+{
+  /** One instant of a run, as the tables and fields see it. */
+  struct Sample
+  {
+    unsigned int period; ///< 1 for the first
+    unsigned int step;   ///< 0 … n_steps; n_steps only at the very end
+    double       time;   ///< goes on over the periods
+
+    const State  &state;
+    const Vector &viscous_strain;
+  };
+
+  /** What is known at the end of a period. */
+  struct PeriodReport
+  {
+    unsigned int period;
+    double       end_time;
+    /** Largest change of a stress component against the period before, over
+     * all samples and quadrature points, relative to the largest stress. The
+     * first period is compared with the unstressed state before it. */
+    double stress_change;
+    /** The change summed up geometrically with the ratio of the last two
+     * changes (Aitken): an estimate of the distance to the periodic state if
+     * the approach were geometric; nan while it cannot be told. */
+    double      stress_error_estimate;
+    double      largest_stress;
+    std::size_t vi_solves; ///< of this period
+    double      seconds;   ///< of this period
+  };
+
+  /** Sees every accepted step and every period of a run. */
+  class Observer
+  {
+  public:
+    virtual ~Observer() = default;
+
+    virtual void
+    observe(const Sample &sample) = 0;
+
+    virtual void
+    end_of_period(const PeriodReport &)
+    {
+    }
+  };
+} // namespace Crevasse
+
+#endif

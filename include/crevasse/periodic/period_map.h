@@ -1,0 +1,65 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_periodic_period_map_h
+#define crevasse_periodic_period_map_h
+
+#include <crevasse/periodic/observer.h>
+#include <crevasse/time/evolution.h>
+#include <crevasse/time/integrator.h>
+#include <crevasse/time/step_list.h>
+
+#include <functional>
+
+namespace Crevasse
+{
+  /** The map r(0) → r(T) of one period (the paper's Remark 2). */
+  template <int dim>
+  class PeriodMap
+  {
+  public:
+    /** @param integrator nullptr for a body without viscosity, whose periods
+     * are sequences of elastic states. All arguments must outlive this. */
+    PeriodMap(Evolution<dim> &evolution,
+              Integrator     *integrator,
+              const StepList &steps);
+
+    /** Advances @p r over period @p period (1 for the first) and shows the
+     * state at the beginning of every step. */
+    void
+    advance(const unsigned int                         period,
+            Vector                                    &r,
+            const std::function<void(const Sample &)> &observe);
+
+    /** Solves for the state at the end of @p period, which otherwise only the
+     * next period would. */
+    void
+    finish(const unsigned int                         period,
+           const Vector                              &r,
+           const std::function<void(const Sample &)> &observe);
+
+    const StepList &
+    steps() const;
+
+    /** Whether a body remembers: without viscosity one period tells all. */
+    bool
+    has_memory() const;
+
+  private:
+    Evolution<dim> &evolution;
+    Integrator     *integrator;
+    const StepList &step_list;
+
+    Vector unused_rate;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,65 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_body_h
+#define crevasse_run_body_h
+
+#include <crevasse/contact/signorini_problem.h>
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/space.h>
+#include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/material/maxwell_law.h>
+#include <crevasse/scene/effects.h>
+#include <crevasse/scene/scene.h>
+
+#include <memory>
+#include <string>
+
+namespace Crevasse
+{
+  /** The roles of the scene's boundaries: what the user says, completed by what
+   * the built-in shape has. */
+  BoundaryRoles
+  boundary_roles(const Scene &scene);
+
+  /**
+   * The discretised body: mesh, spaces, lip and loads, but nothing assembled
+   * or solved yet. Building it finds every error of mesh and boundaries.
+   */
+  template <int dim>
+  struct Body
+  {
+    /** @throw SceneError, or NumericalError if a rigid motion is left free. */
+    Body(const Scene &scene, const MPI_Comm communicator);
+
+    const Effects              effects;
+    const MaxwellLaw<dim>      law;
+    const Space<dim>           space;
+    const QuadratureField<dim> points;
+    const StrainOperator<dim>  strain_operator;
+    const ContactBoundary<dim> lip;
+    const ExternalLoads<dim>   loads;
+  };
+
+  /** The bounds of the discrete cone C at the nodes of a lip. */
+  template <int dim>
+  UnilateralBounds
+  unilateral_bounds(const ContactBoundary<dim> &lip);
+
+  /** The scene's supports: its own list, or what the built-in shape needs. */
+  template <int dim>
+  std::vector<FixedPoint<dim>>
+  fixed_points(const Scene &scene);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,36 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_elastic_reference_h
+#define crevasse_run_elastic_reference_h
+
+#include <crevasse/output/elastic_comparison.h>
+#include <crevasse/run/body.h>
+#include <crevasse/run/solvers.h>
+
+namespace Crevasse
+{
+  /**
+   * What ElasticComparison compares with: u_el and s_el at the instant of the
+   * largest load, by the direct solver, and F at each step.
+   *
+   * @throw SceneError if the loads are not F(t) p(x): then there is no such
+   * closed form.
+   */
+  template <int dim>
+  ElasticComparison::Reference
+  elastic_reference(const Body<dim> &body,
+                    Solvers<dim>    &solvers,
+                    const StepList  &steps,
+                    const bool       lip_closed);
+} // namespace Crevasse
+
+#endif

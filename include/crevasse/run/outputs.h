@@ -1,0 +1,85 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_outputs_h
+#define crevasse_run_outputs_h
+
+#include <crevasse/output/drift.h>
+#include <crevasse/output/elastic_comparison.h>
+#include <crevasse/output/field_writer.h>
+#include <crevasse/output/log.h>
+#include <crevasse/output/probe.h>
+#include <crevasse/output/progress.h>
+#include <crevasse/output/summary.h>
+#include <crevasse/output/tables.h>
+#include <crevasse/run/body.h>
+#include <crevasse/run/solvers.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** All that a run writes or prints while it computes and at its end; what
+   * the scene does not ask for is not there. */
+  template <int dim>
+  class Outputs
+  {
+  public:
+    Outputs(const Scene       &scene,
+            const Body<dim>   &body,
+            Solvers<dim>      &solvers,
+            const StepList    &steps,
+            Log               &log,
+            const std::string &directory);
+
+    const std::vector<Observer *> &
+    observers() const;
+
+    /** Writes the fields, prints what was found, and adds it to the summary:
+     * extremes, secular, elastic_comparison. */
+    void
+    finish(Summary &summary);
+
+  private:
+    /** Keeps the largest stress of the run. */
+    struct LargestStress;
+
+    template <typename Derived, typename... Arguments>
+    Derived *
+    add(Arguments &&...arguments);
+
+    void
+    finish_drift(Summary &summary) const;
+    void
+    finish_comparison(Summary &summary) const;
+
+    const Body<dim>  &body;
+    const StepList   &steps;
+    Log              &log;
+    const std::string directory;
+
+    const StressRecovery<dim>                         recovery;
+    std::vector<std::unique_ptr<ProbeEvaluator<dim>>> probes;
+    std::vector<std::unique_ptr<Observer>>            owned;
+    std::vector<Observer *>                           all;
+
+    // Some of the above, where they are on.
+    ContactTable<dim> *contact_table  = nullptr;
+    Drift             *drift          = nullptr;
+    ElasticComparison *comparison     = nullptr;
+    FieldWriter<dim>  *fields         = nullptr;
+    LargestStress     *largest_stress = nullptr;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,76 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_simulation_h
+#define crevasse_run_simulation_h
+
+#include <crevasse/output/log.h>
+#include <crevasse/output/summary.h>
+#include <crevasse/periodic/march.h>
+#include <crevasse/run/body.h>
+#include <crevasse/run/solvers.h>
+#include <crevasse/scene/scene.h>
+#include <crevasse/time/integrator.h>
+#include <crevasse/time/step_list.h>
+
+#include <deal.II/base/timer.h>
+
+#include <memory>
+#include <string>
+
+namespace Crevasse
+{
+  /**
+   * Composes one run from its scene: the only place that knows all the parts,
+   * and that owns them.
+   */
+  template <int dim>
+  class Simulation
+  {
+  public:
+    /** Builds the discretised body, and so finds what is wrong with mesh,
+     * boundaries and step sizes; computes nothing. */
+    Simulation(const Scene &scene, const MPI_Comm communicator, Log &log);
+
+    /** Prints effects, sizes and predicted memory. */
+    void
+    describe() const;
+
+    /** Computes, and writes everything to @p directory, which must exist.
+     * @throw NumericalError; after all that was computed has been written if
+     * the periodic state was not reached. */
+    void
+    run(const std::string &directory);
+
+  private:
+    PeriodicResult
+    march(Solvers<dim> &solvers, const std::vector<Observer *> &observers);
+
+    void
+    summarise(Summary &summary, Solvers<dim> &solvers) const;
+
+    /** @throw NumericalError if the periodic state was not reached. */
+    void
+    conclude(const PeriodicResult &result) const;
+
+    const Scene    scene;
+    const MPI_Comm communicator;
+    Log           &log;
+
+    mutable dealii::TimerOutput       phases;
+    const Body<dim>                   body;
+    const StepList                    steps;
+    const std::unique_ptr<Integrator> integrator; // none without viscosity
+    std::size_t                       rate_evaluations = 0;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,205 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_scene_parameters_h
+#define crevasse_scene_parameters_h
+
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * One plain struct for each section of a scene file. Every struct declares
+   * its own entries (name, default, documentation) with add_parameters(),
+   * called inside the section, and then judges the values in check(), which
+   * appends what is wrong to a list instead of stopping at the first error.
+   *
+   * All quantities are in the user's own consistent units.
+   */
+  struct GeometryParameters
+  {
+    static constexpr const char *section = "Geometry";
+
+    std::string shape        = "edge crack";
+    double      width        = 1.;
+    double      height       = 1.;
+    double      crack_length = 0.5;
+    std::string mesh_file;
+
+    /** Cells along x, y of the coarse mesh before `refinements`. */
+    std::vector<unsigned int> subdivisions = {14, 4};
+
+    /** Uniform refinements of the coarse mesh. */
+    unsigned int refinements = 0;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+
+  /** Which boundary ids play which role, and point supports. */
+  struct BoundaryParameters
+  {
+    static constexpr const char *section = "Boundary";
+
+    /** Lists of boundary ids, or "automatic" (what the built-in shape has). */
+    std::string clamped  = "automatic";
+    std::string symmetry = "automatic";
+    std::string loaded   = "automatic";
+    std::string contact  = "automatic";
+    /** "x, y" or "x, y: 1" (only component 1), separated by ";", or
+     * "automatic". */
+    std::string fixed_points = "automatic";
+    /** Expression of x, y, z: the least u_N of the lip, at most 0. */
+    std::string gap = "0";
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+
+  struct MaterialParameters
+  {
+    static constexpr const char *section = "Material";
+
+    std::string plane_state           = "plane stress";
+    double      young_modulus         = 1.;
+    double      poisson_ratio         = 0.3;
+    std::string viscosity             = "relaxation time";
+    double      relaxation_time       = 1.;
+    double      viscous_modulus       = 1.;
+    double      viscous_poisson_ratio = 0.3;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+
+  struct LoadParameters
+  {
+    static constexpr const char *section = "Loads";
+
+    double period = 1.;
+    /** Expressions of x, y, z, t, one per component, separated by ";". */
+    std::string traction   = "0; 0";
+    std::string body_force = "0; 0";
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+
+  struct DiscretisationParameters
+  {
+    static constexpr const char *section = "Discretisation";
+
+    unsigned int degree = 1;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+
+  struct ContactParameters
+  {
+    static constexpr const char *section = "Contact";
+
+    std::string solver = "automatic";
+    /** A number in ]0,2[ or "automatic" (dichotomy). */
+    std::string  relaxation_factor  = "automatic";
+    double       tolerance          = 1e-12;
+    unsigned int maximum_iterations = 100000;
+    /** Factors of a table of iterations against the factor (paper, Table 1);
+     * empty: no table. */
+    std::vector<double> relaxation_table;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+
+  struct LinearSolverParameters
+  {
+    static constexpr const char *section = "Linear solver";
+
+    std::string type = "automatic";
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+
+  struct TimeIntegrationParameters
+  {
+    static constexpr const char *section = "Time integration";
+
+    std::string  scheme           = "heun";
+    double       heun_weight      = 0.75;
+    unsigned int steps_per_period = 40;
+    std::string  step_control     = "uniform";
+    /** Instants within [0, Period] of the step control "list". */
+    std::vector<double> steps;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+
+  struct PeriodicStateParameters
+  {
+    static constexpr const char *section = "Periodic state";
+
+    std::string  method          = "march";
+    unsigned int maximum_periods = 100;
+    /** Change of stress, relative to its maximum, at which a march ends. 0:
+     * all maximum_periods are computed. */
+    double tolerance = 1e-6;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+
+  struct OutputParameters
+  {
+    static constexpr const char *section = "Output";
+
+    /** "name: x, y; name: x, y". */
+    std::string probes;
+    /** Instants within the period of the field output of the last period. */
+    std::vector<double> field_times;
+    std::string         fields = "vtu";
+    /** none | open | closed: compare the last period's stress with the
+     * elastic one of an open or closed lip. */
+    std::string elastic_comparison = "none";
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+} // namespace Crevasse
+
+#endif

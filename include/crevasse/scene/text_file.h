@@ -1,0 +1,27 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_scene_text_file_h
+#define crevasse_scene_text_file_h
+
+#include <string>
+
+namespace Crevasse
+{
+  /** The whole text of a file, without the byte order mark that some editors
+   * put first.
+   *
+   * @throw FileError with the system's reason. */
+  std::string
+  read_text_file(const std::string &file_name);
+} // namespace Crevasse
+
+#endif

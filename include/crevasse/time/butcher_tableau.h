@@ -1,0 +1,46 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_time_butcher_tableau_h
+#define crevasse_time_butcher_tableau_h
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** The coefficients of an explicit Runge–Kutta method. */
+  struct ButcherTableau
+  {
+    std::string                      name;
+    std::vector<double>              nodes;   ///< c, with c₁ = 0
+    std::vector<std::vector<double>> matrix;  ///< a, row s has s entries
+    std::vector<double>              weights; ///< b
+
+    /** Length of the interval of the negative real axis on which the stability
+     * function is at most 1 in modulus. */
+    double real_stability_limit;
+  };
+
+  ButcherTableau
+  euler_tableau();
+
+  /** Heun's family with weight ρ: r + (1−ρ)Δt f + ρΔt f(r + Δt/(2ρ) f). ρ = ¾
+   * is the paper's choice (§6.2.1), ½ the trapezoidal one, 1 the midpoint
+   * rule. */
+  ButcherTableau
+  heun_tableau(const double weight);
+
+  ButcherTableau
+  rk4_tableau();
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,50 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_time_runge_kutta_h
+#define crevasse_time_runge_kutta_h
+
+#include <crevasse/time/butcher_tableau.h>
+#include <crevasse/time/integrator.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /** Any explicit Runge–Kutta method, driven by its tableau. */
+  class RungeKutta : public Integrator
+  {
+  public:
+    explicit RungeKutta(const ButcherTableau &tableau);
+
+    void
+    step(const RateFunction          &f,
+         const double                 t,
+         const double                 time_step,
+         Vector                      &r,
+         const std::function<void()> &at_start) override;
+
+    double
+    stability_limit() const override;
+
+    std::string
+    description() const override;
+
+  private:
+    const ButcherTableau tableau;
+
+    // Work space, given its size by the first step and kept.
+    std::vector<Vector> rates;
+    Vector              stage;
+  };
+} // namespace Crevasse
+
+#endif

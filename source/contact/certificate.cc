@@ -1,0 +1,134 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/contact/certificate.h>
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The sizes by which a certificate is scaled, over all ranks: forces
+     * first, displacements second. */
+    std::array<double, 2>
+    scales_of(const SignoriniProblem &problem,
+              const Vector           &right_hand_side,
+              const Vector           &solution)
+    {
+      double force = 0., displacement = 0.;
+      for (unsigned int i = 0; i < solution.locally_owned_size(); ++i)
+        {
+          const double b = std::abs(right_hand_side.local_element(i));
+          const double q = std::abs(solution.local_element(i));
+          force = std::max({force, b, problem.diagonal().local_element(i) * q});
+          displacement = std::max(displacement, q);
+        }
+      for (const double gap : problem.bounds.gap)
+        displacement = std::max(displacement, std::abs(gap));
+
+      std::array<double, 2> scales{{force, displacement}};
+      Utilities::MPI::max(ArrayView<const double>(scales.data(), scales.size()),
+                          problem.matrix.get_mpi_communicator(),
+                          ArrayView<double>(scales.data(), scales.size()));
+      return scales;
+    }
+  } // namespace
+
+
+
+  double
+  Certificate::worst() const
+  {
+    return std::max({penetration, tension, complementarity, residual});
+  }
+
+
+
+  void
+  Certificate::merge(const Certificate &other)
+  {
+    penetration     = std::max(penetration, other.penetration);
+    tension         = std::max(tension, other.tension);
+    complementarity = std::max(complementarity, other.complementarity);
+    residual        = std::max(residual, other.residual);
+  }
+
+
+
+  std::string
+  Certificate::describe() const
+  {
+    std::ostringstream text;
+    text << "penetration " << penetration << ", tension " << tension
+         << ", complementarity " << complementarity << ", residual "
+         << residual;
+    return text.str();
+  }
+
+
+
+  Certificate
+  certify(const SignoriniProblem &problem,
+          const Vector           &right_hand_side,
+          const Vector           &solution,
+          Vector                 &residual,
+          std::vector<double>    &contact_forces)
+  {
+    const UnilateralBounds &bounds = problem.bounds;
+    // Nothing is loaded or moved: then absolute values are as good as scaled.
+    auto [force, displacement] = scales_of(problem, right_hand_side, solution);
+    force                      = force > 0. ? force : 1.;
+    displacement               = displacement > 0. ? displacement : 1.;
+
+    problem.matrix.vmult(residual, solution);
+    residual -= right_hand_side;
+
+    Certificate certificate;
+    contact_forces.resize(bounds.dofs.size());
+    for (unsigned int k = 0; k < bounds.dofs.size(); ++k)
+      {
+        const auto   i = bounds.dofs[k];
+        const double opening =
+          (bounds.sign[k] * solution(i) - bounds.gap[k]) / displacement;
+        contact_forces[k] = bounds.sign[k] * residual(i);
+        const double g    = contact_forces[k] / force;
+        residual(i)       = 0.;
+        certificate.merge(
+          {-opening, -g, std::min(std::abs(g), std::abs(opening)), 0.});
+      }
+
+    // The maximum norm may overlook nan, the Euclidean norm never does.
+    certificate.residual = std::isfinite(residual.l2_norm())
+                             ? residual.linfty_norm() / force
+                             : std::numeric_limits<double>::infinity();
+
+    std::array<double, 3> contact{{certificate.penetration,
+                                   certificate.tension,
+                                   certificate.complementarity}};
+    Utilities::MPI::max(ArrayView<const double>(contact.data(), contact.size()),
+                        problem.matrix.get_mpi_communicator(),
+                        ArrayView<double>(contact.data(), contact.size()));
+    certificate.penetration     = contact[0];
+    certificate.tension         = contact[1];
+    certificate.complementarity = contact[2];
+    return certificate;
+  }
+} // namespace Crevasse

@@ -1,0 +1,43 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/contact/unconstrained.h>
+
+#include <deal.II/base/exceptions.h>
+
+namespace Crevasse
+{
+  Unconstrained::Unconstrained(const SignoriniProblem &problem,
+                               LinearSolver           &linear_solver,
+                               const double            tolerance)
+    : ContactSolver(problem, tolerance)
+    , linear_solver(linear_solver)
+  {
+    Assert(problem.n_bounds() == 0, dealii::ExcInternalError());
+  }
+
+
+
+  std::string
+  Unconstrained::description() const
+  {
+    return "no contact; " + linear_solver.description();
+  }
+
+
+
+  std::size_t
+  Unconstrained::iterate(const Vector &right_hand_side, Vector &solution)
+  {
+    linear_solver.solve(solution, right_hand_side);
+    return 1;
+  }
+} // namespace Crevasse

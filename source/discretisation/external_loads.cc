@@ -1,0 +1,211 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/discretisation/external_loads.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <functional>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Weights = std::vector<std::pair<types::global_dof_index, double>>;
+
+    /** What a point of a cell or face contributes to the load vector for a
+     * unit density of one component, with constraints resolved. */
+    template <int dim>
+    Weights
+    weights_at(const FEValuesBase<dim>                    &values,
+               const unsigned int                          q,
+               const unsigned int                          component,
+               const std::vector<types::global_dof_index> &indices,
+               const AffineConstraints<double>            &constraints)
+    {
+      const FiniteElement<dim> &fe = values.get_fe();
+      Weights                   weights;
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        {
+          if (fe.system_to_component_index(i).first != component)
+            continue;
+          const double weight = values.shape_value(i, q) * values.JxW(q);
+          if (weight == 0.)
+            continue;
+          if (!constraints.is_constrained(indices[i]))
+            weights.emplace_back(indices[i], weight);
+          else if (const auto *entries =
+                     constraints.get_constraint_entries(indices[i]))
+            for (const auto &[dof, factor] : *entries)
+              weights.emplace_back(dof, factor * weight);
+        }
+      return weights;
+    }
+
+
+
+    template <int dim>
+    using PointFunction = std::function<void(const Point<dim> &, Weights &&)>;
+
+    template <int dim>
+    void
+    for_each_volume_point(const Space<dim>         &space,
+                          const unsigned int        component,
+                          const PointFunction<dim> &f)
+    {
+      const FESystem<dim>                 &fe = space.finite_element();
+      FEValues<dim>                        values(space.mapping(),
+                           fe,
+                           space.quadrature(),
+                           update_values | update_JxW_values |
+                             update_quadrature_points);
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            values.reinit(cell);
+            cell->get_dof_indices(indices);
+            for (const unsigned int q : values.quadrature_point_indices())
+              f(values.quadrature_point(q),
+                weights_at<dim>(
+                  values, q, component, indices, space.constraints()));
+          }
+    }
+
+
+
+    template <int dim>
+    void
+    for_each_loaded_point(const Space<dim>         &space,
+                          const unsigned int        component,
+                          const PointFunction<dim> &f)
+    {
+      const FESystem<dim>                 &fe = space.finite_element();
+      FEFaceValues<dim>                    values(space.mapping(),
+                               fe,
+                               space.face_quadrature(),
+                               update_values | update_JxW_values |
+                                 update_quadrature_points);
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int face : cell->face_indices())
+            if (cell->at_boundary(face) &&
+                space.roles().loaded.count(cell->face(face)->boundary_id()) > 0)
+              {
+                values.reinit(cell, face);
+                cell->get_dof_indices(indices);
+                for (const unsigned int q : values.quadrature_point_indices())
+                  f(values.quadrature_point(q),
+                    weights_at<dim>(
+                      values, q, component, indices, space.constraints()));
+              }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ExternalLoads<dim>::ExternalLoads(const Space<dim>          &space,
+                                    const StrainOperator<dim> &strain_operator,
+                                    const LoadParameters      &parameters)
+  {
+    strain_operator.initialize(constant);
+    std::vector<Expression> traction =
+      Expression::parse_list(parameters.traction);
+    std::vector<Expression> body_force =
+      Expression::parse_list(parameters.body_force);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        add(std::move(traction[d]),
+            d,
+            Support::loaded_boundary,
+            space,
+            strain_operator);
+        add(
+          std::move(body_force[d]), d, Support::volume, space, strain_operator);
+      }
+    constant.compress(VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  ExternalLoads<dim>::add(Expression               &&component_value,
+                          const unsigned int         component,
+                          const Support              support,
+                          const Space<dim>          &space,
+                          const StrainOperator<dim> &strain_operator)
+  {
+    if (component_value.is_zero())
+      return;
+    const auto for_each_point = [&](const PointFunction<dim> &f) {
+      if (support == Support::volume)
+        for_each_volume_point<dim>(space, component, f);
+      else
+        for_each_loaded_point<dim>(space, component, f);
+    };
+
+    if (!component_value.depends_on_time())
+      for_each_point([&](const Point<dim> &point, Weights &&weights) {
+        const double value = component_value.value(point);
+        for (const auto &[dof, weight] : weights)
+          constant(dof) += value * weight;
+      });
+    else if (!component_value.depends_on_space())
+      {
+        Vector integrals;
+        strain_operator.initialize(integrals);
+        for_each_point([&](const Point<dim> &, Weights &&weights) {
+          for (const auto &[dof, weight] : weights)
+            integrals(dof) += weight;
+        });
+        integrals.compress(VectorOperation::add);
+        amplitudes.push_back({std::move(component_value), integrals});
+      }
+    else
+      {
+        std::vector<WeightedPoint> points;
+        for_each_point([&](const Point<dim> &point, Weights &&weights) {
+          points.push_back({point, std::move(weights)});
+        });
+        densities.push_back({std::move(component_value), std::move(points)});
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ExternalLoads<dim>::evaluate(const double t, Vector &loads) const
+  {
+    loads = 0.;
+    for (const Density &density : densities)
+      for (const WeightedPoint &weighted : density.points)
+        {
+          const double value = density.value.value(weighted.point, t);
+          for (const auto &[dof, weight] : weighted.weights)
+            loads(dof) += value * weight;
+        }
+    if (!densities.empty())
+      loads.compress(VectorOperation::add);
+    loads += constant;
+    for (const Amplitude &amplitude : amplitudes)
+      loads.add(amplitude.factor.value(Point<dim>(), t), amplitude.integrals);
+  }
+
+
+
+  template class ExternalLoads<2>;
+} // namespace Crevasse

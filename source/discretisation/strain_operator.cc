@@ -1,0 +1,56 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/discretisation/strain_operator.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  template <int dim>
+  StrainOperator<dim>::StrainOperator(const Space<dim>           &space,
+                                      const QuadratureField<dim> &points)
+    : degree(space.finite_element().degree)
+    , n_cell_points(space.quadrature().size())
+  {
+    Assert(degree == 1 || degree == 2, ExcNotImplemented());
+
+    typename MatrixFree<dim, double>::AdditionalData data;
+    data.mapping_update_flags  = update_gradients | update_JxW_values;
+    data.tasks_parallel_scheme = MatrixFree<dim, double>::AdditionalData::none;
+    matrix_free.reinit(space.mapping(),
+                       space.dof_handler(),
+                       space.constraints(),
+                       QGauss<1>(degree + 1),
+                       data);
+
+    batch_offsets.resize(matrix_free.n_cell_batches());
+    for (unsigned int batch = 0; batch < batch_offsets.size(); ++batch)
+      for (unsigned int lane = 0;
+           lane < matrix_free.n_active_entries_per_cell_batch(batch);
+           ++lane)
+        batch_offsets[batch][lane] =
+          points.offset(matrix_free.get_cell_iterator(batch, lane));
+  }
+
+
+
+  template <int dim>
+  void
+  StrainOperator<dim>::initialize(Vector &displacement) const
+  {
+    matrix_free.initialize_dof_vector(displacement);
+  }
+
+
+
+  template class StrainOperator<2>;
+} // namespace Crevasse

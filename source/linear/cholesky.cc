@@ -1,0 +1,179 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/linear/cholesky.h>
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <algorithm>
+#include <cholmod.h>
+#include <sstream>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  struct Cholesky::Factor
+  {
+    Factor()
+    {
+      cholmod_start(&common);
+      common.print = 0; // errors become exceptions
+    }
+
+    ~Factor()
+    {
+      cholmod_free_dense(&solution, &common);
+      cholmod_free_dense(&work_1, &common);
+      cholmod_free_dense(&work_2, &common);
+      cholmod_free_factor(&L, &common);
+      cholmod_finish(&common);
+    }
+
+    cholmod_common  common;
+    cholmod_factor *L = nullptr;
+
+    // Kept from solve to solve, so that a solve allocates nothing.
+    cholmod_dense *solution = nullptr;
+    cholmod_dense *work_1   = nullptr;
+    cholmod_dense *work_2   = nullptr;
+  };
+
+
+
+  namespace
+  {
+    /** The upper triangle: row i of the symmetric matrix is CHOLMOD's column
+     * i. The caller frees it. */
+    cholmod_sparse *
+    upper_triangle(const LinearSolver::Matrix &matrix, cholmod_common &common)
+    {
+      int      *starts;
+      int      *columns;
+      double   *values;
+      const int error = matrix.trilinos_matrix().ExtractCrsDataPointers(starts,
+                                                                        columns,
+                                                                        values);
+      AssertThrow(error == 0, ExcTrilinosError(error));
+
+      const int   n       = matrix.m();
+      std::size_t n_upper = 0;
+      for (int i = 0; i < n; ++i)
+        n_upper += std::count_if(columns + starts[i],
+                                 columns + starts[i + 1],
+                                 [i](const int j) { return j <= i; });
+
+      cholmod_sparse *upper =
+        cholmod_allocate_sparse(n, n, n_upper, 0, 1, 1, CHOLMOD_REAL, &common);
+      if (upper == nullptr)
+        throw NumericalError("CHOLMOD: no memory for a matrix of " +
+                             std::to_string(n_upper) + " entries.");
+      auto *p = static_cast<int *>(upper->p);
+      auto *r = static_cast<int *>(upper->i);
+      auto *x = static_cast<double *>(upper->x);
+      int   k = 0;
+      for (int i = 0; i < n; ++i)
+        {
+          p[i] = k;
+          for (int entry = starts[i]; entry < starts[i + 1]; ++entry)
+            if (columns[entry] <= i)
+              {
+                r[k] = columns[entry];
+                x[k] = values[entry];
+                ++k;
+              }
+        }
+      p[n] = k;
+      return upper;
+    }
+  } // namespace
+
+
+
+  Cholesky::Cholesky(const Matrix &matrix)
+    : factor(std::make_unique<Factor>())
+  {
+    if (Utilities::MPI::n_mpi_processes(matrix.get_mpi_communicator()) > 1)
+      throw NumericalError(
+        "The sparse Cholesky solver works on one process "
+        "only: start the program without mpirun.");
+
+    cholmod_common &common = factor->common;
+    cholmod_sparse *upper  = upper_triangle(matrix, common);
+    factor->L              = cholmod_analyze(upper, &common);
+    if (factor->L != nullptr)
+      cholmod_factorize(upper, factor->L, &common);
+    cholmod_free_sparse(&upper, &common);
+
+    if (common.status == CHOLMOD_NOT_POSDEF)
+      throw NumericalError(
+        "CHOLMOD: the stiffness is not positive definite (pivot " +
+        std::to_string(factor->L->minor) + " of " + std::to_string(matrix.m()) +
+        "). Check the moduli of [Material], the supports of [Boundary], and "
+        "the mesh for inverted cells or parts that hang together by nothing.");
+    if (common.status < CHOLMOD_OK)
+      throw NumericalError("CHOLMOD failed with status " +
+                           std::to_string(common.status) +
+                           (common.status == CHOLMOD_OUT_OF_MEMORY
+                              ? ": the factor does not fit into memory."
+                              : "."));
+  }
+
+
+
+  Cholesky::~Cholesky() = default;
+
+
+
+  std::string
+  Cholesky::description() const
+  {
+    std::ostringstream text;
+    text << "sparse Cholesky (CHOLMOD), "
+         << (factor->L->is_super != 0 ? "supernodal" : "simplicial") << ", "
+         << factor->common.lnz << " entries in the factor";
+    return text.str();
+  }
+
+
+
+  void
+  Cholesky::apply_inverse(Vector &solution, const Vector &right_hand_side)
+  {
+    // A view of the right-hand side; CHOLMOD only reads it.
+    cholmod_dense b;
+    b.nrow  = right_hand_side.locally_owned_size();
+    b.ncol  = 1;
+    b.nzmax = b.nrow;
+    b.d     = b.nrow;
+    b.x     = const_cast<double *>(right_hand_side.begin());
+    b.z     = nullptr;
+    b.xtype = CHOLMOD_REAL;
+    b.dtype = CHOLMOD_DOUBLE;
+
+    const int success = cholmod_solve2(CHOLMOD_A,
+                                       factor->L,
+                                       &b,
+                                       nullptr,
+                                       &factor->solution,
+                                       nullptr,
+                                       &factor->work_1,
+                                       &factor->work_2,
+                                       &factor->common);
+    if (success == 0)
+      throw NumericalError("CHOLMOD: a solve failed with status " +
+                           std::to_string(factor->common.status) + ".");
+    const auto *x = static_cast<const double *>(factor->solution->x);
+    std::copy(x, x + b.nrow, solution.begin());
+  }
+} // namespace Crevasse

@@ -1,0 +1,192 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/output/csv_table.h>
+#include <crevasse/output/log.h>
+#include <crevasse/run/simulation.h>
+#include <crevasse/run/version.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/scene_file.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+  using namespace Crevasse;
+
+  /** The exit statuses that scripts rely on. */
+  enum Status
+  {
+    done              = 0,
+    bad_input         = 2,
+    numerical_failure = 3,
+    file_failure      = 4
+  };
+
+  /** What the command line says. */
+  struct Command
+  {
+    std::string              scene_file;
+    std::vector<std::string> overrides;
+    std::string              output_directory;
+    std::string              print_format;
+    bool                     check = false;
+    bool                     quiet = false;
+  };
+
+
+
+  std::string
+  output_directory(const Command &command, const Scene &scene)
+  {
+    if (!command.output_directory.empty())
+      return command.output_directory;
+    if (!scene.output_directory.empty())
+      return scene.output_directory;
+    return "results/" +
+           std::filesystem::path(command.scene_file).stem().string();
+  }
+
+
+
+  void
+  write_used_parameters(dealii::ParameterHandler &prm,
+                        const std::string        &file_name)
+  {
+    std::ofstream file(file_name);
+    prm.print_parameters(file, dealii::ParameterHandler::PRM);
+    if (!file)
+      throw FileError("Cannot write " + file_name + ".");
+  }
+
+
+
+  void
+  run_scene(const Command &command)
+  {
+    const MPI_Comm           communicator = MPI_COMM_WORLD;
+    dealii::ParameterHandler prm;
+    Problems                 problems;
+    const Scene              scene =
+      read_scene(command.scene_file, command.overrides, prm, problems);
+    scene.check(problems);
+    problems.throw_if_any();
+
+    Log log(communicator, command.quiet);
+    log.line("Crevasse " CREVASSE_VERSION ": " + command.scene_file);
+    Simulation<2> simulation(scene, communicator, log);
+    simulation.describe();
+    if (command.check)
+      {
+        log.line("The scene is in order; nothing was computed.");
+        return;
+      }
+
+    const std::string directory = output_directory(command, scene);
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        require_writable_directory(directory);
+        write_used_parameters(prm, directory + "/used.prm");
+      }
+    log.open_file(directory + "/log.txt");
+    simulation.run(directory);
+    log.line("  results in " + directory);
+  }
+
+
+
+  /** Runs, and turns every exception into a message and an exit status. */
+  int
+  run_guarded(const Command &command)
+  {
+    const auto report = [](const std::exception &error, const int status) {
+      std::cerr << "crevasse: " << error.what() << std::endl;
+      return status;
+    };
+    try
+      {
+        if (!command.print_format.empty())
+          print_parameters(std::cout, command.print_format);
+        else
+          run_scene(command);
+        return done;
+      }
+    catch (const SceneError &error)
+      {
+        return report(error, bad_input);
+      }
+    catch (const FileError &error)
+      {
+        return report(error, file_failure);
+      }
+    catch (const std::exception &error)
+      {
+        return report(error, numerical_failure);
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Command  command;
+  CLI::App app(
+    "Crevasse: periodic states of cracked viscoelastic solids with "
+    "one-sided contact on the crack lips.");
+  app.set_version_flag("--version", "crevasse " CREVASSE_VERSION);
+  auto *scene =
+    app.add_option("scene", command.scene_file, "The scene: .prm or .json");
+  app
+    .add_option(
+      "--set",
+      command.overrides,
+      "\"Section/Name=value\": overrides a parameter; may be repeated")
+    ->expected(1)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--output", command.output_directory, "Output directory");
+  app.add_flag("--check", command.check, "Check the scene; compute nothing");
+  app.add_flag("--quiet", command.quiet, "Print nothing but errors");
+  auto *print = app
+                  .add_option("--print-parameters",
+                              command.print_format,
+                              "Print all parameters: prm, json or markdown")
+                  ->expected(0, 1)
+                  ->default_str("prm")
+                  ->check(CLI::IsMember({"prm", "json", "markdown"}));
+  try
+    {
+      app.parse(argc, argv);
+      if (print->count() > 0 && command.print_format.empty())
+        command.print_format = "prm";
+      if (scene->empty() && print->empty())
+        throw CLI::RequiredError("A scene file");
+    }
+  catch (const CLI::ParseError &error)
+    {
+      return app.exit(error) == 0 ? done : bad_input;
+    }
+
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const int                                status = run_guarded(command);
+  if (status != done &&
+      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    MPI_Abort(MPI_COMM_WORLD, status); // the other ranks may be waiting
+  return status;
+}

@@ -1,0 +1,152 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/output/field_writer.h>
+#include <crevasse/output/nodal_fields.h>
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/numerics/data_out.h>
+
+#include <fstream>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  template <int dim>
+  FieldWriter<dim>::FieldWriter(const Space<dim>           &space,
+                                const StressRecovery<dim>  &recovery,
+                                const ContactBoundary<dim> &lip,
+                                const StepList             &steps,
+                                const std::vector<double>  &times,
+                                const std::string          &directory)
+    : space(space)
+    , recovery(recovery)
+    , lip(lip)
+    , n_steps(steps.n_steps())
+    , directory(directory)
+    , wanted(n_steps + 1, false)
+  {
+    for (const double t : times)
+      wanted[steps.nearest(t)] = true;
+    wanted[n_steps] = true; // the end of the run
+  }
+
+
+
+  template <int dim>
+  void
+  FieldWriter<dim>::observe(const Sample &sample)
+  {
+    if (wanted[sample.step])
+      snapshots[sample.step] = {sample.time,
+                                sample.state,
+                                sample.viscous_strain};
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FieldWriter<dim>::write() const
+  {
+    std::vector<std::pair<double, std::string>> records;
+    for (const auto &[step, snapshot] : snapshots)
+      {
+        (void)step;
+        const unsigned int number = records.size();
+        write(snapshot, number);
+        records.emplace_back(snapshot.time,
+                             "solution_" + Utilities::int_to_string(number, 4) +
+                               ".pvtu");
+      }
+
+    if (Utilities::MPI::this_mpi_process(space.communicator()) == 0)
+      {
+        const std::string file_name = directory + "/solution.pvd";
+        std::ofstream     file(file_name);
+        DataOutBase::write_pvd_record(file, records);
+        if (!file)
+          throw FileError("Cannot write " + file_name + ".");
+      }
+    return records.size();
+  }
+
+
+
+  template <int dim>
+  void
+  FieldWriter<dim>::write(const Snapshot    &snapshot,
+                          const unsigned int number) const
+  {
+    DataOut<dim>          data_out;
+    DataOutBase::VtkFlags flags;
+    flags.time                     = snapshot.time;
+    flags.write_higher_order_cells = false;
+    data_out.set_flags(flags);
+
+    const auto add_vector = [&](const Vector &values, const std::string &name) {
+      data_out.add_data_vector(
+        space.dof_handler(),
+        values,
+        std::vector<std::string>(dim, name),
+        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+          dim, DataComponentInterpretation::component_is_part_of_vector));
+    };
+    const auto add_scalar = [&](const Vector &values, const std::string &name) {
+      data_out.add_data_vector(recovery.dof_handler(), values, name);
+    };
+
+    Vector displacement = snapshot.state.displacement;
+    space.constraints().distribute(displacement);
+    displacement.update_ghost_values();
+    add_vector(displacement, "displacement");
+
+    const auto add_components = [&](const std::vector<Vector> &components,
+                                    const std::string         &name) {
+      for (unsigned int c = 0; c < components.size(); ++c)
+        add_scalar(components[c], name + '_' + voigt_name<dim>(c));
+    };
+    const std::vector<Vector> stress = recovery.recover(snapshot.state.stress);
+    add_components(stress, "stress");
+    std::vector<Vector> viscous_strain; // none in an elastic body
+    if (snapshot.viscous_strain.size() > 0)
+      viscous_strain = recovery.recover(snapshot.viscous_strain);
+    add_components(viscous_strain, "viscous_strain");
+
+    const StressInvariants<dim> invariants =
+      stress_invariants(space, recovery, stress);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const std::string suffix = std::to_string(d + 1);
+        add_scalar(invariants.principal_stress[d],
+                   "principal_stress_" + suffix);
+        add_vector(invariants.principal_direction[d],
+                   "principal_direction_" + suffix);
+      }
+    add_scalar(invariants.second_deviator_invariant,
+               "second_deviator_invariant");
+
+    const Vector pressure =
+      contact_pressure(space, recovery, lip, snapshot.state.contact_forces);
+    add_scalar(pressure, "contact_pressure");
+
+    data_out.build_patches(space.mapping(), space.finite_element().degree);
+    data_out.write_vtu_with_pvtu_record(
+      directory + '/', "solution", number, space.communicator(), 4);
+  }
+
+
+
+  template class FieldWriter<2>;
+} // namespace Crevasse

@@ -1,0 +1,84 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/output/log.h>
+
+#include <iostream>
+#include <unistd.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  Log::Log(const MPI_Comm communicator, const bool quiet)
+    : first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , quiet(quiet)
+    , terminal(isatty(STDOUT_FILENO) == 1)
+  {
+  }
+
+
+
+  void
+  Log::open_file(const std::string &file_name)
+  {
+    if (!first_rank)
+      return;
+    file.open(file_name);
+    file << earlier_lines << std::flush;
+    earlier_lines.clear();
+  }
+
+
+
+  void
+  Log::line(const std::string &text)
+  {
+    if (!first_rank)
+      return;
+    clear_progress();
+    if (!quiet)
+      std::cout << text << std::endl;
+    if (file.is_open())
+      file << text << std::endl;
+    else
+      earlier_lines += text + '\n';
+  }
+
+
+
+  void
+  Log::progress(const std::string &text)
+  {
+    if (!on_terminal())
+      return;
+    std::cout << '\r' << text << "\033[K" << std::flush;
+    progress_shown = true;
+  }
+
+
+
+  bool
+  Log::on_terminal() const
+  {
+    return first_rank && terminal && !quiet;
+  }
+
+
+
+  void
+  Log::clear_progress()
+  {
+    if (progress_shown)
+      std::cout << "\r\033[K";
+    progress_shown = false;
+  }
+} // namespace Crevasse

@@ -1,0 +1,104 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/output/lip_state.h>
+#include <crevasse/output/progress.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cstdio>
+#include <string>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <typename... Arguments>
+    std::string
+    format(const char *pattern, const Arguments... arguments)
+    {
+      char text[160];
+      std::snprintf(text, sizeof(text), pattern, arguments...);
+      return text;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Progress<dim>::Progress(Log                        &log,
+                          const ContactBoundary<dim> &lip,
+                          const unsigned int          steps_per_period,
+                          const unsigned int          maximum_periods,
+                          const MPI_Comm              communicator)
+    : log(log)
+    , lip(lip)
+    , steps_per_period(steps_per_period)
+    , maximum_periods(maximum_periods)
+    , communicator(communicator)
+    , any_terminal(
+        Utilities::MPI::max(log.on_terminal() ? 1 : 0, communicator) == 1)
+  {
+    log.line("");
+    log.line("  period        t  change of stress  VIs");
+  }
+
+
+
+  template <int dim>
+  void
+  Progress<dim>::observe(const Sample &sample)
+  {
+    if (!any_terminal)
+      return;
+    // A few lines a second are enough. The clock of the rank at the terminal
+    // decides for all, because the state of the lip is spread over them.
+    const double seconds = timer.wall_time();
+    const bool   due     = log.on_terminal() && seconds > last_shown + 0.2;
+    if (Utilities::MPI::max(due ? 1 : 0, communicator) == 0)
+      return;
+    last_shown = seconds;
+
+    const LipState now = lip_state(lip, sample.state);
+    const double   done =
+      (sample.period - 1.) * steps_per_period + sample.step + 1.;
+    const double left =
+      seconds * (double(maximum_periods) * steps_per_period / done - 1.);
+    log.progress(format(
+      "  period %u of at most %u, step %u of %u, %u of the lip's nodes closed, "
+      "at most %.0f s left",
+      sample.period,
+      maximum_periods,
+      sample.step,
+      steps_per_period,
+      now.closed_nodes,
+      left));
+  }
+
+
+
+  template <int dim>
+  void
+  Progress<dim>::end_of_period(const PeriodReport &report)
+  {
+    log.line(format("  %6u %8g  %16.6e %4zu",
+                    report.period,
+                    report.end_time,
+                    report.stress_change,
+                    report.vi_solves));
+  }
+
+
+
+  template class Progress<2>;
+} // namespace Crevasse

@@ -1,0 +1,27 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/output/summary.h>
+#include <crevasse/scene/problems.h>
+
+#include <fstream>
+
+namespace Crevasse
+{
+  void
+  write_summary(const Summary &summary, const std::string &file_name)
+  {
+    std::ofstream file(file_name);
+    file << summary.dump(2) << std::endl;
+    if (!file)
+      throw FileError("Cannot write " + file_name + ".");
+  }
+} // namespace Crevasse

@@ -1,0 +1,133 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/output/tables.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  namespace
+  {
+    std::unique_ptr<CsvTable>
+    open_table(const std::string              &file_name,
+               const std::vector<std::string> &header)
+    {
+      return file_name.empty() ? nullptr
+                               : std::make_unique<CsvTable>(file_name, header);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ProbeTable<dim>::ProbeTable(const ProbeEvaluator<dim> &probe,
+                              const std::string         &file_name)
+    : probe(probe)
+  {
+    std::vector<std::string> header = {"t"};
+    for (unsigned int d = 0; d < dim; ++d)
+      header.push_back("u_" + std::to_string(d + 1));
+    for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+      header.push_back(std::string("s_") + voigt_name<dim>(c));
+    if (probe.on_lip())
+      header.insert(header.end(), {"opening", "pressure"});
+    table = open_table(file_name, header);
+  }
+
+
+
+  template <int dim>
+  void
+  ProbeTable<dim>::observe(const Sample &sample)
+  {
+    // Collective, also on ranks that do not write.
+    const auto u      = probe.displacement(sample.state.displacement);
+    const auto stress = probe.stress(sample.state.stress);
+    const auto lip    = probe.opening_and_pressure(sample.state);
+    if (table == nullptr)
+      return;
+
+    std::vector<double> row = {sample.time};
+    row.insert(row.end(), u.begin_raw(), u.end_raw());
+    row.insert(row.end(), stress.begin_raw(), stress.end_raw());
+    if (probe.on_lip())
+      row.insert(row.end(), lip.begin(), lip.end());
+    table->add_row(row);
+  }
+
+
+
+  template <int dim>
+  ContactTable<dim>::ContactTable(const ContactBoundary<dim> &lip,
+                                  const std::string          &file_name)
+    : lip(lip)
+    , table(open_table(file_name,
+                       {"t", "closed_nodes", "force", "largest_pressure"}))
+  {
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTable<dim>::observe(const Sample &sample)
+  {
+    const LipState now = lip_state(lip, sample.state);
+    opening            = std::max(opening, now.largest_opening);
+    if (table != nullptr)
+      table->add_row({sample.time,
+                      double(now.closed_nodes),
+                      now.force,
+                      now.largest_pressure});
+  }
+
+
+
+  template <int dim>
+  double
+  ContactTable<dim>::largest_opening() const
+  {
+    return opening;
+  }
+
+
+
+  PeriodTable::PeriodTable(const std::string &file_name)
+    : table(open_table(file_name,
+                       {"period",
+                        "t_end",
+                        "stress_change",
+                        "stress_error_estimate",
+                        "vi_solves",
+                        "seconds"}))
+  {
+  }
+
+
+
+  void
+  PeriodTable::end_of_period(const PeriodReport &report)
+  {
+    if (table != nullptr)
+      table->add_row({double(report.period),
+                      report.end_time,
+                      report.stress_change,
+                      report.stress_error_estimate,
+                      double(report.vi_solves),
+                      report.seconds});
+  }
+
+
+
+  template class ProbeTable<2>;
+  template class ContactTable<2>;
+} // namespace Crevasse

@@ -1,0 +1,190 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/run/elastic_reference.h>
+#include <crevasse/run/outputs.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  template <int dim>
+  struct Outputs<dim>::LargestStress : public Observer
+  {
+    void
+    observe(const Sample &) override
+    {
+    }
+
+    void
+    end_of_period(const PeriodReport &report) override
+    {
+      value = std::max(value, report.largest_stress);
+    }
+
+    double value = 0.;
+  };
+
+
+
+  template <int dim>
+  template <typename Derived, typename... Arguments>
+  Derived *
+  Outputs<dim>::add(Arguments &&...arguments)
+  {
+    auto observer =
+      std::make_unique<Derived>(std::forward<Arguments>(arguments)...);
+    Derived *view = observer.get();
+    all.push_back(view);
+    owned.push_back(std::move(observer));
+    return view;
+  }
+
+
+
+  template <int dim>
+  Outputs<dim>::Outputs(const Scene       &scene,
+                        const Body<dim>   &body,
+                        Solvers<dim>      &solvers,
+                        const StepList    &steps,
+                        Log               &log,
+                        const std::string &directory)
+    : body(body)
+    , steps(steps)
+    , log(log)
+    , directory(directory)
+    , recovery(body.space, body.points)
+  {
+    const bool writes =
+      Utilities::MPI::this_mpi_process(body.space.communicator()) == 0;
+    const auto file = [&](const std::string &name) {
+      return writes ? directory + '/' + name : std::string();
+    };
+
+    for (const Probe<dim> &probe : parse_probes<dim>(scene.output.probes))
+      {
+        probes.push_back(std::make_unique<ProbeEvaluator<dim>>(
+          probe, body.space, recovery, body.lip));
+        add<ProbeTable<dim>>(*probes.back(),
+                             file("probe_" + probe.name + ".csv"));
+      }
+    if (body.effects.contact.on)
+      contact_table = add<ContactTable<dim>>(body.lip, file("contact.csv"));
+    if (body.effects.viscosity.on)
+      drift = add<Drift>(steps);
+    if (scene.output.elastic_comparison != "none")
+      {
+        ElasticComparison::Reference reference = elastic_reference(
+          body, solvers, steps, scene.output.elastic_comparison == "closed");
+        comparison = add<ElasticComparison>(std::move(reference), steps);
+      }
+    if (body.effects.field_output.on)
+      fields = add<FieldWriter<dim>>(body.space,
+                                     recovery,
+                                     body.lip,
+                                     steps,
+                                     scene.output.field_times,
+                                     directory);
+    largest_stress = add<LargestStress>();
+    add<PeriodTable>(file("periods.csv"));
+    add<Progress<dim>>(log,
+                       body.lip,
+                       steps.n_steps(),
+                       scene.periodic_state.maximum_periods,
+                       body.space.communicator());
+  }
+
+
+
+  template <int dim>
+  const std::vector<Observer *> &
+  Outputs<dim>::observers() const
+  {
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  Outputs<dim>::finish(Summary &summary)
+  {
+    summary["extremes"]["stress"] = largest_stress->value;
+    if (contact_table != nullptr)
+      summary["extremes"]["opening"] = contact_table->largest_opening();
+    if (drift != nullptr && drift->last_period().size() > 0)
+      finish_drift(summary);
+    if (comparison != nullptr)
+      finish_comparison(summary);
+    if (fields != nullptr)
+      {
+        const unsigned int n = fields->write();
+        log.line("  fields of " + std::to_string(n) + " instants in " +
+                 directory + "/solution.pvd");
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Outputs<dim>::finish_drift(Summary &summary) const
+  {
+    const Vector &gain   = drift->last_period();
+    const double  period = steps.period();
+
+    auto &secular           = summary["secular"];
+    secular["on"]           = false; // measured, not solved for
+    secular["largest_rate"] = gain.linfty_norm() / period;
+    for (const auto &probe : probes)
+      {
+        const Tensor<1, dim> beta = probe->displacement(gain) / period;
+        for (unsigned int d = 0; d < dim; ++d)
+          secular["beta"][probe->name()].push_back(beta[d]);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Outputs<dim>::finish_comparison(Summary &summary) const
+  {
+    const double stress = comparison->stress_difference();
+    summary["elastic_comparison"]["stress_difference"] = stress;
+    char text[120];
+    std::snprintf(text,
+                  sizeof(text),
+                  "  periodic stress against F(t) s_el: difference %.2e of the "
+                  "largest stress",
+                  stress);
+    log.line(text);
+    if (drift == nullptr || body.law.uniform_relaxation_time() == 0.)
+      return;
+
+    const double difference =
+      comparison->drift_difference(drift->last_period());
+    summary["elastic_comparison"]["drift_difference"] = difference;
+    std::snprintf(text,
+                  sizeof(text),
+                  "  drift per period against T F_mean/tau u_el: difference "
+                  "%.2e",
+                  difference);
+    log.line(text);
+  }
+
+
+
+  template class Outputs<2>;
+} // namespace Crevasse

@@ -1,0 +1,228 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/periodic/period_map.h>
+#include <crevasse/run/libraries.h>
+#include <crevasse/run/outputs.h>
+#include <crevasse/run/relaxation_table.h>
+#include <crevasse/run/simulation.h>
+#include <crevasse/run/sizes.h>
+#include <crevasse/run/version.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/time/runge_kutta.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <cstdio>
+#include <sstream>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The time integrators by their names in the scene. */
+    std::unique_ptr<Integrator>
+    make_integrator(const TimeIntegrationParameters &parameters)
+    {
+      if (parameters.scheme == "euler")
+        return std::make_unique<RungeKutta>(euler_tableau());
+      if (parameters.scheme == "rk4")
+        return std::make_unique<RungeKutta>(rk4_tableau());
+      return std::make_unique<RungeKutta>(heun_tableau(parameters.heun_weight));
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Simulation<dim>::Simulation(const Scene   &scene,
+                              const MPI_Comm communicator,
+                              Log           &log)
+    : scene(scene)
+    , communicator(communicator)
+    , log(log)
+    , phases(communicator,
+             std::cout,
+             TimerOutput::never,
+             TimerOutput::wall_times)
+    , body(scene, communicator)
+    , steps(scene.time_integration, scene.loads.period)
+    , integrator(body.effects.viscosity.on
+                   ? make_integrator(scene.time_integration)
+                   : nullptr)
+  {
+    if (integrator != nullptr)
+      steps.require_stability(integrator->stability_limit(),
+                              body.law.smallest_relaxation_time());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::describe() const
+  {
+    if (!scene.title.empty())
+      log.line(scene.title);
+    describe_sizes(body, steps, log);
+    for (const Effects::Effect &effect : body.effects.list())
+      {
+        char text[200];
+        std::snprintf(text,
+                      sizeof(text),
+                      "  %-12s %-3s  (%s)",
+                      effect.name.c_str(),
+                      effect.on ? "on" : "off",
+                      effect.why.c_str());
+        log.line(text);
+      }
+    std::ostringstream time;
+    time << "  time: " << steps.n_steps() << " steps a period, the largest "
+         << steps.largest_step();
+    if (integrator != nullptr)
+      time << "; " << integrator->description() << ", stable below "
+           << integrator->stability_limit() *
+                body.law.smallest_relaxation_time();
+    log.line(time.str());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::run(const std::string &directory)
+  {
+    Timer        timer;
+    Solvers<dim> solvers(scene, body, steps, log, phases);
+    if (!scene.contact.relaxation_table.empty())
+      write_relaxation_table(scene, body, solvers, steps, log, directory);
+
+    Summary              summary;
+    const PeriodicResult result = [&]() {
+      Outputs<dim>         outputs(scene, body, solvers, steps, log, directory);
+      const PeriodicResult result = march(solvers, outputs.observers());
+      summarise(summary, solvers);
+      if (result.periods > 0)
+        outputs.finish(summary);
+      return result;
+    }();
+
+    summary["stress_change"] = result.stress_change;
+    summary["periods"]       = result.periods;
+    summary["converged"]     = result.converged;
+    for (const auto &[name, seconds] :
+         phases.get_summary_data(TimerOutput::total_wall_time))
+      summary["seconds"][name] = seconds;
+    summary["seconds"]["total"] = timer.wall_time();
+    Utilities::System::MemoryStats memory;
+    Utilities::System::get_memory_stats(memory);
+    summary["peak_memory_bytes"] = 1024 * memory.VmHWM;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      write_summary(summary, directory + "/summary.json");
+
+    char text[80];
+    std::snprintf(text, sizeof(text), "  Time = %.2f s", timer.wall_time());
+    log.line(text);
+    conclude(result);
+  }
+
+
+
+  template <int dim>
+  PeriodicResult
+  Simulation<dim>::march(Solvers<dim>                  &solvers,
+                         const std::vector<Observer *> &observers)
+  {
+    TimerOutput::Scope phase(phases, "time stepping");
+    Evolution<dim>     evolution(body.strain_operator,
+                             body.points,
+                             body.law,
+                             body.loads,
+                             solvers.contact_solver());
+    PeriodMap<dim>     period_map(evolution, integrator.get(), steps);
+    March<dim>         march(period_map,
+                     solvers.contact_solver(),
+                     scene.periodic_state.tolerance,
+                     scene.periodic_state.maximum_periods);
+    Vector             viscous_strain;
+    if (body.effects.viscosity.on)
+      body.points.initialize(viscous_strain);
+    const PeriodicResult result = march.run(viscous_strain, observers);
+    rate_evaluations            = evolution.n_rate_evaluations();
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::summarise(Summary &summary, Solvers<dim> &solvers) const
+  {
+    summary["version"]   = CREVASSE_VERSION;
+    summary["git"]       = CREVASSE_GIT_REVISION;
+    summary["libraries"] = library_versions();
+    summary["dimension"] = dim;
+    Sizes(body).add_to(summary);
+    for (const Effects::Effect &effect : body.effects.list())
+      summary["effects"][effect.name] = {{"on", effect.on},
+                                         {"why", effect.why}};
+
+    const ContactSolver &contact = solvers.contact_solver();
+    summary["contact_solver"]    = contact.description();
+    auto &counters               = summary["counters"];
+    counters["assemblies"]       = solvers.counters().assemblies;
+    counters["factorisations"]   = solvers.counters().factorisations;
+    counters["linear_solves"]    = solvers.n_linear_solves();
+    counters["vi_solves"]        = contact.n_solves();
+    counters["vi_iterations"]    = contact.n_iterations();
+    counters["rate_evaluations"] = rate_evaluations;
+
+    const Certificate &worst = contact.worst_certificate();
+    summary["certificate"]   = {{"penetration", worst.penetration},
+                                {"tension", worst.tension},
+                                {"complementarity", worst.complementarity},
+                                {"residual", worst.residual}};
+    if (contact.n_solves() > 0)
+      summary["seconds"]["vi_mean"] = contact.seconds() / contact.n_solves();
+    if (solvers.n_linear_solves() > 0)
+      summary["seconds"]["back_solve_mean"] =
+        solvers.linear_seconds() / solvers.n_linear_solves();
+    log.line("");
+    log.line("  certificate of " + std::to_string(contact.n_solves()) +
+             " solves: " + worst.describe());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::conclude(const PeriodicResult &result) const
+  {
+    if (result.converged || scene.periodic_state.tolerance == 0. ||
+        result.periods == 0)
+      return;
+    std::ostringstream message;
+    message << "The stress is not yet periodic: after " << result.periods
+            << " periods it still changes by " << result.stress_change.back()
+            << " of its maximum, more than [Periodic state] Tolerance = "
+            << scene.periodic_state.tolerance
+            << ". All results so far are written. Raise \"Maximum periods\" or "
+               "\"Tolerance\", or set Tolerance = 0 to compute a fixed number "
+               "of periods.";
+    throw NumericalError(message.str());
+  }
+
+
+
+  template class Simulation<2>;
+} // namespace Crevasse

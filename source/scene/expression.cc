@@ -1,0 +1,252 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/expression.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
+
+#include <cmath>
+#include <muParser.h>
+
+namespace Crevasse
+{
+  struct Expression::Parser
+  {
+    mu::Parser parser;
+    double     x = 0., y = 0., z = 0., t = 0.;
+  };
+
+
+
+  namespace
+  {
+    double
+    choose(const double condition, const double yes, const double no)
+    {
+      return condition != 0. ? yes : no;
+    }
+
+
+
+    double
+    raise(const double base, const double exponent)
+    {
+      return std::pow(base, exponent);
+    }
+
+
+
+    double
+    round_down(const double value)
+    {
+      return std::floor(value);
+    }
+
+
+
+    double
+    round_up(const double value)
+    {
+      return std::ceil(value);
+    }
+
+
+
+    /** muParser lacks these, though deal.II's own formulas have them. */
+    void
+    define_functions_and_constants(mu::Parser &parser)
+    {
+      parser.DefineFun("if", choose);
+      parser.DefineFun("pow", raise);
+      parser.DefineFun("floor", round_down);
+      parser.DefineFun("ceil", round_up);
+      parser.DefineConst("pi", dealii::numbers::PI);
+      parser.DefineConst("Pi", dealii::numbers::PI);
+    }
+
+
+
+    /** "=" alone is an assignment to muParser: it would change x or t instead
+     * of comparing them. */
+    bool
+    has_assignment(const std::string &formula)
+    {
+      for (std::size_t i = 0; i < formula.size(); ++i)
+        if (formula[i] == '=')
+          {
+            const bool doubled =
+              i + 1 < formula.size() && formula[i + 1] == '=';
+            const bool compares =
+              i > 0 &&
+              std::string("<>!").find(formula[i - 1]) != std::string::npos;
+            if (!doubled && !compares)
+              return true;
+            i += doubled ? 1 : 0;
+          }
+      return false;
+    }
+
+
+
+    [[noreturn]] void
+    refuse(const std::string &formula, const std::string &reason)
+    {
+      throw SceneError("the formula \"" + Text::shorten(formula) +
+                       "\" cannot be used: " + reason);
+    }
+
+
+
+    std::string
+    describe(const mu::Parser::exception_type &error)
+    {
+      std::string message = error.GetMsg();
+      if (message.find("position") == std::string::npos && error.GetPos() > 0)
+        message += " (position " + std::to_string(error.GetPos()) + ")";
+      if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
+        message +=
+          " Known are x, y, z, t, pi and the functions of muParser, "
+          "if, pow, floor, ceil.";
+      return message;
+    }
+  } // namespace
+
+
+
+  Expression::Expression(const std::string &formula)
+    : parser(std::make_unique<Parser>())
+    , text(dealii::Utilities::trim(formula))
+  {
+    if (text.empty())
+      refuse(text, "it is empty.");
+    if (has_assignment(text))
+      refuse(text, "\"=\" assigns; use \"==\" to compare.");
+
+    mu::Parser &mu = parser->parser;
+    try
+      {
+        define_functions_and_constants(mu);
+        mu.DefineVar("x", &parser->x);
+        mu.DefineVar("y", &parser->y);
+        mu.DefineVar("z", &parser->z);
+        mu.DefineVar("t", &parser->t);
+        mu.SetExpr(text);
+        // Only an evaluation makes muParser parse; the value at the origin may
+        // well be infinite.
+        mu.Eval();
+        for (const auto &variable : mu.GetUsedVar())
+          variables.insert(variable.first);
+      }
+    catch (const mu::Parser::exception_type &error)
+      {
+        refuse(text, describe(error));
+      }
+
+    if (mu.GetNumResults() > 1)
+      refuse(text,
+             "the comma makes it " + std::to_string(mu.GetNumResults()) +
+               " formulas; numbers have a decimal point, and components are "
+               "separated by semicolons.");
+    if (variables.empty() && !std::isfinite(mu.Eval()))
+      refuse(text, "its value is not finite.");
+  }
+
+
+
+  Expression::~Expression() = default;
+
+
+
+  Expression::Expression(Expression &&) noexcept = default;
+
+
+
+  Expression &
+  Expression::operator=(Expression &&) noexcept = default;
+
+
+
+  template <int dim>
+  double
+  Expression::value(const dealii::Point<dim> &point, const double t) const
+  {
+    parser->x = point[0];
+    parser->y = dim > 1 ? point[dim > 1 ? 1 : 0] : 0.;
+    parser->z = dim > 2 ? point[dim > 2 ? 2 : 0] : 0.;
+    parser->t = t;
+
+    const double value = parser->parser.Eval();
+    if (std::isfinite(value))
+      return value;
+
+    std::vector<std::string> coordinates;
+    for (unsigned int d = 0; d < dim; ++d)
+      coordinates.push_back(Text::from_number(point[d]));
+    throw NumericalError(
+      "The formula \"" + Text::shorten(text) + "\" has no finite value at (" +
+      Text::join(coordinates, ", ") + "), t = " + Text::from_number(t) +
+      ": try to keep divisors away from 0 and the arguments of sqrt and log "
+      "positive, for example with max(x, 1e-12).");
+  }
+
+
+
+  bool
+  Expression::depends_on_time() const
+  {
+    return variables.count("t") > 0;
+  }
+
+
+
+  bool
+  Expression::depends_on_space() const
+  {
+    return variables.size() > variables.count("t");
+  }
+
+
+
+  bool
+  Expression::is_zero() const
+  {
+    return variables.empty() && parser->parser.Eval() == 0.;
+  }
+
+
+
+  const std::string &
+  Expression::formula() const
+  {
+    return text;
+  }
+
+
+
+  std::vector<Expression>
+  Expression::parse_list(const std::string &formulas)
+  {
+    std::vector<Expression> expressions;
+    for (const std::string &formula : Text::split(formulas, ';'))
+      expressions.emplace_back(formula);
+    return expressions;
+  }
+
+
+
+  template double
+  Expression::value<2>(const dealii::Point<2> &, const double) const;
+  template double
+  Expression::value<3>(const dealii::Point<3> &, const double) const;
+} // namespace Crevasse

@@ -1,0 +1,196 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/geometry.h>
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_in.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numeric>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Where the tip lies along the crack plane; the lip is on its right (edge
+     * crack) or on its left (centre crack). */
+    double
+    tip_abscissa(const GeometryParameters &parameters)
+    {
+      return parameters.shape == "edge crack"
+               ? parameters.width - parameters.crack_length
+               : parameters.crack_length;
+    }
+
+
+
+    std::vector<double>
+    equal_steps(const double length, const unsigned int n)
+    {
+      return std::vector<double>(n, length / n);
+    }
+
+
+
+    /** Steps along the crack plane, one of whose ends is the tip. */
+    std::vector<double>
+    steps_through_tip(const GeometryParameters &parameters)
+    {
+      const double       width = parameters.width;
+      const double       tip   = tip_abscissa(parameters);
+      const unsigned int n     = parameters.subdivisions[0];
+      if (n < 2)
+        throw SceneError(
+          "[Geometry] Subdivisions: a cracked plate needs at "
+          "least 2 cells along the crack plane, because the "
+          "crack tip is a vertex of the mesh.");
+
+      const double cells_left = n * tip / width;
+      const auto   n_left     = static_cast<unsigned int>(
+        std::clamp(std::round(cells_left), 1., n - 1.));
+      if (std::abs(cells_left - n_left) < 1e-10 * n)
+        return equal_steps(width, n);
+
+      std::vector<double>       steps = equal_steps(tip, n_left);
+      const std::vector<double> right = equal_steps(width - tip, n - n_left);
+      steps.insert(steps.end(), right.begin(), right.end());
+      return steps;
+    }
+
+
+
+    template <int dim>
+    void
+    make_plate(const GeometryParameters &parameters, Triangulation<dim> &mesh)
+    {
+      const bool cracked = parameters.shape != "rectangle";
+
+      std::vector<std::vector<double>> steps(dim);
+      steps[0] = cracked
+                   ? steps_through_tip(parameters)
+                   : equal_steps(parameters.width, parameters.subdivisions[0]);
+      steps[1] = equal_steps(parameters.height, parameters.subdivisions[1]);
+
+      // The far corner is the sum of the steps, as the generator computes it:
+      // it insists on equality.
+      Point<dim> corner;
+      for (unsigned int d = 0; d < dim; ++d)
+        corner[d] = std::accumulate(steps[d].begin(), steps[d].end(), 0.);
+      GridGenerator::subdivided_hyper_rectangle(
+        mesh, steps, Point<dim>(), corner, true);
+
+      if (!cracked)
+        return;
+      const double tip = tip_abscissa(parameters);
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary() &&
+            face->boundary_id() == BoundaryIds::ligament &&
+            (face->center()[0] > tip) == (parameters.shape == "edge crack"))
+          face->set_boundary_id(BoundaryIds::lip);
+    }
+
+
+
+    template <int dim>
+    void
+    read_mesh(const std::string &file_name, Triangulation<dim> &mesh)
+    {
+      GridIn<dim> grid_in(mesh);
+      try
+        {
+          if (file_name.size() > 4 &&
+              file_name.substr(file_name.size() - 4) == ".msh")
+            {
+              std::ifstream file(file_name);
+              grid_in.read_msh(file);
+            }
+          else
+            grid_in.read(file_name);
+        }
+      catch (const std::exception &error)
+        {
+          throw SceneError("[Geometry] Mesh file = " + file_name +
+                           ": cannot be read as a mesh (a Gmsh .msh file in "
+                           "ASCII, format 2 or 4, or any format of deal.II's "
+                           "GridIn):\n" +
+                           error.what());
+        }
+      if (!mesh.all_reference_cells_are_hyper_cube())
+        throw SceneError("[Geometry] Mesh file = " + file_name +
+                         ": has triangles; only quadrilaterals are allowed "
+                         "(Gmsh: Mesh.RecombineAll = 1, "
+                         "Mesh.SubdivisionAlgorithm = 1).");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  make_mesh(const GeometryParameters &parameters, Triangulation<dim> &mesh)
+  {
+    if (parameters.shape == "mesh file")
+      read_mesh(parameters.mesh_file, mesh);
+    else
+      make_plate(parameters, mesh);
+    mesh.refine_global(parameters.refinements);
+  }
+
+
+
+  BoundaryRoles
+  built_in_roles(const GeometryParameters &parameters)
+  {
+    BoundaryRoles roles;
+    if (parameters.shape == "mesh file")
+      return roles;
+
+    roles.symmetry = {BoundaryIds::ligament};
+    roles.loaded   = {BoundaryIds::top};
+    if (parameters.shape != "rectangle")
+      roles.contact = {BoundaryIds::lip};
+    if (parameters.shape == "centre crack")
+      roles.symmetry.insert(BoundaryIds::left);
+    return roles;
+  }
+
+
+
+  template <int dim>
+  std::vector<FixedPoint<dim>>
+  built_in_fixed_points(const GeometryParameters &parameters)
+  {
+    if (parameters.shape != "edge crack" && parameters.shape != "rectangle")
+      return {};
+
+    // The crack plane already holds u₂; the sliding along it remains. The
+    // paper holds the tip.
+    FixedPoint<dim> fixed_point;
+    fixed_point.components.fill(false);
+    fixed_point.components[0] = true;
+    if (parameters.shape == "edge crack")
+      fixed_point.point[0] = tip_abscissa(parameters);
+    return {fixed_point};
+  }
+
+
+
+  template void
+  make_mesh<2>(const GeometryParameters &, Triangulation<2> &);
+  template std::vector<FixedPoint<2>>
+  built_in_fixed_points<2>(const GeometryParameters &);
+} // namespace Crevasse

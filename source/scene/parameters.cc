@@ -1,0 +1,325 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/parameters.h>
+
+#include <deal.II/base/patterns.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  // The patterns tell types only; ranges are left to check(), which can say in
+  // words what is allowed. What follows "Allowed:" is the last column of the
+  // parameter tables of the documentation.
+  namespace
+  {
+    const Patterns::Integer count(0);
+    const Patterns::List    list_of_counts(Patterns::Integer(0));
+    const Patterns::List    list_of_numbers(Patterns::Double{});
+  } // namespace
+
+
+
+  void
+  GeometryParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter(
+      "Shape",
+      shape,
+      "The body. The built-in shapes are the half above the crack plane y = 0 "
+      "of a plate: \"edge crack\" has its crack on the right, with the tip at "
+      "x = Width - Crack length; \"centre crack\" is a quarter of the plate, "
+      "with the crack from x = 0 to x = Crack length; \"rectangle\" has none; "
+      "\"mesh file\" reads a mesh.",
+      Patterns::Selection("edge crack|centre crack|rectangle|mesh file"));
+    prm.add_parameter("Width",
+                      width,
+                      "Extent in x of a built-in shape, in units of length. "
+                      "Allowed: a number greater than 0");
+    prm.add_parameter("Height",
+                      height,
+                      "Extent in y of a built-in shape above the crack plane, "
+                      "in units of length. Allowed: a number greater than 0");
+    prm.add_parameter("Crack length",
+                      crack_length,
+                      "Length of the modelled part of the crack, in units of "
+                      "length; used by the two shapes with a crack. Allowed: a "
+                      "number greater than 0 and less than Width");
+    prm.add_parameter(
+      "Mesh file",
+      mesh_file,
+      "Mesh of quadrilaterals with boundary ids, for the shape \"mesh file\". "
+      "It is looked for next to the scene file first, then in the working "
+      "directory. Allowed: a Gmsh file (.msh) or another format that deal.II "
+      "reads");
+    prm.add_parameter("Subdivisions",
+                      subdivisions,
+                      "Numbers of cells along x and y of a built-in shape, "
+                      "before refinement. Where equal cells do not meet the "
+                      "crack tip, the two sides of it are divided separately. "
+                      "Allowed: as many integers of at least 1 as dimensions, "
+                      "separated by commas",
+                      list_of_counts);
+    prm.add_parameter("Refinements",
+                      refinements,
+                      "How often all cells are halved in each direction. "
+                      "Allowed: an integer from 0 to 12",
+                      count);
+  }
+
+
+
+  void
+  BoundaryParameters::add_parameters(ParameterHandler &prm)
+  {
+    const std::string ids =
+      " \"automatic\" takes what the built-in shape has, which is nothing for "
+      "a mesh file. Allowed: automatic, none, or boundary ids separated by "
+      "commas";
+
+    prm.add_parameter("Clamped",
+                      clamped,
+                      "Boundary ids where the displacement is zero." + ids);
+    prm.add_parameter("Symmetry",
+                      symmetry,
+                      "Boundary ids of symmetry planes: the normal "
+                      "displacement and the tangential traction are zero." +
+                        ids);
+    prm.add_parameter("Loaded",
+                      loaded,
+                      "Boundary ids that carry the traction of the section "
+                      "Loads." +
+                        ids);
+    prm.add_parameter("Contact",
+                      contact,
+                      "Boundary ids of crack lips, which may open but not go "
+                      "through the crack plane." +
+                        ids);
+    prm.add_parameter(
+      "Fixed points",
+      fixed_points,
+      "Mesh vertices that are held so that no rigid motion is left. A point "
+      "is fixed in all directions, or in the components, counted from 1, that "
+      "follow a colon. \"automatic\" takes what the built-in shape needs. "
+      "Allowed: automatic, none, or a list such as 0, 0; 1, 0: 2");
+    prm.add_parameter("Gap",
+                      gap,
+                      "The least normal displacement of the lip, in units of "
+                      "length: 0 for a crack that is closed when nothing is "
+                      "loaded, negative for one that stands open. Allowed: a "
+                      "formula of x, y, z with values of at most 0");
+  }
+
+
+
+  void
+  MaterialParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Plane state",
+                      plane_state,
+                      "What a plane model assumes of the third direction.",
+                      Patterns::Selection("plane stress|plane strain"));
+    prm.add_parameter("Young modulus",
+                      young_modulus,
+                      "Young's modulus of the elastic strain, in units of "
+                      "stress. Allowed: a number greater than 0");
+    prm.add_parameter("Poisson ratio",
+                      poisson_ratio,
+                      "Poisson's ratio of the elastic strain. Allowed: a "
+                      "number greater than -1 and less than 0.5");
+    prm.add_parameter(
+      "Viscosity",
+      viscosity,
+      "How the body creeps: \"relaxation time\" makes the viscosity the "
+      "stiffness times Relaxation time; \"isotropic\" builds it from Viscous "
+      "modulus and Viscous Poisson ratio; \"none\" is an elastic body.",
+      Patterns::Selection("relaxation time|isotropic|none"));
+    prm.add_parameter("Relaxation time",
+                      relaxation_time,
+                      "Viscosity divided by stiffness, in units of time; used "
+                      "by the viscosity \"relaxation time\". Allowed: a number "
+                      "greater than 0");
+    prm.add_parameter("Viscous modulus",
+                      viscous_modulus,
+                      "Stress per rate of viscous strain under tension, in "
+                      "units of stress times time; used by the viscosity "
+                      "\"isotropic\". Allowed: a number greater than 0");
+    prm.add_parameter("Viscous Poisson ratio",
+                      viscous_poisson_ratio,
+                      "Ratio of lateral to axial viscous strain under tension; "
+                      "0.5 keeps the volume. Used by the viscosity "
+                      "\"isotropic\". Allowed: a number greater than -1, at "
+                      "most 0.5");
+  }
+
+
+
+  void
+  LoadParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Period",
+                      period,
+                      "Period of everything that depends on time, in units of "
+                      "time. In all formulas t is the time within the period. "
+                      "Allowed: a number greater than 0");
+    prm.add_parameter("Traction",
+                      traction,
+                      "Force per area on the boundaries that Boundary/Loaded "
+                      "names, in units of stress. Allowed: one formula of x, "
+                      "y, z, t for each dimension, separated by semicolons");
+    prm.add_parameter("Body force",
+                      body_force,
+                      "Force per volume. Allowed: one formula of x, y, z, t "
+                      "for each dimension, separated by semicolons");
+  }
+
+
+
+  void
+  DiscretisationParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Degree",
+                      degree,
+                      "Polynomial degree of the finite elements. Allowed: 1 or "
+                      "2",
+                      count);
+  }
+
+
+
+  void
+  ContactParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Solver",
+                      solver,
+                      "Method for the contact inequality; \"automatic\" "
+                      "chooses.",
+                      Patterns::Selection("automatic|projected sor"));
+    prm.add_parameter("Relaxation factor",
+                      relaxation_factor,
+                      "Over-relaxation factor of the projected SOR method; "
+                      "\"automatic\" searches for the best one. Allowed: "
+                      "automatic, or a number greater than 0 and less than 2");
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Residual, relative to the load, at which the solver "
+                      "stops. Allowed: a number greater than 0, at most 0.01");
+    prm.add_parameter("Maximum iterations",
+                      maximum_iterations,
+                      "Iterations after which the solver gives up. Allowed: an "
+                      "integer of at least 1",
+                      count);
+    prm.add_parameter("Relaxation table",
+                      relaxation_table,
+                      "Relaxation factors for which the iterations are counted "
+                      "and tabulated; nothing: no table. Allowed: numbers "
+                      "greater than 0 and less than 2, separated by commas",
+                      list_of_numbers);
+  }
+
+
+
+  void
+  LinearSolverParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Type",
+                      type,
+                      "Solver of the linear systems; \"automatic\" chooses.",
+                      Patterns::Selection("automatic|cholesky"));
+  }
+
+
+
+  void
+  TimeIntegrationParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Scheme",
+                      scheme,
+                      "Runge-Kutta method for the viscous strain, of order 1, "
+                      "2 or 4.",
+                      Patterns::Selection("euler|heun|rk4"));
+    prm.add_parameter("Heun weight",
+                      heun_weight,
+                      "Weight w of the second stage of the scheme \"heun\", "
+                      "which lies at the fraction 1/(2w) of the step. Allowed: "
+                      "a number from 0.5 to 1");
+    prm.add_parameter("Steps per period",
+                      steps_per_period,
+                      "Number of equal steps of the step control \"uniform\". "
+                      "Allowed: an integer of at least 1",
+                      count);
+    prm.add_parameter("Step control",
+                      step_control,
+                      "Where the steps end: \"uniform\" divides the period "
+                      "equally, \"list\" takes the instants of Steps.",
+                      Patterns::Selection("uniform|list"));
+    prm.add_parameter("Steps",
+                      steps,
+                      "Instants of the step control \"list\", in units of "
+                      "time. Allowed: increasing numbers from 0 to the period, "
+                      "separated by commas",
+                      list_of_numbers);
+  }
+
+
+
+  void
+  PeriodicStateParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Method",
+                      method,
+                      "How the periodic state is found: \"march\" computes one "
+                      "period after the other.",
+                      Patterns::Selection("march"));
+    prm.add_parameter("Maximum periods",
+                      maximum_periods,
+                      "Number of periods after which the march ends even if "
+                      "the stress still changes. Allowed: an integer of at "
+                      "least 0",
+                      count);
+    prm.add_parameter(
+      "Tolerance",
+      tolerance,
+      "Largest change of the stress from one period to the "
+      "next, relative to the largest stress, at which the "
+      "state list_of_counts as periodic; 0 computes Maximum periods in "
+      "any case. Allowed: a number of at least 0, less than 1");
+  }
+
+
+
+  void
+  OutputParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Probes",
+                      probes,
+                      "Points whose displacement and stress are recorded at "
+                      "every step, in files named after them. Allowed: a list "
+                      "such as tip: 0.5, 0; corner: 1, 1");
+    prm.add_parameter("Field times",
+                      field_times,
+                      "Instants within the last period at which the fields are "
+                      "written, in units of time. Allowed: numbers from 0 to "
+                      "the period, separated by commas",
+                      list_of_numbers);
+    prm.add_parameter("Fields",
+                      fields,
+                      "File format of the fields.",
+                      Patterns::Selection("vtu|none"));
+    prm.add_parameter("Elastic comparison",
+                      elastic_comparison,
+                      "Whether the stress of the last period is compared with "
+                      "that of an elastic body whose crack is always open, or "
+                      "always closed.",
+                      Patterns::Selection("none|open|closed"));
+  }
+} // namespace Crevasse

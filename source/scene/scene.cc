@@ -1,0 +1,175 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/boundary_roles.h>
+#include <crevasse/scene/probe_list.h>
+#include <crevasse/scene/scene.h>
+#include <crevasse/scene/text.h>
+
+#include <deal.II/base/patterns.h>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** Calls the function with each section of a scene in turn. */
+    template <typename SceneType, typename Function>
+    void
+    for_each_section(SceneType &scene, const Function &function)
+    {
+      function(scene.geometry);
+      function(scene.boundary);
+      function(scene.material);
+      function(scene.loads);
+      function(scene.discretisation);
+      function(scene.contact);
+      function(scene.linear_solver);
+      function(scene.time_integration);
+      function(scene.periodic_state);
+      function(scene.output);
+    }
+
+
+
+    /** Formulas and mesh sizes: one for each dimension. */
+    void
+    check_components(const Scene &scene, Problems &problems)
+    {
+      const std::string dimension = std::to_string(scene.dimension);
+
+      const auto &subdivisions = scene.geometry.subdivisions;
+      if (subdivisions.size() != scene.dimension)
+        {
+          std::vector<std::string> parts;
+          for (const unsigned int n : subdivisions)
+            parts.push_back(std::to_string(n));
+          problems.add(GeometryParameters::section,
+                       "Subdivisions",
+                       Text::join(parts, ", "),
+                       "must be " + dimension +
+                         " integers, one for each dimension");
+        }
+
+      const auto check_formulas = [&](const char        *name,
+                                      const std::string &formulas) {
+        if (Text::split(formulas, ';').size() != scene.dimension)
+          problems.add(LoadParameters::section,
+                       name,
+                       formulas,
+                       "must be " + dimension +
+                         " formulas, one for each dimension, separated by "
+                         "semicolons");
+      };
+      check_formulas("Traction", scene.loads.traction);
+      check_formulas("Body force", scene.loads.body_force);
+    }
+
+
+
+    /** The lists of points, whose number of coordinates is the dimension. */
+    void
+    check_points(const Scene &scene, Problems &problems)
+    {
+      try
+        {
+          parse_fixed_points<2>(scene.boundary.fixed_points);
+        }
+      catch (const SceneError &error)
+        {
+          problems.add(BoundaryParameters::section,
+                       "Fixed points",
+                       scene.boundary.fixed_points,
+                       error.what());
+        }
+      try
+        {
+          parse_probes<2>(scene.output.probes);
+        }
+      catch (const SceneError &error)
+        {
+          problems.add(OutputParameters::section,
+                       "Probes",
+                       scene.output.probes,
+                       error.what());
+        }
+    }
+
+
+
+    void
+    check_instants(const Scene &scene, Problems &problems)
+    {
+      if (problems.concern(LoadParameters::section, "Period"))
+        return;
+
+      const double period = scene.loads.period;
+      const auto   check  = [&](const char                *section,
+                             const char                *name,
+                             const std::vector<double> &instants) {
+        for (const double instant : instants)
+          if (instant > period)
+            problems.add(section,
+                         name,
+                         Text::from_number(instant),
+                         "must be within the period: Loads/Period = " +
+                           Text::from_number(period));
+      };
+      if (scene.time_integration.step_control == "list")
+        check(TimeIntegrationParameters::section,
+              "Steps",
+              scene.time_integration.steps);
+      check(OutputParameters::section, "Field times", scene.output.field_times);
+    }
+  } // namespace
+
+
+
+  void
+  Scene::add_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter("Title",
+                      title,
+                      "A line of text for figures and reports.");
+    prm.add_parameter("Dimension",
+                      dimension,
+                      "Dimension of space. Allowed: 2",
+                      dealii::Patterns::Integer(0));
+    prm.add_parameter("Output directory",
+                      output_directory,
+                      "Where the results are written; nothing: results/ and "
+                      "the name of the scene file. Allowed: a path");
+
+    for_each_section(*this, [&prm](auto &parameters) {
+      prm.enter_subsection(parameters.section);
+      parameters.add_parameters(prm);
+      prm.leave_subsection();
+    });
+  }
+
+
+
+  void
+  Scene::check(Problems &problems) const
+  {
+    for_each_section(*this, [&problems](const auto &parameters) {
+      parameters.check(problems);
+    });
+
+    if (dimension != 2)
+      {
+        problems.add("", "Dimension", std::to_string(dimension), "must be 2");
+        return;
+      }
+    check_components(*this, problems);
+    check_points(*this, problems);
+    check_instants(*this, problems);
+  }
+} // namespace Crevasse

@@ -1,0 +1,88 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/assignments.h>
+#include <crevasse/scene/json_reader.h>
+#include <crevasse/scene/prm_reader.h>
+#include <crevasse/scene/scene_file.h>
+#include <crevasse/scene/text_file.h>
+
+#include <filesystem>
+
+namespace Crevasse
+{
+  namespace
+  {
+    std::vector<Assignment>
+    read_assignments(const std::string &file_name, Problems &problems)
+    {
+      std::vector<Assignment> assignments;
+      const std::string       extension =
+        std::filesystem::path(file_name).extension().string();
+      if (extension == ".prm")
+        read_prm(file_name, assignments, problems);
+      else if (extension == ".json")
+        read_json(file_name, assignments, problems);
+      else
+        {
+          // A file that is not there is the greater mistake.
+          read_text_file(file_name);
+          problems.add(file_name +
+                       ": the name of a scene file must end in .prm or .json");
+        }
+      return assignments;
+    }
+
+
+
+    /** A mesh that lies next to the scene is found from any directory, and
+     * also from where used.prm will lie. */
+    void
+    resolve_mesh_file(const std::string        &scene_file_name,
+                      const GeometryParameters &geometry,
+                      dealii::ParameterHandler &prm)
+    {
+      namespace fs = std::filesystem;
+
+      if (geometry.mesh_file.empty())
+        return;
+      const fs::path mesh_file =
+        fs::path(scene_file_name).parent_path() / geometry.mesh_file;
+      std::error_code not_found;
+      if (!fs::exists(mesh_file, not_found))
+        return;
+
+      prm.enter_subsection(GeometryParameters::section);
+      prm.set("Mesh file", mesh_file.lexically_normal().string());
+      prm.leave_subsection();
+    }
+  } // namespace
+
+
+
+  Scene
+  read_scene(const std::string              &file_name,
+             const std::vector<std::string> &overrides,
+             dealii::ParameterHandler       &prm,
+             Problems                       &problems)
+  {
+    Scene scene;
+    scene.add_parameters(prm);
+
+    std::vector<Assignment> assignments = read_assignments(file_name, problems);
+    for (const std::string &text : overrides)
+      read_override(text, assignments, problems);
+    apply(assignments, prm, problems);
+
+    resolve_mesh_file(file_name, scene.geometry, prm);
+    return scene;
+  }
+} // namespace Crevasse

@@ -1,0 +1,48 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text_file.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace Crevasse
+{
+  std::string
+  read_text_file(const std::string &file_name)
+  {
+    // Whatever hinders the look at the file hinders reading it, too.
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file_name, ignored))
+      throw FileError("The file \"" + file_name +
+                      "\" cannot be read: it is a directory.");
+
+    errno = 0;
+    std::ifstream      file(file_name, std::ios::binary);
+    std::ostringstream text;
+    // Copying nothing would set the failbit of the copy's target.
+    if (file && file.peek() != std::ifstream::traits_type::eof())
+      text << file.rdbuf();
+    if (!file.is_open() || file.bad() || !text)
+      throw FileError("The file \"" + file_name + "\" cannot be read: " +
+                      (errno == 0 ? "unknown reason" : std::strerror(errno)) +
+                      ".");
+
+    const std::string byte_order_mark = "\xEF\xBB\xBF";
+    const std::string result          = text.str();
+    return result.compare(0, 3, byte_order_mark) == 0 ? result.substr(3)
+                                                      : result;
+  }
+} // namespace Crevasse

@@ -1,0 +1,130 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/problems.h>
+#include <crevasse/time/step_list.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Crevasse
+{
+  StepList::StepList(const TimeIntegrationParameters &parameters,
+                     const double                     period)
+  {
+    if (parameters.step_control == "list")
+      {
+        instants = parameters.steps;
+        if (instants.empty() || instants.front() > 0.)
+          instants.insert(instants.begin(), 0.);
+        if (instants.back() < period)
+          instants.push_back(period);
+        return;
+      }
+    // Computed from the step number: sums of steps would drift.
+    const unsigned int n = parameters.steps_per_period;
+    instants.resize(n + 1);
+    for (unsigned int k = 0; k <= n; ++k)
+      instants[k] = period * k / n;
+  }
+
+
+
+  unsigned int
+  StepList::n_steps() const
+  {
+    return instants.size() - 1;
+  }
+
+
+
+  double
+  StepList::period() const
+  {
+    return instants.back();
+  }
+
+
+
+  double
+  StepList::instant(const unsigned int k) const
+  {
+    return instants[k];
+  }
+
+
+
+  double
+  StepList::step(const unsigned int k) const
+  {
+    return instants[k + 1] - instants[k];
+  }
+
+
+
+  double
+  StepList::largest_step() const
+  {
+    double largest = 0.;
+    for (unsigned int k = 0; k < n_steps(); ++k)
+      largest = std::max(largest, step(k));
+    return largest;
+  }
+
+
+
+  unsigned int
+  StepList::nearest(const double t) const
+  {
+    const auto closer = [t](const double a, const double b) {
+      return std::abs(a - t) < std::abs(b - t);
+    };
+    const unsigned int k =
+      std::min_element(instants.begin(), instants.end(), closer) -
+      instants.begin();
+    return k % n_steps();
+  }
+
+
+
+  double
+  StepList::within_period(const double t) const
+  {
+    // A stage may end on the period but for rounding.
+    const double rest = t - period() * std::floor(t / period());
+    return rest >= period() * (1. - 1e-14) ? 0. : rest;
+  }
+
+
+
+  void
+  StepList::require_stability(const double limit,
+                              const double smallest_relaxation_time) const
+  {
+    const double bound   = limit * smallest_relaxation_time;
+    const double largest = largest_step();
+    if (largest < bound)
+      return;
+
+    const auto n_needed =
+      static_cast<unsigned int>(std::floor(period() / bound * (1 + 1e-12))) + 1;
+    std::ostringstream message;
+    message << "The time step " << largest
+            << " is too large: this explicit scheme is stable below " << limit
+            << " times the smallest relaxation time "
+            << smallest_relaxation_time << ", that is below " << bound
+            << ", whatever the mesh. Use at least " << n_needed
+            << " steps: --set \"Time integration/Steps per period=" << n_needed
+            << "\".";
+    throw NumericalError(message.str());
+  }
+} // namespace Crevasse
