@@ -11,6 +11,7 @@
 
 #include <crevasse/output/csv_table.h>
 #include <crevasse/output/log.h>
+#include <crevasse/run/command_line.h>
 #include <crevasse/run/simulation.h>
 #include <crevasse/run/version.h>
 #include <crevasse/scene/problems.h>
@@ -23,33 +24,10 @@
 #include <fstream>
 #include <iostream>
 #include <string>
-#include <vector>
 
 namespace
 {
   using namespace Crevasse;
-
-  /** The exit statuses that scripts rely on. */
-  enum Status
-  {
-    done              = 0,
-    bad_input         = 2,
-    numerical_failure = 3,
-    file_failure      = 4
-  };
-
-  /** What the command line says. */
-  struct Command
-  {
-    std::string              scene_file;
-    std::vector<std::string> overrides;
-    std::string              output_directory;
-    std::string              print_format;
-    bool                     check = false;
-    bool                     quiet = false;
-  };
-
-
 
   std::string
   output_directory(const Command &command, const Scene &scene)
@@ -88,7 +66,8 @@ namespace
     problems.throw_if_any();
 
     Log log(communicator, command.quiet);
-    log.line("Crevasse " CREVASSE_VERSION ": " + command.scene_file);
+    log.line("Crevasse " CREVASSE_VERSION ": " +
+             std::filesystem::path(command.scene_file).filename().string());
     Simulation<2> simulation(scene, communicator, log);
     simulation.describe();
     if (command.check)
@@ -146,42 +125,9 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Command  command;
-  CLI::App app(
-    "Crevasse: periodic states of cracked viscoelastic solids with "
-    "one-sided contact on the crack lips.");
-  app.set_version_flag("--version", "crevasse " CREVASSE_VERSION);
-  auto *scene =
-    app.add_option("scene", command.scene_file, "The scene: .prm or .json");
-  app
-    .add_option(
-      "--set",
-      command.overrides,
-      "\"Section/Name=value\": overrides a parameter; may be repeated")
-    ->expected(1)
-    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--output", command.output_directory, "Output directory");
-  app.add_flag("--check", command.check, "Check the scene; compute nothing");
-  app.add_flag("--quiet", command.quiet, "Print nothing but errors");
-  auto *print = app
-                  .add_option("--print-parameters",
-                              command.print_format,
-                              "Print all parameters: prm, json or markdown")
-                  ->expected(0, 1)
-                  ->default_str("prm")
-                  ->check(CLI::IsMember({"prm", "json", "markdown"}));
-  try
-    {
-      app.parse(argc, argv);
-      if (print->count() > 0 && command.print_format.empty())
-        command.print_format = "prm";
-      if (scene->empty() && print->empty())
-        throw CLI::RequiredError("A scene file");
-    }
-  catch (const CLI::ParseError &error)
-    {
-      return app.exit(error) == 0 ? done : bad_input;
-    }
+  const Command command = parse_command_line(argc, argv);
+  if (command.exit)
+    return command.status;
 
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const int                                status = run_guarded(command);

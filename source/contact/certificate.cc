@@ -26,31 +26,47 @@ namespace Crevasse
 
   namespace
   {
-    /** The sizes by which a certificate is scaled, over all ranks: forces
-     * first, displacements second. */
-    std::array<double, 2>
-    scales_of(const SignoriniProblem &problem,
-              const Vector           &right_hand_side,
-              const Vector           &solution)
+    /** The largest |entry| over all ranks; infinite if one is not finite, which
+     * comparisons alone would overlook. */
+    double
+    largest_entry(const Vector &vector)
     {
-      double force = 0., displacement = 0.;
-      for (unsigned int i = 0; i < solution.locally_owned_size(); ++i)
+      double largest = 0.;
+      for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
         {
-          const double b = std::abs(right_hand_side.local_element(i));
-          const double q = std::abs(solution.local_element(i));
-          force = std::max({force, b, problem.diagonal().local_element(i) * q});
-          displacement = std::max(displacement, q);
+          const double entry = std::abs(vector.local_element(i));
+          largest            = std::isfinite(entry)
+                                 ? std::max(largest, entry)
+                                 : std::numeric_limits<double>::infinity();
         }
-      for (const double gap : problem.bounds.gap)
-        displacement = std::max(displacement, std::abs(gap));
-
-      std::array<double, 2> scales{{force, displacement}};
-      Utilities::MPI::max(ArrayView<const double>(scales.data(), scales.size()),
-                          problem.matrix.get_mpi_communicator(),
-                          ArrayView<double>(scales.data(), scales.size()));
-      return scales;
+      return Utilities::MPI::max(largest, vector.get_mpi_communicator());
     }
   } // namespace
+
+
+
+  void
+  Scales::include(const SignoriniProblem &problem,
+                  const Vector           &right_hand_side,
+                  const Vector           &solution)
+  {
+    for (unsigned int i = 0; i < solution.locally_owned_size(); ++i)
+      {
+        const double b = std::abs(right_hand_side.local_element(i));
+        const double q = std::abs(solution.local_element(i));
+        force = std::max({force, b, problem.diagonal().local_element(i) * q});
+        displacement = std::max(displacement, q);
+      }
+    for (const double gap : problem.bounds.gap)
+      displacement = std::max(displacement, std::abs(gap));
+
+    std::array<double, 2> both{{force, displacement}};
+    Utilities::MPI::max(ArrayView<const double>(both.data(), both.size()),
+                        problem.matrix.get_mpi_communicator(),
+                        ArrayView<double>(both.data(), both.size()));
+    force        = both[0];
+    displacement = both[1];
+  }
 
 
 
@@ -89,14 +105,16 @@ namespace Crevasse
   certify(const SignoriniProblem &problem,
           const Vector           &right_hand_side,
           const Vector           &solution,
+          Scales                 &scales,
           Vector                 &residual,
           std::vector<double>    &contact_forces)
   {
     const UnilateralBounds &bounds = problem.bounds;
-    // Nothing is loaded or moved: then absolute values are as good as scaled.
-    auto [force, displacement] = scales_of(problem, right_hand_side, solution);
-    force                      = force > 0. ? force : 1.;
-    displacement               = displacement > 0. ? displacement : 1.;
+    scales.include(problem, right_hand_side, solution);
+    // Nothing was ever loaded or moved: then any scale will do.
+    const double force = scales.force > 0. ? scales.force : 1.;
+    const double displacement =
+      scales.displacement > 0. ? scales.displacement : 1.;
 
     problem.matrix.vmult(residual, solution);
     residual -= right_hand_side;
@@ -115,10 +133,7 @@ namespace Crevasse
           {-opening, -g, std::min(std::abs(g), std::abs(opening)), 0.});
       }
 
-    // The maximum norm may overlook nan, the Euclidean norm never does.
-    certificate.residual = std::isfinite(residual.l2_norm())
-                             ? residual.linfty_norm() / force
-                             : std::numeric_limits<double>::infinity();
+    certificate.residual = largest_entry(residual) / force;
 
     std::array<double, 3> contact{{certificate.penetration,
                                    certificate.tension,

@@ -32,7 +32,7 @@ namespace Crevasse
   ContactSolver::certify(const Vector &right_hand_side, const Vector &solution)
   {
     return Crevasse::certify(
-      problem, right_hand_side, solution, residual, forces);
+      problem, right_hand_side, solution, scales, residual, forces);
   }
 
 

@@ -109,9 +109,15 @@ namespace Crevasse
         if (std::abs(mode[m]) > 1e-6)
           text << ' ' << planes[m - dim];
       if (dim == 2)
-        // u = t + w (−y, x) = 0 at the centre of rotation.
-        text << " about (" << origin[0] - length * mode[1] / mode[2] << ", "
-             << origin[1] + length * mode[0] / mode[2] << ')';
+        {
+          // u = t + w (−y, x) = 0 at the centre of rotation.
+          const auto rounded = [&](const double x) {
+            return std::abs(x) < 1e-10 * length ? 0. : x;
+          };
+          text << " about (" << rounded(origin[0] - length * mode[1] / mode[2])
+               << ", " << rounded(origin[1] + length * mode[0] / mode[2])
+               << ')';
+        }
       return text.str();
     }
 
@@ -267,7 +273,7 @@ namespace Crevasse
             if (n_parts > 1)
               names.back() += " of part " + std::to_string(part + 1) + " of " +
                               std::to_string(n_parts) +
-                              " of the mesh, which share no face";
+                              " of the mesh, which hang together by no face";
           }
       }
     return names;

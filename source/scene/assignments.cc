@@ -143,7 +143,7 @@ namespace Crevasse
       problems.locate(section.name, parameter->name, assignment.place);
       std::string problem = describe_unwritable(assignment.value);
       if (problem.empty() && !set_value(assignment, prm))
-        problem = "must be " + parameter->type;
+        problem = "must be " + parameter->allowed;
       if (!problem.empty())
         problems.add(section.name, parameter->name, assignment.value, problem);
     }

@@ -11,14 +11,17 @@
 
 #include <crevasse/scene/geometry.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <sstream>
 
 namespace Crevasse
 {
@@ -105,15 +108,34 @@ namespace Crevasse
 
 
 
+    /** What deal.II has to say, without the place in its source. */
+    std::string
+    reason(const std::exception &error)
+    {
+      const auto *exception = dynamic_cast<const ExceptionBase *>(&error);
+      if (exception == nullptr)
+        return error.what();
+      std::ostringstream text;
+      exception->print_info(text);
+      const std::string info = Text::squeeze(text.str());
+      return info == "(none)" ? "its format is not known" : info;
+    }
+
+
+
+    /** Reads into a triangulation of its own: a distributed one takes no
+     * triangles and does not look for distorted cells. */
     template <int dim>
     void
     read_mesh(const std::string &file_name, Triangulation<dim> &mesh)
     {
-      GridIn<dim> grid_in(mesh);
+      const std::string where = "[Geometry] Mesh file = " + file_name + ": ";
+
+      Triangulation<dim> coarse(Triangulation<dim>::none, true);
+      GridIn<dim>        grid_in(coarse);
       try
         {
-          if (file_name.size() > 4 &&
-              file_name.substr(file_name.size() - 4) == ".msh")
+          if (std::filesystem::path(file_name).extension() == ".msh")
             {
               std::ifstream file(file_name);
               grid_in.read_msh(file);
@@ -121,19 +143,30 @@ namespace Crevasse
           else
             grid_in.read(file_name);
         }
+      catch (const typename Triangulation<dim>::DistortedCellList &list)
+        {
+          std::vector<std::string> centre;
+          for (unsigned int d = 0; d < dim; ++d)
+            centre.push_back(
+              Text::from_number(list.distorted_cells.front()->center()[d]));
+          throw SceneError(where + "has cells with an angle of 180 degrees or "
+                                   "more, the first one at (" +
+                           Text::join(centre, ", ") +
+                           "); the cells must be convex.");
+        }
       catch (const std::exception &error)
         {
-          throw SceneError("[Geometry] Mesh file = " + file_name +
-                           ": cannot be read as a mesh (a Gmsh .msh file in "
-                           "ASCII, format 2 or 4, or any format of deal.II's "
-                           "GridIn):\n" +
-                           error.what());
+          throw SceneError(where + "cannot be read as a mesh: " +
+                           reason(error) +
+                           "\nAllowed: a Gmsh file (.msh, format 2 or 4, "
+                           "ASCII), or another format that deal.II knows by "
+                           "the end of the file's name.");
         }
-      if (!mesh.all_reference_cells_are_hyper_cube())
-        throw SceneError("[Geometry] Mesh file = " + file_name +
-                         ": has triangles; only quadrilaterals are allowed "
-                         "(Gmsh: Mesh.RecombineAll = 1, "
-                         "Mesh.SubdivisionAlgorithm = 1).");
+      if (!coarse.all_reference_cells_are_hyper_cube())
+        throw SceneError(where + "has triangles; only quadrilaterals are "
+                                 "allowed (Gmsh: Mesh.RecombineAll = 1, "
+                                 "Mesh.SubdivisionAlgorithm = 1).");
+      mesh.copy_triangulation(coarse);
     }
   } // namespace
 

@@ -291,7 +291,7 @@ namespace Crevasse
       tolerance,
       "Largest change of the stress from one period to the "
       "next, relative to the largest stress, at which the "
-      "state list_of_counts as periodic; 0 computes Maximum periods in "
+      "state counts as periodic; 0 computes Maximum periods in "
       "any case. Allowed: a number of at least 0, less than 1");
   }
 

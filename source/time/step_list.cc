@@ -20,8 +20,9 @@ namespace Crevasse
 {
   StepList::StepList(const TimeIntegrationParameters &parameters,
                      const double                     period)
+    : uniform(parameters.step_control == "uniform")
   {
-    if (parameters.step_control == "list")
+    if (!uniform)
       {
         instants = parameters.steps;
         if (instants.empty() || instants.front() > 0.)
@@ -115,16 +116,21 @@ namespace Crevasse
     if (largest < bound)
       return;
 
-    const auto n_needed =
-      static_cast<unsigned int>(std::floor(period() / bound * (1 + 1e-12))) + 1;
     std::ostringstream message;
     message << "The time step " << largest
             << " is too large: this explicit scheme is stable below " << limit
             << " times the smallest relaxation time "
             << smallest_relaxation_time << ", that is below " << bound
-            << ", whatever the mesh. Use at least " << n_needed
-            << " steps: --set \"Time integration/Steps per period=" << n_needed
-            << "\".";
+            << ", whatever the mesh. ";
+    if (uniform)
+      {
+        const double n_needed = std::floor(period() / bound * (1 + 1e-12)) + 1.;
+        message << "Use at least " << n_needed
+                << " steps: --set \"Time integration/Steps per period="
+                << n_needed << "\".";
+      }
+    else
+      message << "Add instants to [Time integration] Steps.";
     throw NumericalError(message.str());
   }
 } // namespace Crevasse

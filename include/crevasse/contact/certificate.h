@@ -20,9 +20,26 @@
 namespace Crevasse
 {
   /**
+   * The sizes of forces and displacements by which errors are judged. One
+   * problem is solved for many right-hand sides: the largest sizes among them
+   * count, so that an instant without load, where everything is rounding, is
+   * not asked for relative accuracy.
+   */
+  struct Scales
+  {
+    double force        = 0.; ///< largest of |bᵢ|, |Aᵢᵢ qᵢ|
+    double displacement = 0.; ///< largest of |qᵢ|, |gap|
+
+    /** Raises the scales to those of one solution. Collective. */
+    void
+    include(const SignoriniProblem &problem,
+            const Vector           &right_hand_side,
+            const Vector           &solution);
+  };
+
+  /**
    * How well q and g = L(Aq − b) solve a Signorini problem. All four are
-   * scaled by the problem's own sizes: forces by max(|bᵢ|, |Aᵢᵢ qᵢ|),
-   * displacements by max(|qᵢ|, |gap|). 0 is exact.
+   * relative to Scales. 0 is exact.
    */
   struct Certificate
   {
@@ -46,6 +63,7 @@ namespace Crevasse
   /**
    * Certifies a solution at the cost of one matrix–vector product.
    *
+   * @param[in,out] scales Raised to those of this solution, then used.
    * @param[out] residual A q − b off the contact dofs, zero on them.
    * @param[out] contact_forces g for each of the locally owned bounds.
    */
@@ -53,6 +71,7 @@ namespace Crevasse
   certify(const SignoriniProblem &problem,
           const Vector           &right_hand_side,
           const Vector           &solution,
+          Scales                 &scales,
           Vector                 &residual,
           std::vector<double>    &contact_forces);
 } // namespace Crevasse

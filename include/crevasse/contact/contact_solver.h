@@ -74,6 +74,7 @@ namespace Crevasse
 
     const SignoriniProblem &problem;
     const double            tolerance;
+    Scales                  scales; ///< of all solves so far
 
   private:
     Vector              residual;

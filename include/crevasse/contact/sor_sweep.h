@@ -29,9 +29,9 @@ namespace Crevasse
 
     /**
      * Overwrites @p solution by the next iterate and returns the largest
-     * residual of a row when its turn came, relative to max(|bᵢ|, |Aᵢᵢ qᵢ|).
-     * Rows that the projection holds at their bound do not count. It is cheap
-     * and close to, but not, the certificate.
+     * residual of a row when its turn came (a force; infinity if the iterate is
+     * not finite). Rows that the projection holds at their bound count by what
+     * they still move. It is cheap and close to, but not, the certificate.
      */
     double
     operator()(const Vector &right_hand_side,

@@ -58,6 +58,7 @@ namespace Crevasse
                       const double smallest_relaxation_time) const;
 
   private:
+    const bool          uniform;
     std::vector<double> instants;
   };
 } // namespace Crevasse

@@ -1,0 +1,118 @@
+# Copyright (C) 2026 by the Crevasse authors
+# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+
+"""Figures 1, 4, 5 and 6: the mesh and the fields of one instant."""
+
+import numpy
+from matplotlib.collections import LineCollection
+from matplotlib.lines import Line2D
+
+from plotting import (BLUE, COMPRESSION, INK, TENSION, VERMILION, deformed,
+                      draw_crosses, draw_level_curves, draw_outline,
+                      finish_body, pyplot, round_number, signed, thin_out)
+
+COMPONENTS = ("11", "22", "12")
+
+
+def mesh(results, fields):
+    """1: the mesh at rest, the crack and the points that have names."""
+    figure, axes = pyplot.subplots(figsize=(5, 5))
+    edges = fields.cell_edges(results.cell_parts())
+    axes.add_collection(LineCollection(fields.points[edges], colors=INK,
+                                       linewidths=0.6 if len(edges) < 2000
+                                       else 0.3))
+    points, parts = built_in_shape(results)
+    for (begin, end), (label, colour) in parts.items():
+        axes.plot([begin, end], [0, 0], color=colour, linewidth=3, label=label,
+                  solid_capstyle="butt")
+    middle = (fields.points.min(axis=0) + fields.points.max(axis=0)) / 2
+    for name, point in points.items():
+        axes.plot(*point, "o", color=INK, markersize=4)
+        outward = [1 if p >= m else -1 for p, m in zip(point, middle)]
+        axes.annotate(name, point, (7 * outward[0], 9 * outward[1]),
+                      textcoords="offset points", ha="center", va="center",
+                      fontsize=11)
+    finish_body(axes, fields.points)
+    if parts:
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.03), ncol=2)
+    return figure
+
+
+def built_in_shape(results):
+    """Named points, and the lip and the ligament of a shape with a crack."""
+    points, parts = dict(results.probes), {}
+    shape = results.parameters.get("Geometry/Shape")
+    if shape in ("edge crack", "centre crack"):
+        width, height, crack = (results.number(f"Geometry/{name}") for name
+                                in ("Width", "Height", "Crack length"))
+        lip, ligament = ("crack lip", VERMILION), ("ligament", BLUE)
+        if shape == "edge crack":
+            tip = width - crack
+            parts = {(tip, width): lip, (0, tip): ligament}
+            named = dict(A=(0, 0), B=(tip, 0), C=(width, 0), D=(width, height),
+                         E=(0, height))
+            for name, point in named.items():
+                if name not in points and point not in points.values():
+                    points[name] = point
+        else:
+            parts = {(0, crack): lip, (crack, width): ligament}
+    return points, parts
+
+
+def stress_levels(fields, magnify, caption):
+    """4: level curves of the three components of the stress."""
+    figure, panels = pyplot.subplots(1, 3, figsize=(12, 4.4),
+                                     constrained_layout=True)
+    for axes, name in zip(panels, COMPONENTS):
+        values = fields[f"stress_{name}"]
+        draw_level_curves(axes, fields, values, magnify)
+        axes.set_title(f"$s_{{{name}}}$   ({span(values)})")
+    figure.supxlabel(caption, fontsize=9)
+    return figure
+
+
+def span(values):
+    return f"{signed(values.min(), 3)} to {signed(values.max(), 3)}"
+
+
+def principal_stresses(fields, magnify, caption):
+    """5: crosses along the principal directions, as long as the stresses."""
+    figure, axes = pyplot.subplots(figsize=(6, 6))
+    kept = thin_out(fields.points, 1500)
+    values = numpy.stack([fields[f"principal_stress_{k}"] for k in (1, 2)], 1)
+    directions = numpy.stack([fields.direction(f"principal_direction_{k}")
+                              for k in (1, 2)], 1)
+    place = deformed(fields, magnify)
+    size = numpy.ptp(fields.points, axis=0)
+    largest = abs(values).max() or 1
+    typical = numpy.median(abs(values).max(axis=1)) or largest
+    length = min(0.8 * numpy.sqrt(size.prod() / len(kept)) / typical,
+                 0.3 * size.max() / largest)
+    draw_outline(axes, fields, magnify)
+    bars = draw_crosses(axes, place[kept, None], values[kept], directions[kept],
+                        length)
+    unit = round_number(0.2 * size.max() / length)
+    left = place[:, 0].min()
+    below = min(place[:, 1].min(), bars[..., 1].min()) - 0.06 * size.max()
+    scale = numpy.array([[left, below], [left + unit * length, below]])
+    axes.plot(*scale.T, "|-", color=INK, linewidth=1.1)
+    axes.annotate(f"stress {unit:g}", scale[1], (8, 0), va="center",
+                  textcoords="offset points")
+    finish_body(axes, fields.points, place, bars, scale)
+    axes.legend([Line2D([], [], **TENSION), Line2D([], [], **COMPRESSION)],
+                ["tension", "compression"], loc="lower right", borderpad=0,
+                bbox_to_anchor=(1, -0.01), ncol=2)
+    axes.text(0.5, -0.04, caption, transform=axes.transAxes, ha="center",
+              va="top")
+    return figure
+
+
+def deviator_invariant(fields, magnify, caption):
+    """6: level curves of the second invariant of the deviator."""
+    figure, axes = pyplot.subplots(figsize=(5.6, 5.6))
+    values = fields["second_deviator_invariant"]
+    draw_level_curves(axes, fields, values, magnify)
+    axes.set_title(f"$J_2$   ({span(values)})")
+    axes.text(0.5, -0.02, caption, transform=axes.transAxes, ha="center",
+              va="top")
+    return figure

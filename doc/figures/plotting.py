@@ -1,0 +1,192 @@
+# Copyright (C) 2026 by the Crevasse authors
+# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+
+"""Style of the figures, level curves, outlines and crosses."""
+
+import io
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+from matplotlib import patheffects, pyplot
+from matplotlib.collections import LineCollection
+from matplotlib.colors import BoundaryNorm, LinearSegmentedColormap
+from matplotlib.tri import Triangulation
+import numpy
+from PIL import Image
+
+# Okabe and Ito's palette, told apart with every kind of colour vision.
+BLUE, VERMILION, GREEN = "#0072B2", "#D55E00", "#009E73"
+INK, GREY, SHADE = "#222222", "#8a8a8a", "#e6e6e6"
+
+TENSION = dict(color=VERMILION, linewidth=1.0)
+COMPRESSION = dict(color=BLUE, linewidth=1.9)
+
+HALO = [patheffects.withStroke(linewidth=2.2, foreground="white")]
+
+pyplot.rcParams.update({
+    "font.family": "DejaVu Sans", "mathtext.fontset": "dejavusans",
+    "font.size": 9, "axes.titlesize": 10, "axes.labelsize": 10,
+    "legend.fontsize": 9, "legend.frameon": False,
+    "axes.edgecolor": INK, "axes.labelcolor": INK, "text.color": INK,
+    "axes.spines.top": False, "axes.spines.right": False,
+    "axes.linewidth": 0.8, "lines.linewidth": 1.6,
+    "savefig.dpi": 150, "savefig.bbox": "tight", "savefig.pad_inches": 0.08,
+    "pdf.fonttype": 42, "svg.fonttype": "path"})
+
+
+def round_number(value):
+    """The largest of 1, 2, 5, 10, ... not above the value."""
+    power = 10.0 ** numpy.floor(numpy.log10(value))
+    return max(m * power for m in (1, 2, 5) if m * power <= value * (1 + 1e-9))
+
+
+def ladder(low, high, mantissas=(1, 2, 5)):
+    """The numbers m times 10^k between two positive ones."""
+    powers = range(int(numpy.floor(numpy.log10(low))),
+                   int(numpy.ceil(numpy.log10(high))) + 1)
+    return [m * 10.0 ** k for k in powers for m in mantissas
+            if low <= m * 10.0 ** k <= high]
+
+
+def choose_levels(values, count=7):
+    """Round levels: equally spaced over most of the values, wider apart in the
+    peaks; 1-2-3-5 where a field without sign covers several orders."""
+    low, high = numpy.quantile(values, [0.03, 0.97])
+    least, largest = values.min(), values.max()
+    if largest - least <= 1e-9 * max(abs(least), abs(largest), 1e-300):
+        return numpy.array([])
+    if least >= 0 and largest > 10 * numpy.median(values):
+        return numpy.array(ladder(max(low, 1e-4 * largest), largest,
+                                  (1, 2, 3, 5)))
+    if high - low <= 1e-6 * (largest - least):
+        low, high = least, largest
+    step = round_number((high - low) / count * 1.2)
+    levels = step * numpy.arange(numpy.ceil(low / step - 1e-9),
+                                 numpy.floor(high / step + 1e-9) + 1)
+    peaks = (1, 1.5, 2, 3, 4, 5, 6, 8)
+    for sign, end in ((1, largest), (-1, -least)):
+        last = max(sign * levels[-1 if sign > 0 else 0], step)
+        for level in ladder(last, max(end, last), peaks):
+            if level >= last + 2 * step * (1 - 1e-9) and level >= 1.25 * last:
+                levels = numpy.append(levels, sign * level)
+                last = level
+    levels = numpy.unique(numpy.round(levels / step, 6)) * step
+    return levels[(levels > least) & (levels < largest)]
+
+
+def level_colours(levels):
+    """Pale colours for the bands between levels and beyond them: blue where
+    negative, orange where positive, white about zero."""
+    bounds = numpy.concatenate([[-numpy.inf], levels, [numpy.inf]])
+    middle = (bounds[1:] + bounds[:-1]) / 2
+    middle[0], middle[-1] = levels[0], levels[-1]
+    below = LinearSegmentedColormap.from_list("", ["#f3f8fc", "#7fb5da"])
+    above = LinearSegmentedColormap.from_list("", ["#fef8f1", "#f0a35e"])
+    negative = int((middle < 0).sum())
+    positive = len(middle) - negative
+    return ([below(1 - i / max(negative, 1)) for i in range(negative)] +
+            [above((i + 1) / max(positive, 1)) for i in range(positive)])
+
+
+def draw_level_curves(axes, fields, values, magnify):
+    """Labelled level curves over a pale ground on the deformed body."""
+    triangles, carry = fields.triangulation()
+    place = deformed(fields, magnify)
+    body = Triangulation(carry(place[:, 0]), carry(place[:, 1]), triangles)
+    z = carry(values)
+    levels = choose_levels(values)
+    if len(levels):
+        if len(levels) > 1:
+            axes.tricontourf(body, z, levels, extend="both",
+                             colors=level_colours(levels))
+        lines = axes.tricontour(body, z, levels=levels, colors=INK,
+                                linewidths=0.7, linestyles="solid")
+    draw_outline(axes, fields, magnify)
+    finish_body(axes, fields.points, place)
+    if len(levels):
+        label_levels(axes, lines)
+
+
+def signed(value, digits=6):
+    """With a minus sign as typesetters know it."""
+    return f"{value:.{digits}g}".replace("-", "\N{MINUS SIGN}")
+
+
+def label_levels(axes, lines):
+    """A label on each line where there is room for it."""
+    labels = lines.clabel(fmt=signed, fontsize=7.5, inline=False, colors=INK)
+    axes.figure.canvas.draw()
+    taken = []
+    for label in sorted(labels, key=lambda text: len(text.get_text())):
+        label.set_path_effects(HALO)
+        box = label.get_window_extent().padded(1.5)
+        if any(box.overlaps(other) for other in taken):
+            label.remove()
+        else:
+            taken.append(box)
+
+
+def deformed(fields, magnify):
+    return fields.points + magnify * fields["displacement"]
+
+
+def draw_outline(axes, fields, magnify):
+    """The body as it is at rest, dashed, and deformed."""
+    edges = fields.outline()
+    axes.add_collection(LineCollection(fields.points[edges], colors=GREY,
+                                       linewidths=0.7, linestyles=(0, (4, 3))))
+    axes.add_collection(LineCollection(deformed(fields, magnify)[edges],
+                                       colors=INK, linewidths=1.2,
+                                       capstyle="round"))
+
+
+def finish_body(axes, *places):
+    """Limits that hold all those points, equal scales, no frame."""
+    places = numpy.concatenate([place.reshape(-1, 2) for place in places])
+    margin = 0.01 * numpy.ptp(places, axis=0).max()
+    low, high = places.min(axis=0) - margin, places.max(axis=0) + margin
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
+    axes.axis("off")
+
+
+def thin_out(points, most):
+    """Of at most so many equal boxes, the node nearest to each one's centre."""
+    if len(points) <= most:
+        return numpy.arange(len(points))
+    origin, size = points.min(axis=0), numpy.ptp(points, axis=0)
+    box = numpy.sqrt(size.prod() / most)
+    position = (points - origin) / box
+    cell = numpy.floor(position)
+    distance = ((position - cell - 0.5) ** 2).sum(axis=1)
+    order = numpy.lexsort((distance, cell[:, 1], cell[:, 0]))
+    _, first = numpy.unique(cell[order], axis=0, return_index=True)
+    return order[first]
+
+
+def draw_crosses(axes, place, values, directions, length):
+    """Bars of that length per unit stress, the compressive ones thicker;
+    returns the ends of all bars."""
+    reach = values[..., None] * directions * length / 2
+    bars = numpy.stack([place - reach, place + reach], axis=2).reshape(-1, 2, 2)
+    for sign, style in ((1, TENSION), (-1, COMPRESSION)):
+        axes.add_collection(LineCollection(bars[sign * values.ravel() > 0],
+                                           **style))
+    return bars
+
+
+def save(figure, stem, directory, formats):
+    """Writes the figure in every format wanted."""
+    for extension in formats:
+        path = directory / f"{stem}.{extension}"
+        if extension == "png":  # 128 colours: a third of the size
+            buffer = io.BytesIO()
+            figure.savefig(buffer, format="png")
+            image = Image.open(buffer).convert("RGB")
+            image.quantize(128, dither=Image.Dither.NONE).save(
+                path, optimize=True, dpi=image.info.get("dpi", (150, 150)))
+        else:
+            figure.savefig(path)
+        print(path)
+    pyplot.close(figure)

@@ -1,0 +1,141 @@
+# Copyright (C) 2026 by the Crevasse authors
+# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+
+"""Figures 2 and 3: stress and opening at a probe over one period."""
+
+import string
+
+import numpy
+from matplotlib.ticker import FuncFormatter, MultipleLocator
+
+from plotting import BLUE, GREEN, GREY, INK, SHADE, VERMILION, pyplot
+from results import require
+
+COMPONENTS = ("11", "22", "12")
+
+
+def closed_intervals(history):
+    """[b, c] with the lip closed at the probe. Between samples the end is where
+    the opening, continued from the open side, vanishes."""
+    t, opening = history["t"], history["opening"]
+    closed = opening <= 1e-9 * opening.max(initial=0)
+    pressure = require(history, "pressure", "probe on a lip")
+    stress = max(abs(history[name]).max() for name in history
+                 if name.startswith("s_"))
+    edges = numpy.flatnonzero(numpy.diff(closed.astype(int), prepend=0,
+                                         append=0))
+    intervals = []
+    for first, after in zip(edges[::2], edges[1::2]):
+        if after - first == 1 and pressure[first] <= 1e-6 * stress:
+            continue  # touches without pressing
+        begin, end = t[first], t[after - 1]
+        if first > 1:
+            begin = crossing(t, opening, first - 2, first - 1, first)
+        if after + 1 < len(t):
+            end = crossing(t, opening, after + 1, after, after - 1)
+        intervals.append((begin, end))
+    return intervals
+
+
+def crossing(t, opening, far, near, closed):
+    """Where the line through two open samples vanishes, but not beyond the
+    closed sample."""
+    slope = opening[near] - opening[far]
+    if slope >= 0:
+        return (t[near] + t[closed]) / 2
+    zero = t[near] - opening[near] * (t[near] - t[far]) / slope
+    return numpy.clip(zero, *sorted((t[near], t[closed])))
+
+
+def lip_states(history, period):
+    """Consecutive intervals (begin, end, is closed) that fill the period."""
+    states, last = [], period.begin
+    for begin, end in closed_intervals(history):
+        if begin > last:
+            states.append((last, begin, False))
+        states.append((begin, end, True))
+        last = end
+    if period.end > last:
+        states.append((last, period.end, False))
+    return states
+
+
+def time_axis(axes, period):
+    """Ticks at quarters of the period, the intervals of contact shaded."""
+    axes.set_xlim(period.begin, period.end)
+    axes.xaxis.set_major_locator(MultipleLocator((period.end - period.begin) / 4))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda t, _: f"{t:g}"))
+    axes.set_xlabel("$t$")
+
+
+def shade_closed(axes, states):
+    for begin, end, closed in states:
+        if closed:
+            axes.axvspan(begin, end, color=SHADE, linewidth=0, zorder=0)
+
+
+def label_states(axes, states, period):
+    """Writes above each interval what it is."""
+    for begin, end, closed in states:
+        wide = end - begin > 0.1 * (period.end - period.begin)
+        axes.annotate("closed" if closed else "open",
+                      ((begin + end) / 2, 1), (0, 4),
+                      xycoords=("data", "axes fraction"),
+                      textcoords="offset points", ha="center", va="bottom",
+                      rotation=0 if wide else 90, color=INK)
+
+
+def stress_history(results, probe, wanted):
+    """2: the stress at the probe over a period."""
+    history, period = results.history(probe, wanted)
+    figure, axes = pyplot.subplots(figsize=(6.4, 3.8))
+    for name, colour, style in zip(COMPONENTS, (BLUE, VERMILION, GREEN),
+                                   ("-", "-", (0, (5, 2)))):
+        axes.plot(history["t"], require(history, f"s_{name}", f"probe {probe}"),
+                  color=colour, linestyle=style, label=f"$s_{{{name}}}$")
+    axes.axhline(0, color=GREY, linewidth=0.7, zorder=1)
+    if "opening" in history:
+        states = lip_states(history, period)
+        shade_closed(axes, states)
+        label_states(axes, states, period)
+    time_axis(axes, period)
+    axes.set_ylabel(f"stress at {probe}")
+    axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    return figure
+
+
+def opening_history(results, probe, wanted):
+    """3: the opening at the probe over a period; None away from the lip."""
+    history, period = results.history(probe, wanted)
+    if "opening" not in history:
+        return None
+    t, opening = history["t"], history["opening"]
+    states = lip_states(history, period)
+    contact = [end for begin, end, _ in states[:-1]]  # u_N = g = 0
+    figure, panels = pyplot.subplots(
+        2, 1, sharex=True, figsize=(6.4, 4.6),
+        gridspec_kw={"height_ratios": [3, 1], "hspace": 0.1})
+    for panel, name, colour in zip(panels, ("opening", "pressure"),
+                                   (BLUE, VERMILION)):
+        where = numpy.searchsorted(t, contact)
+        panel.plot(numpy.insert(t, where, contact),
+                   numpy.insert(history[name], where, 0), color=colour)
+        panel.plot(t, history[name], ".", color=colour, markersize=4)
+        shade_closed(panel, states)
+    axes, below = panels
+    label_states(axes, states, period)
+    ends = [(period.begin, opening[0])] + [(end, 0) for end in contact] + [
+        (period.end, opening[-1])]
+    for letter, end in zip(string.ascii_lowercase, ends):
+        inward = 7 if letter == "a" else 0
+        axes.plot(*end, "o", color=INK, markersize=4, clip_on=False, zorder=5)
+        axes.annotate(letter, end, (inward, -9), textcoords="offset points",
+                      ha="center", va="center", fontsize=11)
+    top = opening.max() or 1
+    axes.set_ylim(-0.12 * top, 1.05 * top)
+    axes.set_ylabel(f"$u_N$ at {probe}")
+    below.set_ylim(bottom=min(0, below.get_ylim()[0]))
+    below.set_ylabel("$g$")
+    time_axis(below, period)
+    figure.align_ylabels()
+    return figure

@@ -1,0 +1,49 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_command_line_h
+#define crevasse_run_command_line_h
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** The exit statuses that scripts rely on. */
+  enum ExitStatus
+  {
+    done              = 0,
+    bad_input         = 2, ///< found before computing
+    numerical_failure = 3,
+    file_failure      = 4
+  };
+
+  /** What the command line says. */
+  struct Command
+  {
+    std::string              scene_file;
+    std::vector<std::string> overrides; ///< "Section/Name=value"
+    std::string              output_directory;
+    std::string              print_format; ///< prm, json, markdown or nothing
+    bool                     check = false;
+    bool                     quiet = false;
+
+    /** Set if there is nothing to do but to exit: help, version, or a mistake,
+     * about which the user has been told. */
+    bool       exit   = false;
+    ExitStatus status = done;
+  };
+
+  Command
+  parse_command_line(const int argc, const char *const *argv);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,89 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_tests_tests_h
+#define crevasse_tests_tests_h
+
+#include <crevasse/discretisation/space.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <string>
+
+/** Counts what failed, so that a test ends with a status. */
+inline int n_failures = 0;
+
+/** Prints "name: yes" if value ≤ bound (nan fails); otherwise both numbers. */
+inline void
+check_below(const std::string &name, const double value, const double bound)
+{
+  const bool passed = value <= bound;
+  std::cout << name << " below " << bound << ": "
+            << (passed ? "yes" : "NO, it is " + std::to_string(value))
+            << std::endl;
+  if (!passed)
+    {
+      std::cerr << name << " is " << value << std::endl;
+      ++n_failures;
+    }
+}
+
+inline void
+check(const std::string &name, const bool passed)
+{
+  std::cout << name << ": " << (passed ? "yes" : "NO") << std::endl;
+  n_failures += passed ? 0 : 1;
+}
+
+/** Runs the test, and makes a status of failures and exceptions. */
+template <typename Test>
+int
+run_test(int argc, char **argv, const Test &test)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  try
+    {
+      test();
+    }
+  catch (const std::exception &error)
+    {
+      std::cout << "exception: " << error.what() << std::endl;
+      return 1;
+    }
+  return n_failures == 0 ? 0 : 1;
+}
+
+/** The unit square with n × n cells and boundary ids 0 to 3, its inner vertices
+ * moved at random (seeded), two corners refined for hanging nodes. */
+inline std::shared_ptr<const Crevasse::Mesh<2>>
+distorted_square_with_hanging_nodes(const unsigned int n,
+                                    const double       distortion)
+{
+  auto mesh = std::make_shared<Crevasse::Mesh<2>>(MPI_COMM_WORLD);
+  dealii::GridGenerator::subdivided_hyper_cube(*mesh, n, 0., 1., true);
+  if (distortion > 0.)
+    dealii::GridTools::distort_random(distortion, *mesh, true, 42);
+  for (const auto &cell : mesh->active_cell_iterators())
+    if (cell->is_locally_owned() &&
+        (cell->center()[0] + cell->center()[1] < 0.6 ||
+         cell->center()[0] + cell->center()[1] > 1.6))
+      cell->set_refine_flag();
+  mesh->execute_coarsening_and_refinement();
+  return mesh;
+}
+
+#endif

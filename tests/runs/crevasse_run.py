@@ -1,0 +1,80 @@
+"""Runs the program and reads what it wrote. A test is a Python program called
+with the paths of the program and of the source tree; it asserts, and prints
+the figures on which it judges."""
+
+import csv
+import json
+import math
+import pathlib
+import shutil
+import subprocess
+import sys
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+SOURCE = pathlib.Path(sys.argv[2]).resolve()
+
+
+class Failure(AssertionError):
+    pass
+
+
+class Results:
+    """The output directory of one run."""
+
+    def __init__(self, directory):
+        self.directory = pathlib.Path(directory)
+
+    @property
+    def summary(self):
+        return json.loads((self.directory / "summary.json").read_text())
+
+    def table(self, name):
+        """A table as a dictionary of columns."""
+        with open(self.directory / name) as file:
+            rows = list(csv.reader(file))
+        return {column: [float(row[i]) for row in rows[1:]]
+                for i, column in enumerate(rows[0])}
+
+
+def execute(*arguments, **options):
+    """Runs the program; returns exit status, standard output and error."""
+    process = subprocess.run([str(PROGRAM), *map(str, arguments)], text=True,
+                             capture_output=True, stdin=subprocess.DEVNULL,
+                             timeout=300, **options)
+    return process.returncode, process.stdout, process.stderr
+
+
+def run(scene, name, settings=(), status=0):
+    """Runs a scene (a path, or the text of a .prm file) with "Section/Name=value"
+    settings into the fresh directory results/<name>."""
+    directory = pathlib.Path("results") / name
+    shutil.rmtree(directory, ignore_errors=True)
+    if "\n" in str(scene):
+        path = pathlib.Path(name + ".prm")
+        path.write_text(scene)
+        scene = path
+    arguments = [scene, "--output", directory]
+    for setting in settings:
+        arguments += ["--set", setting]
+    code, _, error = execute(*arguments)
+    check(code == status, f"{name}: exit status {code} instead of {status}\n"
+                          + error)
+    return Results(directory)
+
+
+def check(condition, message):
+    if not condition:
+        raise Failure(message)
+
+
+def check_close(value, expected, tolerance, what):
+    """Prints and asserts |value - expected| <= tolerance (absolute)."""
+    difference = abs(value - expected)
+    print(f"{what}: {value:.10g}, expected {expected:.10g}, "
+          f"difference {difference:.1e} (allowed {tolerance:.1e})")
+    check(math.isfinite(value) and difference <= tolerance, what)
+
+
+def check_below(value, bound, what):
+    print(f"{what}: {value:.2e} (allowed {bound:.0e})")
+    check(math.isfinite(value) and value <= bound, what)

@@ -1,0 +1,153 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+// D and its transpose, the assembled stiffness and the recovery of stresses are
+// consistent with each other, on distorted cells with hanging nodes.
+
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/stiffness.h>
+#include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/material/maxwell_law.h>
+#include <crevasse/output/probe.h>
+
+#include <crevasse_tests/tests.h>
+#include <random>
+
+using namespace Crevasse;
+
+namespace
+{
+  constexpr unsigned int dim = 2;
+
+  void
+  fill_at_random(Vector &vector)
+  {
+    std::mt19937                           generator(1980);
+    std::uniform_real_distribution<double> uniform(-1., 1.);
+    for (double &value : vector)
+      value = uniform(generator);
+  }
+
+  /** A q = Dᵀ K D q, with D and Dᵀ matrix-free and A assembled. */
+  void
+  compare_stiffness(const unsigned int degree)
+  {
+    BoundaryRoles roles;
+    roles.symmetry = {0};
+    roles.clamped  = {2};
+    const Space<dim> space(distorted_square_with_hanging_nodes(4, 0.25),
+                           degree,
+                           roles,
+                           {});
+    const QuadratureField<dim> points(space);
+    const StrainOperator<dim>  strain_operator(space, points);
+    const VoigtMatrix<dim>     K = isotropic_stiffness<dim>(7., 0.3, false);
+
+    Vector q, assembled, matrix_free, stress;
+    strain_operator.initialize(q);
+    strain_operator.initialize(assembled);
+    strain_operator.initialize(matrix_free);
+    points.initialize(stress);
+    fill_at_random(q);
+    space.constraints().set_zero(q);
+
+    SparseMatrix matrix;
+    assemble_stiffness(space, K, matrix);
+    matrix.vmult(assembled, q);
+    strain_operator.for_each_strain(
+      q, [&](const std::size_t point, const VoigtVector<dim> &strain) {
+        QuadratureField<dim>::set(stress, point, K * strain);
+      });
+    strain_operator.add_transpose(matrix_free, [&](const std::size_t point) {
+      return QuadratureField<dim>::get(stress, point);
+    });
+
+    const double size = assembled.linfty_norm();
+    assembled -= matrix_free;
+    check_below("Q" + std::to_string(degree) + ": A q - D'K D q, relative",
+                assembled.linfty_norm() / size,
+                1e-13);
+  }
+
+  /** Fields of the element's own degree are recovered exactly on rectangular
+   * cells, hanging nodes included; a probe sees what the nodes see. */
+  void
+  recover_polynomial(const unsigned int degree)
+  {
+    BoundaryRoles roles;
+    roles.symmetry = {0};
+    roles.contact  = {2};
+    const Space<dim>           space(distorted_square_with_hanging_nodes(4, 0.),
+                           degree,
+                           roles,
+                           {{dealii::Point<dim>(1., 1.), {{false, true}}}});
+    const QuadratureField<dim> points(space);
+    const StressRecovery<dim>  recovery(space, points);
+    const ContactBoundary<dim> lip(space, Expression("0"));
+    const ProbeEvaluator<dim>  probe({"P", {0.27, 0.61}}, space, recovery, lip);
+    const ProbeEvaluator<dim>  corner({"C", {1., 0.}}, space, recovery, lip);
+
+    const auto polynomial = [&](const dealii::Point<dim> &x) {
+      return degree == 1 ? 2. + 3. * x[0] - x[1]
+                         : 2. + 3. * x[0] * x[0] - x[0] * x[1] + x[1];
+    };
+    Vector field;
+    points.initialize(field);
+    dealii::FEValues<dim> values(space.mapping(),
+                                 space.finite_element(),
+                                 space.quadrature(),
+                                 dealii::update_quadrature_points);
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      {
+        values.reinit(cell);
+        for (const unsigned int q : values.quadrature_point_indices())
+          for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+            field.local_element(points.offset(cell) +
+                                q * n_stress_components<dim> + c) =
+              (c + 1.) * polynomial(values.quadrature_point(q));
+      }
+
+    const std::string name = "Q" + std::to_string(degree);
+    for (const auto *p : {&probe, &corner})
+      {
+        const dealii::Point<dim> x     = p == &probe
+                                           ? dealii::Point<dim>(0.27, 0.61)
+                                           : dealii::Point<dim>(1., 0.);
+        double                   error = 0.;
+        for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+          error =
+            std::max(error,
+                     std::abs(p->stress(field)[c] - (c + 1.) * polynomial(x)));
+        check_below(name + ": recovered at probe " + p->name(), error, 1e-12);
+      }
+    check(name + ": the corner lies on the lip, the inner point does not",
+          corner.on_lip() && !probe.on_lip());
+
+    double length = 0.;
+    for (const LipNode<dim> &node : lip.nodes())
+      length += node.weight;
+    check_below(name + ": sum of the lip's weights - length",
+                std::abs(length - 1.),
+                1e-14);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, []() {
+    for (const unsigned int degree : {1, 2})
+      {
+        compare_stiffness(degree);
+        recover_polynomial(degree);
+      }
+  });
+}

@@ -1,0 +1,143 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+// Patch test: a uniform stress, shear included, creeps exactly. The discrete
+// solution of an unconstrained plate under the tractions of a uniform stress
+// F(t) s is that stress at every quadrature point, on distorted cells and with
+// hanging nodes, and the viscous strain is the scheme's own quadrature of F.
+
+#include <crevasse/contact/unconstrained.h>
+#include <crevasse/discretisation/stiffness.h>
+#include <crevasse/linear/cholesky.h>
+#include <crevasse/time/evolution.h>
+#include <crevasse/time/runge_kutta.h>
+
+#include <crevasse_tests/tests.h>
+
+using namespace Crevasse;
+
+namespace
+{
+  constexpr unsigned int dim = 2;
+
+  double
+  load_factor(const double t)
+  {
+    return 1. + t * t;
+  }
+
+  /** Traction s n on the whole boundary of the unit square. */
+  LoadParameters
+  uniform_stress_loads(const VoigtVector<dim> &s)
+  {
+    const std::string nx = "(x > 0.999999 ? 1 : (x < 0.000001 ? -1 : 0))";
+    const std::string ny = "(y > 0.999999 ? 1 : (y < 0.000001 ? -1 : 0))";
+    const auto        component = [&](const double a, const double b) {
+      return "(1 + t*t)*(" + std::to_string(a) + "*" + nx + " + " +
+             std::to_string(b) + "*" + ny + ")";
+    };
+    LoadParameters loads;
+    loads.traction = component(s[0], s[3]) + "; " + component(s[3], s[1]);
+    return loads;
+  }
+
+  void
+  patch_test(const unsigned int degree, const std::string &viscosity)
+  {
+    MaterialParameters material;
+    material.young_modulus         = 13000.;
+    material.poisson_ratio         = 0.2;
+    material.viscosity             = viscosity;
+    material.relaxation_time       = 3.;
+    material.viscous_modulus       = 30000.;
+    material.viscous_poisson_ratio = 0.5;
+    const MaxwellLaw<dim> law(material);
+
+    BoundaryRoles roles;
+    roles.loaded = {0, 1, 2, 3};
+    const Space<dim> space(distorted_square_with_hanging_nodes(4, 0.25),
+                           degree,
+                           roles,
+                           {{dealii::Point<dim>(0., 0.), {{true, true}}},
+                            {dealii::Point<dim>(1., 0.), {{false, true}}}});
+    const QuadratureField<dim> points(space);
+    const StrainOperator<dim>  strain_operator(space, points);
+
+    VoigtVector<dim> s;
+    s[0] = 3.;
+    s[1] = -2.;
+    s[3] = 1.5;
+    const ExternalLoads<dim> loads(space,
+                                   strain_operator,
+                                   uniform_stress_loads(s));
+    SparseMatrix             matrix;
+    assemble_stiffness(space, law.stiffness(), matrix);
+    const UnilateralBounds none;
+    const SignoriniProblem problem(matrix, none);
+    Cholesky               cholesky(matrix);
+    Unconstrained          solver(problem, cholesky, 1e-12);
+    Evolution<dim> evolution(strain_operator, points, law, loads, solver);
+
+    Vector r;
+    points.initialize(r);
+    RungeKutta   heun(heun_tableau(0.75));
+    const double time_step = 0.5;
+    double       integral = 0., stress_error = 0., strain_error = 0.;
+    for (unsigned int k = 0; k < 5; ++k)
+      {
+        const double t       = k * time_step;
+        const auto   observe = [&]() {
+          const Vector &stress = evolution.state().stress;
+          for (std::size_t i = 0; i < stress.locally_owned_size();
+               i += n_stress_components<dim>)
+            stress_error =
+              std::max(stress_error,
+                       (QuadratureField<dim>::get(stress, i) / load_factor(t) -
+                        s)
+                         .norm());
+        };
+        heun.step([&](const double  t,
+                      const Vector &y,
+                      Vector       &rate) { evolution.rate(t, y, rate); },
+                  t,
+                  time_step,
+                  r,
+                  observe);
+        integral += time_step * (0.25 * load_factor(t) +
+                                 0.75 * load_factor(t + 2. / 3. * time_step));
+      }
+    const VoigtVector<dim> expected = integral * (law.fluidity() * s);
+    for (std::size_t i = 0; i < r.locally_owned_size();
+         i += n_stress_components<dim>)
+      strain_error =
+        std::max(strain_error,
+                 (QuadratureField<dim>::get(r, i) - expected).norm() /
+                   expected.norm());
+
+    std::cout << "Q" << degree << ", " << viscosity
+              << ", hanging nodes: " << space.dof_handler().n_dofs()
+              << " unknowns" << std::endl;
+    check_below("stress error / largest stress",
+                stress_error / s.norm(),
+                1e-12);
+    check_below("viscous strain, relative error", strain_error, 1e-12);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, []() {
+    for (const unsigned int degree : {1, 2})
+      for (const char *viscosity : {"relaxation time", "isotropic"})
+        patch_test(degree, viscosity);
+  });
+}

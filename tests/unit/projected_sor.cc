@@ -1,0 +1,249 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+// Projected SOR against brute force: on random symmetric positive definite
+// problems every subset of active bounds is tried, and the one that satisfies
+// the complementarity conditions is the solution. And the certificate tells
+// wrong solutions from right ones.
+
+#include <crevasse/contact/projected_sor.h>
+#include <crevasse/contact/relaxation_factor.h>
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <crevasse_tests/tests.h>
+#include <random>
+
+using namespace Crevasse;
+
+namespace
+{
+  constexpr unsigned int n = 9, n_bounds = 6;
+
+  struct RandomProblem
+  {
+    dealii::FullMatrix<double> dense{n, n};
+    SparseMatrix               matrix;
+    UnilateralBounds           bounds;
+    Vector                     b;
+
+    explicit RandomProblem(const unsigned int seed, const double scale)
+      : b(n)
+    {
+      std::mt19937                           generator(seed);
+      std::uniform_real_distribution<double> uniform(-1., 1.);
+      dealii::FullMatrix<double>             root(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          b(i) = uniform(generator) * scale;
+          for (unsigned int j = 0; j < n; ++j)
+            root(i, j) = uniform(generator);
+        }
+      root.Tmmult(dense, root);
+      for (unsigned int i = 0; i < n; ++i)
+        dense(i, i) += 0.1;
+      dense *= scale;
+      for (unsigned int k = 0; k < n_bounds; ++k)
+        {
+          bounds.dofs.push_back(k + 2);
+          bounds.sign.push_back(k % 2 == 0 ? 1. : -1.);
+          bounds.gap.push_back(k < 3 ? 0.
+                                     : -0.1 * std::abs(uniform(generator)));
+        }
+
+      dealii::DynamicSparsityPattern pattern(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          pattern.add(i, j);
+      matrix.reinit(pattern);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          matrix.set(i, j, dense(i, j));
+      matrix.compress(dealii::VectorOperation::insert);
+    }
+
+    /** Solves with the bounds in @p active as equations, the others ignored. */
+    Vector
+    solve_with(const unsigned int active) const
+    {
+      dealii::FullMatrix<double> system(dense);
+      dealii::Vector<double>     right(n), x(n);
+      for (unsigned int i = 0; i < n; ++i)
+        right(i) = b(i);
+      for (unsigned int k = 0; k < n_bounds; ++k)
+        if ((active >> k) & 1)
+          {
+            const auto i = bounds.dofs[k];
+            for (unsigned int j = 0; j < n; ++j)
+              system(i, j) = (i == j ? 1. : 0.);
+            right(i) = bounds.sign[k] * bounds.gap[k];
+          }
+      system.gauss_jordan();
+      system.vmult(x, right);
+      Vector solution(n);
+      for (unsigned int i = 0; i < n; ++i)
+        solution(i) = x(i);
+      return solution;
+    }
+  };
+
+  Certificate
+  certify_alone(const SignoriniProblem &problem,
+                const Vector           &b,
+                const Vector           &candidate)
+  {
+    Scales              scales;
+    Vector              residual(n);
+    std::vector<double> forces;
+    return certify(problem, b, candidate, scales, residual, forces);
+  }
+
+  void
+  compare_with_enumeration(const double scale)
+  {
+    double       largest_error = 0., largest_certificate = 0.;
+    unsigned int unsolved = 0;
+    for (unsigned int seed = 0; seed < 100; ++seed)
+      {
+        const RandomProblem    random(seed, scale);
+        const SignoriniProblem problem(random.matrix, random.bounds);
+        Vector                 exact(n);
+        std::vector<double>    forces;
+        double                 best = 1e300;
+        for (unsigned int active = 0; active < (1u << n_bounds); ++active)
+          {
+            const Vector candidate = random.solve_with(active);
+            const double worst =
+              certify_alone(problem, random.b, candidate).worst();
+            if (worst < best)
+              {
+                best  = worst;
+                exact = candidate;
+              }
+          }
+        if (best > 1e-9)
+          ++unsolved;
+
+        ProjectedSor solver(problem, 1.3, 1e-13, 100000);
+        Vector       q(n);
+        solver.solve(random.b, q, forces);
+        largest_certificate =
+          std::max(largest_certificate, solver.worst_certificate().worst());
+        q -= exact;
+        largest_error =
+          std::max(largest_error, q.linfty_norm() / exact.linfty_norm());
+      }
+    std::cout << "matrices scaled by " << scale << std::endl;
+    check("enumeration found every solution", unsolved == 0);
+    check_below("projected SOR, relative error", largest_error, 1e-9);
+    check_below("certificate", largest_certificate, 1e-13);
+  }
+
+  void
+  certificate_sees_errors()
+  {
+    const RandomProblem    random(7, 1.);
+    const SignoriniProblem problem(random.matrix, random.bounds);
+    ProjectedSor           solver(problem, 1.3, 1e-13, 100000);
+    Vector                 q(n);
+    std::vector<double>    forces;
+    solver.solve(random.b, q, forces);
+
+    const auto worst = [&](const Vector &candidate) {
+      return certify_alone(problem, random.b, candidate).worst();
+    };
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        Vector wrong(q);
+        wrong(i) += 1e-6 * q.linfty_norm();
+        if (!(worst(wrong) > 1e-8))
+          check("a change of unknown " + std::to_string(i) + " is seen", false);
+      }
+    Vector not_a_number(q);
+    not_a_number(3) = std::nan("");
+    check("nan is seen", !(worst(not_a_number) <= 1.));
+
+    bool refused = false;
+    try
+      {
+        ProjectedSor hasty(problem, 1.3, 1e-13, 3);
+        q = 0.;
+        hasty.solve(random.b, q, forces);
+      }
+    catch (const NumericalError &)
+      {
+        refused = true;
+      }
+    check("three iterations are refused as a solution", refused);
+  }
+
+  /** After a load, none: the body returns to rest to the accuracy that the
+   * load has set, which a scale of this one solve would never grant. */
+  void
+  zero_load_after_load()
+  {
+    const RandomProblem    random(3, 1.);
+    const SignoriniProblem problem(random.matrix, random.bounds);
+    ProjectedSor           solver(problem, 1.3, 1e-12, 10000);
+    Vector                 q(n), zero(n);
+    std::vector<double>    forces;
+    solver.solve(random.b, q, forces);
+    const double size = q.linfty_norm();
+    solver.solve(zero, q, forces);
+    check_below("rest after a load", q.linfty_norm() / size, 1e-10);
+  }
+
+  /** The model problem −u″ = 1 on 40 nodes: the best factor is known. */
+  void
+  find_known_factor()
+  {
+    constexpr unsigned int         m = 40;
+    dealii::DynamicSparsityPattern pattern(m, m);
+    for (unsigned int i = 0; i < m; ++i)
+      for (int j = -1; j <= 1; ++j)
+        if (int(i) + j >= 0 && i + j < m)
+          pattern.add(i, i + j);
+    SparseMatrix matrix;
+    matrix.reinit(pattern);
+    for (unsigned int i = 0; i < m; ++i)
+      {
+        matrix.set(i, i, 2.);
+        if (i > 0)
+          matrix.set(i, i - 1, -1.);
+        if (i + 1 < m)
+          matrix.set(i, i + 1, -1.);
+      }
+    matrix.compress(dealii::VectorOperation::insert);
+    const UnilateralBounds none;
+    const SignoriniProblem problem(matrix, none);
+    Vector                 b(m);
+    b                   = 1.;
+    const double theory = 2. / (1. + std::sin(dealii::numbers::PI / (m + 1)));
+    const double found  = find_relaxation_factor(problem, b, 1e-8, 100000);
+    check_below("best factor of the model problem, error of the dichotomy",
+                std::abs(found - theory),
+                0.02);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, []() {
+    for (const double scale : {1., 1e12, 1e-12})
+      compare_with_enumeration(scale);
+    certificate_sees_errors();
+    zero_load_after_load();
+    find_known_factor();
+  });
+}
