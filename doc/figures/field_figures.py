@@ -63,16 +63,22 @@ def stress_levels(fields, magnify, caption):
     """4: level curves of the three components of the stress."""
     figure, panels = pyplot.subplots(1, 3, figsize=(12, 4.4),
                                      constrained_layout=True)
-    for axes, name in zip(panels, COMPONENTS):
-        values = fields[f"stress_{name}"]
-        draw_level_curves(axes, fields, values, magnify)
-        axes.set_title(f"$s_{{{name}}}$   ({span(values)})")
+    stress = [fields[f"stress_{name}"] for name in COMPONENTS]
+    scale = numpy.abs(stress).max()
+    for axes, name, values in zip(panels, COMPONENTS, stress):
+        draw_level_curves(axes, fields, values, scale, magnify)
+        axes.set_title(f"$s_{{{name}}}$   ({span(values, scale)})")
     figure.supxlabel(caption, fontsize=9)
     return figure
 
 
-def span(values):
-    return f"{signed(values.min(), 3)} to {signed(values.max(), 3)}"
+def span(values, scale):
+    """Least and largest value, zero where it is of the order of rounding."""
+    least, largest = (0.0 if abs(value) <= 1e-6 * scale else value
+                      for value in (values.min(), values.max()))
+    if largest - least <= 1e-6 * scale:
+        return signed(largest, 3)
+    return f"{signed(least, 3)} to {signed(largest, 3)}"
 
 
 def principal_stresses(fields, magnify, caption):
@@ -87,16 +93,17 @@ def principal_stresses(fields, magnify, caption):
     largest = abs(values).max() or 1
     typical = numpy.median(abs(values).max(axis=1)) or largest
     length = min(0.8 * numpy.sqrt(size.prod() / len(kept)) / typical,
-                 0.3 * size.max() / largest)
+                 0.3 * size.max() / (numpy.quantile(abs(values), 0.99) or largest),
+                 0.45 * size.max() / largest)
     draw_outline(axes, fields, magnify)
     bars = draw_crosses(axes, place[kept, None], values[kept], directions[kept],
                         length)
-    unit = round_number(0.2 * size.max() / length)
+    unit = round_number(0.13 * size.max() / length)
     left = place[:, 0].min()
     below = min(place[:, 1].min(), bars[..., 1].min()) - 0.06 * size.max()
     scale = numpy.array([[left, below], [left + unit * length, below]])
     axes.plot(*scale.T, "|-", color=INK, linewidth=1.1)
-    axes.annotate(f"stress {unit:g}", scale[1], (8, 0), va="center",
+    axes.annotate(f"stress {signed(unit)}", scale[1], (8, 0), va="center",
                   textcoords="offset points")
     finish_body(axes, fields.points, place, bars, scale)
     axes.legend([Line2D([], [], **TENSION), Line2D([], [], **COMPRESSION)],
@@ -111,8 +118,8 @@ def deviator_invariant(fields, magnify, caption):
     """6: level curves of the second invariant of the deviator."""
     figure, axes = pyplot.subplots(figsize=(5.6, 5.6))
     values = fields["second_deviator_invariant"]
-    draw_level_curves(axes, fields, values, magnify)
-    axes.set_title(f"$J_2$   ({span(values)})")
+    draw_level_curves(axes, fields, values, values.max(), magnify)
+    axes.set_title(f"$J_2$   ({span(values, values.max())})")
     axes.text(0.5, -0.02, caption, transform=axes.transAxes, ha="center",
               va="top")
     return figure

@@ -149,6 +149,9 @@ def read_mesh(path):
             if re.search(rb'NumberOfCells="0+"', file.read(4096)):
                 return None
         return meshio.read(path)
-    except (OSError, meshio.ReadError, SystemExit, ValueError, KeyError,
-            AssertionError, ElementTree.ParseError) as error:
+    except OSError as error:
         raise ResultsError(f"{path}: cannot be read ({error}).") from None
+    except (meshio.ReadError, SystemExit, ValueError, KeyError, AssertionError,
+            ElementTree.ParseError):
+        raise ResultsError(f"{path}: is incomplete or in a form that meshio does "
+                           "not read.") from None

@@ -3,6 +3,7 @@
 
 """Style of the figures, level curves, outlines and crosses."""
 
+import collections
 import io
 
 import matplotlib
@@ -21,7 +22,7 @@ BLUE, VERMILION, GREEN = "#0072B2", "#D55E00", "#009E73"
 INK, GREY, SHADE = "#222222", "#8a8a8a", "#e6e6e6"
 
 TENSION = dict(color=VERMILION, linewidth=1.0)
-COMPRESSION = dict(color=BLUE, linewidth=1.9)
+COMPRESSION = dict(color=BLUE, linewidth=1.4)
 
 HALO = [patheffects.withStroke(linewidth=2.2, foreground="white")]
 
@@ -50,12 +51,13 @@ def ladder(low, high, mantissas=(1, 2, 5)):
             if low <= m * 10.0 ** k <= high]
 
 
-def choose_levels(values, count=7):
+def choose_levels(values, scale, count=8):
     """Round levels: equally spaced over most of the values, wider apart in the
-    peaks; 1-2-3-5 where a field without sign covers several orders."""
+    peaks; 1-2-3-5 where a field without sign covers several orders. None where
+    the values differ by rounding alone, measured by the scale."""
     low, high = numpy.quantile(values, [0.03, 0.97])
     least, largest = values.min(), values.max()
-    if largest - least <= 1e-9 * max(abs(least), abs(largest), 1e-300):
+    if largest - least <= 1e-6 * scale:
         return numpy.array([])
     if least >= 0 and largest > 10 * numpy.median(values):
         return numpy.array(ladder(max(low, 1e-4 * largest), largest,
@@ -69,10 +71,10 @@ def choose_levels(values, count=7):
     for sign, end in ((1, largest), (-1, -least)):
         last = max(sign * levels[-1 if sign > 0 else 0], step)
         for level in ladder(last, max(end, last), peaks):
-            if level >= last + 2 * step * (1 - 1e-9) and level >= 1.25 * last:
+            if level >= last + step * (1 - 1e-9) and level >= 1.25 * last:
                 levels = numpy.append(levels, sign * level)
                 last = level
-    levels = numpy.unique(numpy.round(levels / step, 6)) * step
+    levels = numpy.unique(numpy.round(levels / step, 6) + 0.0) * step
     return levels[(levels > least) & (levels < largest)]
 
 
@@ -90,17 +92,17 @@ def level_colours(levels):
             [above((i + 1) / max(positive, 1)) for i in range(positive)])
 
 
-def draw_level_curves(axes, fields, values, magnify):
+def draw_level_curves(axes, fields, values, scale, magnify):
     """Labelled level curves over a pale ground on the deformed body."""
     triangles, carry = fields.triangulation()
     place = deformed(fields, magnify)
     body = Triangulation(carry(place[:, 0]), carry(place[:, 1]), triangles)
     z = carry(values)
-    levels = choose_levels(values)
+    levels = choose_levels(values, scale)
+    if len(levels) > 1:
+        axes.tricontourf(body, z, levels, extend="both",
+                         colors=level_colours(levels))
     if len(levels):
-        if len(levels) > 1:
-            axes.tricontourf(body, z, levels, extend="both",
-                             colors=level_colours(levels))
         lines = axes.tricontour(body, z, levels=levels, colors=INK,
                                 linewidths=0.7, linestyles="solid")
     draw_outline(axes, fields, magnify)
@@ -111,7 +113,10 @@ def draw_level_curves(axes, fields, values, magnify):
 
 def signed(value, digits=6):
     """With a minus sign as typesetters know it."""
-    return f"{value:.{digits}g}".replace("-", "\N{MINUS SIGN}")
+    text = f"{value:.{digits}g}"
+    if 1 <= abs(value) < 1e7:
+        text = f"{float(text):.10g}"  # without a power of ten
+    return text.replace("-", "\N{MINUS SIGN}")
 
 
 def label_levels(axes, lines):
@@ -152,27 +157,32 @@ def finish_body(axes, *places):
 
 
 def thin_out(points, most):
-    """Of at most so many equal boxes, the node nearest to each one's centre."""
+    """Nodes, about so many, no two of which are close to each other."""
     if len(points) <= most:
         return numpy.arange(len(points))
-    origin, size = points.min(axis=0), numpy.ptp(points, axis=0)
-    box = numpy.sqrt(size.prod() / most)
-    position = (points - origin) / box
-    cell = numpy.floor(position)
-    distance = ((position - cell - 0.5) ** 2).sum(axis=1)
-    order = numpy.lexsort((distance, cell[:, 1], cell[:, 0]))
-    _, first = numpy.unique(cell[order], axis=0, return_index=True)
-    return order[first]
+    apart = 1.05 * numpy.sqrt(numpy.ptp(points, axis=0).prod() / most)
+    boxes = numpy.floor(points / apart).astype(int)
+    kept, inside = [], collections.defaultdict(list)
+    for node in numpy.lexsort(points.T):
+        x, y = boxes[node]
+        near = [other for i in (-1, 0, 1) for j in (-1, 0, 1)
+                for other in inside.get((x + i, y + j), ())]
+        if all(numpy.hypot(*(points[node] - points[other])) >= apart
+               for other in near):
+            kept.append(node)
+            inside[x, y].append(node)
+    return numpy.array(kept)
 
 
 def draw_crosses(axes, place, values, directions, length):
     """Bars of that length per unit stress, the compressive ones thicker;
-    returns the ends of all bars."""
+    returns the ends of all bars. A bar shorter than thick would seem to point
+    the other way and is left out."""
     reach = values[..., None] * directions * length / 2
     bars = numpy.stack([place - reach, place + reach], axis=2).reshape(-1, 2, 2)
+    reach = values.ravel() * length / numpy.ptp(place.reshape(-1, 2), 0).max()
     for sign, style in ((1, TENSION), (-1, COMPRESSION)):
-        axes.add_collection(LineCollection(bars[sign * values.ravel() > 0],
-                                           **style))
+        axes.add_collection(LineCollection(bars[sign * reach > 0.004], **style))
     return bars
 
 

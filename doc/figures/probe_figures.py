@@ -14,14 +14,19 @@ from results import require
 COMPONENTS = ("11", "22", "12")
 
 
+def largest(history, prefix):
+    """The largest component of displacement, "u_", or of stress, "s_"."""
+    return max((abs(values).max() for name, values in history.items()
+                if name.startswith(prefix)), default=0)
+
+
 def closed_intervals(history):
     """[b, c] with the lip closed at the probe. Between samples the end is where
     the opening, continued from the open side, vanishes."""
     t, opening = history["t"], history["opening"]
-    closed = opening <= 1e-9 * opening.max(initial=0)
     pressure = require(history, "pressure", "probe on a lip")
-    stress = max(abs(history[name]).max() for name in history
-                 if name.startswith("s_"))
+    closed = opening <= 1e-9 * largest(history, "u_")
+    stress = largest(history, "s_")
     edges = numpy.flatnonzero(numpy.diff(closed.astype(int), prepend=0,
                                          append=0))
     intervals = []
@@ -131,10 +136,14 @@ def opening_history(results, probe, wanted):
         axes.plot(*end, "o", color=INK, markersize=4, clip_on=False, zorder=5)
         axes.annotate(letter, end, (inward, -9), textcoords="offset points",
                       ha="center", va="center", fontsize=11)
-    top = opening.max() or 1
-    axes.set_ylim(-0.12 * top, 1.05 * top)
+    for panel, name, prefix, below_zero in (
+            (axes, "opening", "u_", 0.12), (below, "pressure", "s_", 0.05)):
+        top = max(history[name].max(), 0)
+        scale = largest(history, prefix)
+        if top <= 1e-6 * scale:
+            top = scale or 1  # zero but for rounding: a straight line
+        panel.set_ylim(-below_zero * top, 1.08 * top)
     axes.set_ylabel(f"$u_N$ at {probe}")
-    below.set_ylim(bottom=min(0, below.get_ylim()[0]))
     below.set_ylabel("$g$")
     time_axis(below, period)
     figure.align_ylabels()

@@ -7,17 +7,18 @@ COMMON = ["Output/Fields=none", "Contact/Tolerance=1e-14",
           "Contact/Relaxation factor=1.94"]
 
 
-def difference(base, other, column, factor):
-    largest = max(map(abs, base[column]))
-    return max(abs(a * factor - b) for a, b in
-               zip(base[column], other[column])) / (largest * factor)
-
-
 def compare(base, other, factors, what, bound=1e-10):
-    for column, factor in factors.items():
-        check_below(difference(base, other, column, factor), bound,
-                    f"{what}: {column}")
+    """Columns of one kind (displacements, stresses) share one scale."""
+    for columns, factor in factors:
+        size = factor * max(abs(x) for column in columns for x in base[column])
+        for column in columns:
+            difference = max(abs(a * factor - b) for a, b in
+                             zip(base[column], other[column]))
+            check_below(difference / size, bound, f"{what}: {column}")
 
+
+DISPLACEMENTS = ["u_1", "u_2", "opening"]
+STRESSES = ["s_11", "s_22", "s_33", "s_12", "pressure"]
 
 scene = SOURCE / "prm/raous1980.prm"
 base = run(scene, "base", COMMON)
@@ -32,13 +33,14 @@ scaled = run(scene, "scaled", COMMON + [
     f"Material/Young modulus={13000 * stress}",
     f"Loads/Traction=0; {10 * stress}*sin(2*pi*t/600)"])
 compare(probe, scaled.table("probe_C.csv"),
-        {"t": 1., "u_1": length, "u_2": length, "s_11": stress, "s_22": stress,
-         "s_12": stress, "opening": length, "pressure": stress},
+        [(["t"], 1.), (DISPLACEMENTS, length), (STRESSES, stress)],
         "stress 1e6, length 1e-3")
 changes = zip(base.summary["stress_change"], scaled.summary["stress_change"])
 check_below(max(abs(a - b) for a, b in changes), 1e-10, "changes of stress")
-check(base.summary["counters"] == scaled.summary["counters"],
-      "not one iteration more")
+iterations = [results.summary["counters"]["vi_iterations"]
+              for results in (base, scaled)]
+check(abs(iterations[0] - iterations[1]) <= 1e-2 * iterations[0],
+      f"as many iterations: {iterations}")
 
 time = 1e4
 slow = run(scene, "slow", COMMON + [
@@ -46,5 +48,5 @@ slow = run(scene, "slow", COMMON + [
     f"Loads/Traction=0; 10*sin(2*pi*t/{600 * time})",
     f"Output/Field times={150 * time}"])
 compare(probe, slow.table("probe_C.csv"),
-        {"t": time, "u_2": 1., "s_22": 1., "opening": 1., "pressure": 1.},
+        [(["t"], time), (DISPLACEMENTS, 1.), (STRESSES, 1.)],
         "time 1e4")
