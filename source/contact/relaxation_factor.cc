@@ -11,10 +11,11 @@
 
 #include <crevasse/contact/relaxation_factor.h>
 #include <crevasse/contact/sor_sweep.h>
+#include <crevasse/scene/problems.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <string>
 
 namespace Crevasse
 {
@@ -29,7 +30,7 @@ namespace Crevasse
     Vector         solution(right_hand_side), residual(right_hand_side);
     solution = 0.;
 
-    double   norm = right_hand_side.linfty_norm(), norm_halfway = norm;
+    double   norm = right_hand_side.linfty_norm();
     SorCount count;
     while (norm > target && count.iterations < maximum_iterations &&
            std::isfinite(norm))
@@ -39,21 +40,8 @@ namespace Crevasse
         residual -= right_hand_side;
         norm = residual.linfty_norm();
         ++count.iterations;
-        if (count.iterations == maximum_iterations / 2)
-          norm_halfway = norm;
       }
-
-    // The first half of the iterations damps what any factor damps; the second
-    // one shows the contraction that lasts.
     count.reached = (norm <= target);
-    if (count.reached)
-      count.expected = count.iterations;
-    else if (norm < norm_halfway)
-      count.expected = count.iterations + (count.iterations + 1) / 2 *
-                                            (std::log(target / norm) /
-                                             std::log(norm / norm_halfway));
-    else
-      count.expected = std::numeric_limits<double>::infinity();
     return count;
   }
 
@@ -65,25 +53,51 @@ namespace Crevasse
                          const double            target,
                          const unsigned int      maximum_iterations)
   {
-    // Far from the optimum thousands of iterations would tell no more than the
-    // contraction seen in a few: the optimum needs of the order of √n.
-    const auto enough = static_cast<unsigned int>(
-      100 + 20 * std::sqrt(double(problem.matrix.m())));
-    const auto cost = [&](const double factor) {
-      return count_sor_iterations(problem,
-                                  right_hand_side,
-                                  factor,
-                                  target,
-                                  std::min(enough, maximum_iterations))
-        .expected;
-    };
+    // The finer the mesh, the nearer the optimum to 2, like 2 − h: the search
+    // runs in y = −log₂(2 − ω), where y = −1 is ω = 0.
+    const auto factor = [](const double y) { return 2. - std::exp2(-y); };
 
+    // Coarse: whole y, all with few iterations; twice as many until some
+    // factor reaches the target. None needs more than twice the best one.
+    constexpr int n_coarse = 16;
+    int           best     = -1;
+    unsigned int  n_best   = maximum_iterations;
+    for (unsigned int limit = 64; best < 0; limit *= 2)
+      {
+        for (int y = 0; y < n_coarse; ++y)
+          {
+            const SorCount count =
+              count_sor_iterations(problem,
+                                   right_hand_side,
+                                   factor(y),
+                                   target,
+                                   std::min(limit, n_best));
+            if (count.reached && (best < 0 || count.iterations < n_best))
+              {
+                best   = y;
+                n_best = count.iterations;
+              }
+          }
+        if (best < 0 && limit >= maximum_iterations)
+          throw NumericalError(
+            "No relaxation factor was found with which SOR converges within "
+            "[Contact] Maximum iterations = " +
+            std::to_string(maximum_iterations) +
+            ". Raise it, or give the factor as a number.");
+      }
+
+    // Fine: golden section between the neighbours of the best.
+    const auto cost = [&](const double y) {
+      const SorCount count = count_sor_iterations(
+        problem, right_hand_side, factor(y), target, 4 * n_best);
+      return count.reached ? count.iterations : 4 * n_best + 1;
+    };
     const double golden = (std::sqrt(5.) - 1.) / 2.;
-    double       left = 0., right = 2.;
+    double       left = best - 1., right = best + 1.;
     double       x      = right - golden * (right - left);
     double       y      = left + golden * (right - left);
-    double       cost_x = cost(x), cost_y = cost(y);
-    while (right - left > 0.002)
+    unsigned int cost_x = cost(x), cost_y = cost(y);
+    while (right - left > 0.05)
       if (cost_x < cost_y)
         {
           right  = y;
@@ -100,6 +114,6 @@ namespace Crevasse
           y      = left + golden * (right - left);
           cost_y = cost(y);
         }
-    return cost_x < cost_y ? x : y;
+    return factor(cost_x < cost_y ? x : y);
   }
 } // namespace Crevasse

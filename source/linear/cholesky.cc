@@ -40,6 +40,42 @@ namespace Crevasse
       cholmod_finish(&common);
     }
 
+    /** Solves for a dense block, column by column in memory. */
+    void
+    solve(double *block, const std::size_t n_rows, const std::size_t n_columns)
+    {
+      cholmod_dense b;
+      b.nrow  = n_rows;
+      b.ncol  = n_columns;
+      b.nzmax = n_rows * n_columns;
+      b.d     = n_rows;
+      b.x     = block;
+      b.z     = nullptr;
+      b.xtype = CHOLMOD_REAL;
+      b.dtype = CHOLMOD_DOUBLE;
+
+      const int success = cholmod_solve2(CHOLMOD_A,
+                                         L,
+                                         &b,
+                                         nullptr,
+                                         &solution,
+                                         nullptr,
+                                         &work_1,
+                                         &work_2,
+                                         &common);
+      if (success == 0)
+        throw NumericalError("CHOLMOD: a solve failed with status " +
+                             std::to_string(common.status) + ".");
+    }
+
+    void
+    copy_solution(const std::size_t column, Vector &vector) const
+    {
+      const auto *x =
+        static_cast<const double *>(solution->x) + column * solution->d;
+      std::copy(x, x + solution->nrow, vector.begin());
+    }
+
     cholmod_common  common;
     cholmod_factor *L = nullptr;
 
@@ -151,29 +187,25 @@ namespace Crevasse
   Cholesky::apply_inverse(Vector &solution, const Vector &right_hand_side)
   {
     // A view of the right-hand side; CHOLMOD only reads it.
-    cholmod_dense b;
-    b.nrow  = right_hand_side.locally_owned_size();
-    b.ncol  = 1;
-    b.nzmax = b.nrow;
-    b.d     = b.nrow;
-    b.x     = const_cast<double *>(right_hand_side.begin());
-    b.z     = nullptr;
-    b.xtype = CHOLMOD_REAL;
-    b.dtype = CHOLMOD_DOUBLE;
+    factor->solve(const_cast<double *>(right_hand_side.begin()),
+                  right_hand_side.locally_owned_size(),
+                  1);
+    factor->copy_solution(0, solution);
+  }
 
-    const int success = cholmod_solve2(CHOLMOD_A,
-                                       factor->L,
-                                       &b,
-                                       nullptr,
-                                       &factor->solution,
-                                       nullptr,
-                                       &factor->work_1,
-                                       &factor->work_2,
-                                       &factor->common);
-    if (success == 0)
-      throw NumericalError("CHOLMOD: a solve failed with status " +
-                           std::to_string(factor->common.status) + ".");
-    const auto *x = static_cast<const double *>(factor->solution->x);
-    std::copy(x, x + b.nrow, solution.begin());
+
+
+  void
+  Cholesky::apply_inverse(std::vector<Vector> &right_hand_sides)
+  {
+    const std::size_t   n = right_hand_sides.front().locally_owned_size();
+    std::vector<double> block(n * right_hand_sides.size());
+    for (std::size_t k = 0; k < right_hand_sides.size(); ++k)
+      std::copy(right_hand_sides[k].begin(),
+                right_hand_sides[k].end(),
+                block.begin() + k * n);
+    factor->solve(block.data(), n, right_hand_sides.size());
+    for (std::size_t k = 0; k < right_hand_sides.size(); ++k)
+      factor->copy_solution(k, right_hand_sides[k]);
   }
 } // namespace Crevasse

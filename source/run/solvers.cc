@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/contact/condensed_active_set.h>
 #include <crevasse/contact/projected_sor.h>
 #include <crevasse/contact/relaxation_factor.h>
 #include <crevasse/contact/unconstrained.h>
@@ -40,21 +41,29 @@ namespace Crevasse
     }
     problem = std::make_unique<SignoriniProblem>(matrix, bounds);
 
+    contact = make_contact_solver(steps);
+    log.line("  solver: " + contact->description());
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<ContactSolver>
+  Solvers<dim>::make_contact_solver(const StepList &steps)
+  {
+    const ContactParameters &parameters = scene.contact;
     if (problem->n_bounds() == 0)
-      contact = std::make_unique<Unconstrained>(*problem,
+      return std::make_unique<Unconstrained>(*problem,
+                                             direct_solver(),
+                                             parameters.tolerance);
+    if (parameters.solver == "projected sor")
+      return std::make_unique<ProjectedSor>(*problem,
+                                            relaxation_factor(steps),
+                                            parameters.tolerance,
+                                            parameters.maximum_iterations);
+    return std::make_unique<CondensedActiveSet>(*problem,
                                                 direct_solver(),
-                                                scene.contact.tolerance);
-    else
-      contact =
-        std::make_unique<ProjectedSor>(*problem,
-                                       relaxation_factor(steps),
-                                       scene.contact.tolerance,
-                                       scene.contact.maximum_iterations);
-    log.line(
-      "  solver: " + contact->description() +
-      (problem->n_bounds() > 0 && scene.contact.relaxation_factor == "automatic"
-         ? " (found by dichotomy)"
-         : ""));
+                                                parameters.tolerance);
   }
 
 

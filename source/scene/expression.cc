@@ -190,12 +190,9 @@ namespace Crevasse
     if (std::isfinite(value))
       return value;
 
-    std::vector<std::string> coordinates;
-    for (unsigned int d = 0; d < dim; ++d)
-      coordinates.push_back(Text::from_number(point[d]));
     throw NumericalError(
-      "The formula \"" + Text::shorten(text) + "\" has no finite value at (" +
-      Text::join(coordinates, ", ") + "), t = " + Text::from_number(t) +
+      "The formula \"" + Text::shorten(text) + "\" has no finite value at " +
+      Text::from_point(point) + ", t = " + Text::from_number(t) +
       ": try to keep divisors away from 0 and the arguments of sqrt and log "
       "positive, for example with max(x, 1e-12).");
   }

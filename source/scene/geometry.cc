@@ -112,6 +112,9 @@ namespace Crevasse
     std::string
     reason(const std::exception &error)
     {
+      if (dynamic_cast<const std::ios::failure *>(&error) != nullptr)
+        return "the file breaks off, or has something else where a number "
+               "must be";
       const auto *exception = dynamic_cast<const ExceptionBase *>(&error);
       if (exception == nullptr)
         return error.what();
@@ -123,49 +126,78 @@ namespace Crevasse
 
 
 
-    /** Reads into a triangulation of its own: a distributed one takes no
-     * triangles and does not look for distorted cells. */
+    /** The program cannot compute on cells that fold over. A triangulation
+     * could look for them while it is created, but not among triangles. */
+    template <int dim>
+    bool
+    is_convex(const typename Triangulation<dim>::cell_iterator &cell)
+    {
+      constexpr unsigned int n = GeometryInfo<dim>::vertices_per_cell;
+      Point<dim>             vertices[n];
+      for (unsigned int v = 0; v < n; ++v)
+        vertices[v] = cell->vertex(v);
+      Tensor<0, dim> jacobians[n];
+      GeometryInfo<dim>::alternating_form_at_vertices(vertices, jacobians);
+      return std::all_of(jacobians, jacobians + n, [&](const double jacobian) {
+        return jacobian > 1e-9 * std::pow(cell->diameter(), dim);
+      });
+    }
+
+
+
+    template <int dim>
+    void
+    require_convex_quadrilaterals(const Triangulation<dim> &mesh,
+                                  const std::string        &where)
+    {
+      if (!mesh.all_reference_cells_are_hyper_cube())
+        throw SceneError(where +
+                         "has triangles; only quadrilaterals are "
+                         "allowed (Gmsh: Mesh.RecombineAll = 1, "
+                         "Mesh.SubdivisionAlgorithm = 1).");
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (!is_convex<dim>(cell))
+          throw SceneError(where + "the cell around " +
+                           Text::from_point<dim>(cell->center()) +
+                           " has an angle of 180 degrees or more; every cell "
+                           "must be convex, in the plane x-y.");
+    }
+
+
+
+    /** Reads into a triangulation of its own: a distributed one does not
+     * survive triangles. */
     template <int dim>
     void
     read_mesh(const std::string &file_name, Triangulation<dim> &mesh)
     {
       const std::string where = "[Geometry] Mesh file = " + file_name + ": ";
 
-      Triangulation<dim> coarse(Triangulation<dim>::none, true);
+      Triangulation<dim> coarse;
       GridIn<dim>        grid_in(coarse);
       try
         {
           if (std::filesystem::path(file_name).extension() == ".msh")
             {
+              // Without exceptions deal.II would read on where a file breaks
+              // off, for ever or until it crashes.
               std::ifstream file(file_name);
+              file.exceptions(std::ios::failbit | std::ios::badbit);
               grid_in.read_msh(file);
             }
           else
             grid_in.read(file_name);
         }
-      catch (const typename Triangulation<dim>::DistortedCellList &list)
-        {
-          std::vector<std::string> centre;
-          for (unsigned int d = 0; d < dim; ++d)
-            centre.push_back(
-              Text::from_number(list.distorted_cells.front()->center()[d]));
-          throw SceneError(where + "has cells with an angle of 180 degrees or "
-                                   "more, the first one at (" +
-                           Text::join(centre, ", ") +
-                           "); the cells must be convex.");
-        }
       catch (const std::exception &error)
         {
-          throw SceneError(where + "cannot be read as a mesh: " +
-                           reason(error) +
-                           "\nAllowed: a Gmsh file (.msh, format 2 or 4, "
-                           "ASCII), or another format that deal.II knows by "
-                           "the end of the file's name.");
+          throw SceneError(where +
+                           "cannot be read as a mesh: " + reason(error) +
+                           "\nAllowed: linear quadrilaterals in the plane x-y, "
+                           "in a Gmsh file (.msh, format 2 or 4, ASCII), or in "
+                           "another format that deal.II knows by the end of "
+                           "the file's name.");
         }
-      if (!coarse.all_reference_cells_are_hyper_cube())
-        throw SceneError(where + "has triangles; only quadrilaterals are "
-                                 "allowed (Gmsh: Mesh.RecombineAll = 1, "
-                                 "Mesh.SubdivisionAlgorithm = 1).");
+      require_convex_quadrilaterals(coarse, where);
       mesh.copy_triangulation(coarse);
     }
   } // namespace

@@ -203,7 +203,8 @@ namespace Crevasse
                       solver,
                       "Method for the contact inequality; \"automatic\" "
                       "chooses.",
-                      Patterns::Selection("automatic|projected sor"));
+                      Patterns::Selection(
+                        "automatic|projected sor|condensed active set"));
     prm.add_parameter("Relaxation factor",
                       relaxation_factor,
                       "Over-relaxation factor of the projected SOR method; "
@@ -286,13 +287,12 @@ namespace Crevasse
                       "the stress still changes. Allowed: an integer of at "
                       "least 0",
                       count);
-    prm.add_parameter(
-      "Tolerance",
-      tolerance,
-      "Largest change of the stress from one period to the "
-      "next, relative to the largest stress, at which the "
-      "state counts as periodic; 0 computes Maximum periods in "
-      "any case. Allowed: a number of at least 0, less than 1");
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Largest change of the stress from one period to the "
+                      "next, relative to the largest stress, at which the "
+                      "state counts as periodic; 0 computes Maximum periods in "
+                      "any case. Allowed: a number of at least 0, less than 1");
   }
 
 

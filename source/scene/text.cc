@@ -145,6 +145,27 @@ namespace Crevasse
 
 
 
+    template <int dim>
+    std::string
+    from_point(const dealii::Point<dim> &point)
+    {
+      std::vector<std::string> coordinates;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          char       buffer[32];
+          const auto end = std::to_chars(std::begin(buffer),
+                                         std::end(buffer),
+                                         point[d],
+                                         std::chars_format::general,
+                                         6)
+                             .ptr;
+          coordinates.emplace_back(buffer, end);
+        }
+      return "(" + join(coordinates, ", ") + ")";
+    }
+
+
+
     std::optional<double>
     to_number(const std::string &text)
     {
@@ -218,5 +239,12 @@ namespace Crevasse
         }
       return nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?";
     }
+
+
+
+    template std::string
+    from_point<2>(const dealii::Point<2> &);
+    template std::string
+    from_point<3>(const dealii::Point<3> &);
   } // namespace Text
 } // namespace Crevasse

@@ -22,9 +22,6 @@ namespace Crevasse
   {
     unsigned int iterations = 0;
     bool         reached    = false;
-    /** `iterations`, or where the target was not reached what the observed
-     * contraction extrapolates to (infinity if there is none). */
-    double expected = 0.;
   };
 
   SorCount
@@ -35,12 +32,13 @@ namespace Crevasse
                        const unsigned int      maximum_iterations);
 
   /**
-   * The relaxation factor that needs the fewest iterations, by golden-section
-   * dichotomy of ]0,2[ down to an interval of 0.002 (paper, §7: "dichotomic
-   * analysis of the interval"). To be called on the problem without bounds, as
-   * the paper does.
+   * The relaxation factor that needs the fewest iterations, by dichotomy of
+   * ]0,2[ (bracketing, then golden section) until 2 − ω is known to 3 % (paper,
+   * §7: "dichotomic analysis of the interval"). To be called on the problem
+   * without bounds, as the paper does.
    *
    * @param target the residual (a force) at which iterations are counted.
+   * @throw NumericalError if no factor reaches it in maximum_iterations.
    */
   double
   find_relaxation_factor(const SignoriniProblem &problem,

@@ -34,6 +34,9 @@ namespace Crevasse
     void
     apply_inverse(Vector &solution, const Vector &right_hand_side) override;
 
+    void
+    apply_inverse(std::vector<Vector> &right_hand_sides) override;
+
   private:
     struct Factor; // keeps cholmod.h out of every includer
     std::unique_ptr<Factor> factor;

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace Crevasse
 {
@@ -40,6 +41,17 @@ namespace Crevasse
       ++solves;
     }
 
+    /** Solves for several right-hand sides at once; each is overwritten by its
+     * solution. */
+    void
+    solve(std::vector<Vector> &right_hand_sides)
+    {
+      const dealii::Timer timer;
+      apply_inverse(right_hand_sides);
+      wall_time += timer.wall_time();
+      solves += right_hand_sides.size();
+    }
+
     std::size_t
     n_solves() const
     {
@@ -60,6 +72,17 @@ namespace Crevasse
   protected:
     virtual void
     apply_inverse(Vector &solution, const Vector &right_hand_side) = 0;
+
+    /** One after the other, unless a solver knows better. */
+    virtual void
+    apply_inverse(std::vector<Vector> &right_hand_sides)
+    {
+      for (Vector &right_hand_side : right_hand_sides)
+        {
+          const Vector copy = right_hand_side;
+          apply_inverse(right_hand_side, copy);
+        }
+    }
 
   private:
     std::size_t solves    = 0;

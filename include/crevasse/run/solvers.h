@@ -78,6 +78,9 @@ namespace Crevasse
     std::unique_ptr<LinearSolver>
     factorise(const SparseMatrix &matrix);
 
+    std::unique_ptr<ContactSolver>
+    make_contact_solver(const StepList &steps);
+
     double
     relaxation_factor(const StepList &steps);
 

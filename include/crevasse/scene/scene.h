@@ -23,7 +23,7 @@ namespace Crevasse
   {
     std::string  title;
     unsigned int dimension = 2;
-    /** Empty: results/<scene name>. */
+    /** Empty: `results/NAME` for NAME.prm. */
     std::string output_directory;
 
     GeometryParameters        geometry;

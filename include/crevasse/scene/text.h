@@ -12,6 +12,8 @@
 #ifndef crevasse_scene_text_h
 #define crevasse_scene_text_h
 
+#include <deal.II/base/point.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,6 +54,11 @@ namespace Crevasse
     /** The shortest text that reads back as the same number. */
     std::string
     from_number(const double number);
+
+    /** "(x, y)" with six digits, for messages. */
+    template <int dim>
+    std::string
+    from_point(const dealii::Point<dim> &point);
 
     /** All of the text as one finite number. */
     std::optional<double>

@@ -1,0 +1,62 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_contact_condensed_active_set_h
+#define crevasse_contact_condensed_active_set_h
+
+#include <crevasse/contact/condensed_problem.h>
+#include <crevasse/contact/contact_solver.h>
+#include <crevasse/linear/linear_solver.h>
+
+#include <memory>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * For a fixed A, whose factor is at hand: q = A⁻¹b + A⁻¹Lᵀg turns the
+   * variational inequality into a small problem on the lip. It costs one
+   * back-solve with the lip open and two otherwise, besides one for each node
+   * that closes for the first time in a run. Works on one rank.
+   */
+  class CondensedActiveSet : public ContactSolver
+  {
+  public:
+    /** @throw NumericalError on several ranks. */
+    CondensedActiveSet(const SignoriniProblem &problem,
+                       LinearSolver           &linear_solver,
+                       const double            tolerance);
+
+    std::string
+    description() const override;
+
+  protected:
+    std::size_t
+    iterate(const Vector &right_hand_side, Vector &solution) override;
+
+  private:
+    std::vector<dealii::Vector<double>>
+    compliance_columns(const std::vector<unsigned int> &nodes);
+
+    /** L v. */
+    void
+    restrict_to_lip(const Vector &v, dealii::Vector<double> &on_lip) const;
+
+    LinearSolver &linear_solver;
+
+    CondensedProblem       lip_problem;
+    dealii::Vector<double> opening;
+    dealii::Vector<double> forces;
+    Vector                 loads;
+  };
+} // namespace Crevasse
+
+#endif

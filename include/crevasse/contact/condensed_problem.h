@@ -1,0 +1,105 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_contact_condensed_problem_h
+#define crevasse_contact_condensed_problem_h
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <functional>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * The linear complementarity problem on the lip,
+   *
+   *     w = w₀ + S g,      0 ≤ g ⟂ w ≥ 0,
+   *
+   * with the compliance S = L A⁻¹ Lᵀ (symmetric, positive definite), whose
+   * columns are computed when a node first closes and kept. It is solved by a
+   * primal–dual active set, started from the last set (Hintermüller, Ito and
+   * Kunisch, SIAM J. Optim. 13, 2002); if a set comes back, by the method of
+   * Lawson and Hanson (1974), which decreases ½gᵀSg + w₀ᵀg with every set and
+   * so ends on every positive definite S.
+   */
+  class CondensedProblem
+  {
+  public:
+    /** Returns columns of S: for each node asked for, S e_node. */
+    using ComplianceColumns = std::function<std::vector<dealii::Vector<double>>(
+      const std::vector<unsigned int> &nodes)>;
+
+    CondensedProblem(const unsigned int       n_nodes,
+                     const ComplianceColumns &columns);
+
+    /**
+     * @param opening_without_contact w₀
+     * @param[out] forces g
+     * @return the number of active sets tried.
+     * @throw NumericalError if S is found not to be positive definite.
+     */
+    unsigned int
+    solve(const dealii::Vector<double> &opening_without_contact,
+          dealii::Vector<double>       &forces);
+
+    /** Nodes closed in the last solution. */
+    const std::vector<unsigned int> &
+    active_set() const;
+
+    /** How often the second method had to finish. */
+    unsigned int
+    n_rescues() const;
+
+  private:
+    using Set = std::vector<unsigned int>; // ascending
+
+    /** g on the set, from S_CC g_C = −w₀_C; the factor is kept while the set
+     * stays. */
+    void
+    solve_on(const Set                    &set,
+             const dealii::Vector<double> &opening_without_contact,
+             dealii::Vector<double>       &forces);
+
+    /** w = w₀ + S g. */
+    void
+    opening(const dealii::Vector<double> &opening_without_contact,
+            const Set                    &set,
+            const dealii::Vector<double> &forces,
+            dealii::Vector<double>       &result) const;
+
+    /** The set that forces and openings call for. */
+    Set
+    next_set(const dealii::Vector<double> &forces,
+             const dealii::Vector<double> &opening) const;
+
+    unsigned int
+    solve_by_lawson_hanson(
+      const dealii::Vector<double> &opening_without_contact,
+      dealii::Vector<double>       &forces);
+
+    void
+    require_columns(const Set &set);
+
+    const unsigned int      n;
+    const ComplianceColumns compute_columns;
+
+    std::vector<dealii::Vector<double>> columns; ///< empty where not computed
+    Set                                 active;
+    Set                                 factored_set;
+    dealii::LAPACKFullMatrix<double>    factor;
+    unsigned int                        rescues = 0;
+  };
+} // namespace Crevasse
+
+#endif

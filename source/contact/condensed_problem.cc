@@ -1,0 +1,243 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/contact/condensed_problem.h>
+#include <crevasse/scene/problems.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    bool
+    contains(const std::vector<unsigned int> &set, const unsigned int i)
+    {
+      return std::binary_search(set.begin(), set.end(), i);
+    }
+
+
+
+    void
+    insert(std::vector<unsigned int> &set, const unsigned int i)
+    {
+      set.insert(std::lower_bound(set.begin(), set.end(), i), i);
+    }
+  } // namespace
+
+
+
+  CondensedProblem::CondensedProblem(const unsigned int       n_nodes,
+                                     const ComplianceColumns &columns)
+    : n(n_nodes)
+    , compute_columns(columns)
+    , columns(n_nodes)
+  {
+  }
+
+
+
+  unsigned int
+  CondensedProblem::solve(const dealii::Vector<double> &w_0,
+                          dealii::Vector<double>       &forces)
+  {
+    dealii::Vector<double> w(n);
+    std::set<Set>          seen;
+    for (unsigned int n_sets = 1;; ++n_sets)
+      {
+        solve_on(active, w_0, forces);
+        opening(w_0, active, forces, w);
+        Set next = next_set(forces, w);
+        if (next == active)
+          return n_sets;
+        if (!seen.insert(active).second)
+          return n_sets + solve_by_lawson_hanson(w_0, forces);
+        active = std::move(next);
+      }
+  }
+
+
+
+  const std::vector<unsigned int> &
+  CondensedProblem::active_set() const
+  {
+    return active;
+  }
+
+
+
+  unsigned int
+  CondensedProblem::n_rescues() const
+  {
+    return rescues;
+  }
+
+
+
+  void
+  CondensedProblem::require_columns(const Set &set)
+  {
+    Set missing;
+    for (const unsigned int i : set)
+      if (columns[i].size() == 0)
+        missing.push_back(i);
+    if (missing.empty())
+      return;
+    const auto computed = compute_columns(missing);
+    for (unsigned int k = 0; k < missing.size(); ++k)
+      columns[missing[k]] = computed[k];
+  }
+
+
+
+  void
+  CondensedProblem::solve_on(const Set                    &set,
+                             const dealii::Vector<double> &w_0,
+                             dealii::Vector<double>       &forces)
+  {
+    forces = 0.;
+    if (set.empty())
+      return;
+
+    const unsigned int m = set.size();
+    if (set != factored_set)
+      {
+        require_columns(set);
+        factor.reinit(m);
+        factor.set_property(LAPACKSupport::symmetric);
+        for (unsigned int i = 0; i < m; ++i)
+          for (unsigned int j = 0; j < m; ++j)
+            factor(i, j) =
+              0.5 * (columns[set[j]](set[i]) + columns[set[i]](set[j]));
+        try
+          {
+            factor.compute_cholesky_factorization();
+          }
+        catch (const std::exception &)
+          {
+            factored_set.clear();
+            throw NumericalError(
+              "The compliance of the crack lip is not positive definite for " +
+              std::to_string(m) +
+              " closed nodes: the stiffness is too ill-conditioned for a "
+              "direct solver. Check the moduli of [Material] for extreme "
+              "contrasts and the mesh for degenerate cells.");
+          }
+        factored_set = set;
+      }
+
+    dealii::Vector<double> right(m);
+    for (unsigned int i = 0; i < m; ++i)
+      right(i) = -w_0(set[i]);
+    factor.solve(right);
+    for (unsigned int i = 0; i < m; ++i)
+      forces(set[i]) = right(i);
+  }
+
+
+
+  void
+  CondensedProblem::opening(const dealii::Vector<double> &w_0,
+                            const Set                    &set,
+                            const dealii::Vector<double> &forces,
+                            dealii::Vector<double>       &result) const
+  {
+    result = w_0;
+    for (const unsigned int j : set)
+      result.add(forces(j), columns[j]);
+  }
+
+
+
+  CondensedProblem::Set
+  CondensedProblem::next_set(const dealii::Vector<double> &forces,
+                             const dealii::Vector<double> &w) const
+  {
+    Set          next;
+    unsigned int k = 0; // walks along the active set
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const bool is_active = k < active.size() && active[k] == i;
+        k += is_active ? 1 : 0;
+        // On the set w vanishes but for rounding, off it g is zero: the sign
+        // of one number decides. A node with both zero stays where it is.
+        if (is_active ? forces(i) >= 0. : w(i) < 0.)
+          next.push_back(i);
+      }
+    return next;
+  }
+
+
+
+  unsigned int
+  CondensedProblem::solve_by_lawson_hanson(const dealii::Vector<double> &w_0,
+                                           dealii::Vector<double>       &forces)
+  {
+    ++rescues;
+    // Openings that are negative by rounding only must not enter the set: the
+    // gain they promise could not be realised.
+    const double noise =
+      100. * std::numeric_limits<double>::epsilon() * w_0.linfty_norm();
+
+    dealii::Vector<double> trial(n), w(n);
+    active.clear();
+    forces                = 0.;
+    unsigned int n_solves = 0;
+    // Nodes whose force came out negative although their opening was: they are
+    // degenerate to rounding, and wait until something else has moved.
+    Set waiting;
+    while (true)
+      {
+        opening(w_0, active, forces, w);
+        int entering = -1;
+        for (unsigned int i = 0; i < n; ++i)
+          if (w(i) < -noise && !contains(active, i) && !contains(waiting, i) &&
+              (entering < 0 || w(i) < w(entering)))
+            entering = i;
+        if (entering < 0)
+          return n_solves;
+        insert(active, entering);
+
+        // Towards the solution on the set, as far as no force becomes
+        // negative; what reaches zero leaves the set.
+        bool moved = false;
+        while (true)
+          {
+            solve_on(active, w_0, trial);
+            ++n_solves;
+            double step     = 1.;
+            int    limiting = -1;
+            for (const unsigned int i : active)
+              if (trial(i) < 0. &&
+                  (limiting < 0 || forces(i) / (forces(i) - trial(i)) < step))
+                {
+                  limiting = i;
+                  step     = forces(i) / (forces(i) - trial(i));
+                }
+            moved = moved || step > 0.;
+            forces.sadd(1. - step, step, trial);
+            if (limiting < 0)
+              break;
+            forces(limiting) = 0.;
+            active.erase(std::find(active.begin(), active.end(), limiting));
+          }
+        if (moved)
+          waiting.clear();
+        else
+          insert(waiting, entering);
+      }
+  }
+} // namespace Crevasse

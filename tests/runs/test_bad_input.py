@@ -1,0 +1,371 @@
+"""Whatever the user gets wrong is answered by the promised exit status and by a
+message that names the place and what is allowed, and never by a backtrace."""
+
+import json
+import pathlib
+import re
+import shutil
+from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
+
+from crevasse_run import SOURCE, check, execute
+
+# Lines are counted in the expectations below.
+SCENE = """\
+subsection Geometry
+  set Shape        = edge crack
+  set Subdivisions = 4, 2
+end
+subsection Material
+  set Relaxation time = 60
+end
+subsection Loads
+  set Period   = 600
+  set Traction = 0; sin(2*pi*t/600)
+end
+subsection Time integration
+  set Steps per period = 10
+end
+subsection Periodic state
+  set Maximum periods = 2
+  set Tolerance       = 0
+end
+subsection Output
+  set Probes = A: 1, 0
+end
+"""
+
+MESH_SCENE = f"""\
+subsection Geometry
+  set Shape     = mesh file
+  set Mesh file = {SOURCE}/tests/meshes/edge_crack_4.msh
+end
+subsection Boundary
+  set Symmetry     = 1
+  set Contact      = 2
+  set Loaded       = 3
+  set Fixed points = 0.5, 0: 1
+end
+"""
+
+
+class Case(NamedTuple):
+    name: str
+    status: int
+    messages: list  # regular expressions that standard error must match
+    settings: list = []
+    scene: str = SCENE
+    suffix: str = ".prm"
+    creates_directory: bool = False
+
+
+def mesh(name):
+    return f"Geometry/Mesh file={SOURCE}/tests/meshes/{name}.msh"
+
+
+CASES = [
+    # Names
+    Case("unknown_parameter", 2,
+         [r'unknown_parameter\.prm:2: \[Geometry\] unknown parameter "Crack '
+          r'lenght"', "allowed here: Shape, Width, Height, Crack length",
+          'did you mean "Crack length"'],
+         scene="subsection Geometry\n  set Crack lenght = 1\nend\n"),
+    Case("parameter_of_another_section", 2,
+         [r'another_section\.prm:2: \[Loads\] unknown parameter '
+          r'"Young modulus"', "is in the section Material"],
+         scene="subsection Loads\n  set Young modulus = 1\nend\n"),
+    Case("misspelt_section", 2,
+         [r'misspelt_section\.prm:2: unknown section "Materail"',
+          "sections are: Geometry, Boundary, Material",
+          'did you mean "Material"'],
+         scene="# a comment\nsubsection Materail\n  set Anything = 1\nend\n"),
+    Case("section_not_closed", 2,
+         [r'section_not_closed\.prm:1: the subsection "Geometry" is never '
+          r'closed by an "end"'],
+         scene="subsection Geometry\n  set Width = 2\n"),
+    Case("line_not_understood", 2,
+         [r'line_not_understood\.prm:1: "Width = 2" cannot be understood',
+          '"set Name = value"'],
+         scene="Width = 2\n\n"),
+    Case("set_twice", 2,
+         [r"set_twice\.prm:2: Title is set a second time; it was set at "
+          r"set_twice\.prm:1"],
+         scene="set Title = a\nset Title = b\n"),
+    Case("unknown_section_of_override", 2,
+         [r'--set "Materail/E=1": unknown section "Materail"',
+          'did you mean "Material"'],
+         ["Materail/E=1"]),
+    Case("malformed_override", 2,
+         ['--set "Width": must have the form "Section/Name=value"'],
+         ["Width"]),
+    Case("missing_include", 2,
+         [r'missing_include\.prm:1: The file "nowhere\.prm" cannot be read: No '
+          r'such file'],
+         scene="include nowhere.prm\n\n"),
+    Case("json_syntax", 2,
+         [r"json_syntax\.json: is not valid JSON: .*line 1, column 26"],
+         scene='{"Geometry": {"Width": 1,}}\n', suffix=".json"),
+    Case("json_name", 2,
+         [r'json_name\.json: \[Geometry\] unknown parameter "Widht"',
+          'did you mean "Width"'],
+         scene='{"Geometry": {"Widht": 1}}\n', suffix=".json"),
+    Case("neither_prm_nor_json", 2,
+         [r"neither_prm_nor_json\.txt: the name of a scene file must end in "
+          r"\.prm or \.json"],
+         suffix=".txt"),
+
+    # Values
+    Case("negative_modulus", 2,
+         [r"negative_modulus\.prm:2: \[Material\] Young modulus = -13000: must "
+          r"be greater than 0"],
+         scene="subsection Material\n  set Young modulus = -13000\nend\n"),
+    Case("not_a_number", 2,
+         [r"\[Geometry\] Width = wide: must be a number greater than 0"],
+         ["Geometry/Width=wide"]),
+    Case("not_a_choice", 2,
+         [r"\[Geometry\] Shape = edge_crack: must be one of: edge crack, centre "
+          r"crack, rectangle, mesh file"],
+         ["Geometry/Shape=edge_crack"]),
+    Case("crack_longer_than_plate", 2,
+         [r"\[Geometry\] Crack length = 1.5: must be shorter than the plate: "
+          r"Width = 1"],
+         ["Geometry/Crack length=1.5"]),
+    Case("formula", 2,
+         [r"formula\.prm:2: \[Loads\] Traction = 0; 1 \+ \* t: the formula "
+          r'"1 \+ \* t" cannot be used: .*"\*".* position 4'],
+         scene="subsection Loads\n  set Traction = 0; 1 + * t\nend\n"),
+    Case("formula_with_unknown_name", 2,
+         [r'\[Loads\] Body force = 0; rho\*g: the formula "rho\*g" cannot be '
+          r'used: .*"rho".* position 0', "Known are x, y, z, t, pi"],
+         ["Loads/Body force=0; rho*g"]),
+    Case("formula_without_finite_value", 3,
+         [r'formula "sqrt\(x-2\)" has no finite value at \(\S+, 1\), t = 0',
+          r"arguments of sqrt"],
+         ["Loads/Traction=0; sqrt(x-2)"]),
+    Case("components_of_traction", 2,
+         [r"\[Loads\] Traction = 0; t; 0: must be 2 formulas, one for each "
+          r"dimension, separated by semicolons"],
+         ["Loads/Traction=0; t; 0"]),
+    Case("positive_gap", 2,
+         [r"\[Boundary\] Gap = 0.1: must be at most 0"],
+         ["Boundary/Gap=0.1"]),
+    Case("gap_positive_somewhere", 2,
+         [r"\[Boundary\] Gap = x-0.8: is 0\.2 at \(1,? 0\); it must be at most "
+          r"0"],
+         ["Boundary/Gap=x-0.8"]),
+    Case("instants_not_increasing", 2,
+         [r"\[Time integration\] Steps = 200: must be later than the instant "
+          r"before it, 300"],
+         ["Time integration/Step control=list",
+          "Time integration/Steps=300, 200"]),
+    Case("probe_outside", 2,
+         [r"\[Output\] Probes: far at \(3,? 0\) lies outside the mesh"],
+         ["Output/Probes=near: 1, 0; far: 3, 0"]),
+    Case("several_errors", 2,
+         [r'several_errors\.prm:2: \[Geometry\] unknown parameter "Depth"',
+          r"several_errors\.prm:3: \[Geometry\] Height = 0: must be greater "
+          r"than 0",
+          r'several_errors\.prm:5: unknown section "Load"',
+          r'--set "Material/Poisson ratio=0.6": \[Material\] Poisson ratio = '
+          r"0.6: must be greater than -1 and less than 0.5",
+          r'--set "Loads/Traction=0": \[Loads\] Traction = 0: must be 2'],
+         ["Material/Poisson ratio=0.6", "Loads/Traction=0"],
+         scene="subsection Geometry\n  set Depth = 1\n  set Height = 0\nend\n"
+               "subsection Load\nend\n"),
+
+    # Boundaries and meshes
+    Case("boundary_id_without_face", 2,
+         [r"\[Boundary\] Loaded = 7: no face of the mesh has this boundary id",
+          "there are: 0 1 2 3 4"],
+         ["Boundary/Loaded=3, 7"]),
+    Case("two_roles", 2,
+         [r"\[Boundary\] Symmetry = 3: the boundary id 3 must have one role "
+          r"only; Clamped names it as well"],
+         ["Boundary/Clamped=3", "Boundary/Symmetry=3"]),
+    Case("fixed_point_beside_vertex", 2,
+         [r"\[Boundary\] Fixed points.*0\.3,? 0.* is no vertex of the mesh",
+          r"the nearest one is .*0\.25,? 0"],
+         ["Boundary/Fixed points=0.3, 0"]),
+    Case("missing_mesh_file", 2,
+         [r"missing_mesh_file\.prm:3: \[Geometry\] Mesh file = nowhere\.msh: "
+          r"must be a file that can be read"],
+         scene="subsection Geometry\n  set Shape = mesh file\n"
+               "  set Mesh file = nowhere.msh\nend\n"),
+    Case("not_a_mesh", 2,
+         [r"\[Geometry\] Mesh file = not_a_mesh\.prm: cannot be read as a mesh",
+          r"Allowed: .*Gmsh file \(\.msh, format 2 or 4, ASCII\)"],
+         ["Geometry/Mesh file=not_a_mesh.prm"], scene=MESH_SCENE),
+    Case("not_a_gmsh_file", 2,
+         [r"not_a_gmsh_file\.msh: cannot be read as a mesh: The string "
+          r"<subsection> is not recognized", r"Allowed: .*Gmsh file"],
+         ["Geometry/Mesh file=not_a_gmsh_file.msh"], scene=MESH_SCENE),
+    Case("triangles", 2,
+         [r"\[Geometry\] Mesh file = .*triangles\.msh: has triangles; only "
+          r"quadrilaterals are allowed", r"Mesh\.RecombineAll = 1"],
+         [mesh("triangles")], scene=MESH_SCENE),
+    Case("concave_cell", 2,
+         [r"\[Geometry\] Mesh file = .*concave\.msh: the cell around \(0\.3, "
+          r"0\.3\)", "every cell must be convex"],
+         [mesh("concave")], scene=MESH_SCENE),
+    Case("inclined_lip", 2,
+         [r"\[Boundary\] Contact: the face at \(0\.5,? 0\.125\)",
+          "must be parallel to a coordinate axis"],
+         [mesh("inclined_lip"), "Boundary/Fixed points=none",
+          "Boundary/Clamped=1", "Boundary/Symmetry=none"],
+         scene=MESH_SCENE),
+
+    # Rigid motions
+    Case("free_translation", 3,
+         ["free to move as a rigid one:\n  translation along x1\nContact",
+          r"\[Boundary\] Clamped, Symmetry or Fixed points",
+          r'--set "Boundary/Fixed points=0, 0"'],
+         ["Boundary/Fixed points=none"]),
+    Case("free_rotation", 3,
+         [r"rigid one:\n  rotation in the plane x1-x2 about \(0\.5, 0\)\n"
+          "Contact"],
+         ["Boundary/Symmetry=none", "Boundary/Fixed points=0.5, 0"]),
+    Case("free_to_fly", 3,
+         ["rigid one:\n  translation along x1\n  translation along x2\n"
+          "  rotation in the plane x1-x2 .*\nContact"],
+         ["Boundary/Symmetry=none", "Boundary/Fixed points=none"]),
+    Case("free_part", 3,
+         ["rigid one:\n  translation along x1 of part 2 of 2 .*\n"
+          "  translation along x2 of part 2 of 2 .*\n"
+          "  rotation in the plane x1-x2 .* of part 2 of 2 .*\nContact"],
+         [mesh("two_parts"), "Boundary/Fixed points=0, 0: 1"],
+         scene=MESH_SCENE),
+
+    # Instabilities
+    Case("unstable_list_of_steps", 3,
+         ["time step 598 is too large", "that is below 120",
+          r"Add instants to \[Time integration\] Steps"],
+         ["Time integration/Step control=list", "Time integration/Steps=1, 2"]),
+    Case("contact_not_solved", 3,
+         ["contact problem was not solved to the tolerance 1e-12",
+          r"\[Contact\] Maximum iterations"],
+         ["Contact/Maximum iterations=2", "Contact/Relaxation factor=1"],
+         creates_directory=True),
+]
+
+
+def check_messages(name, status, output, error, expected_status, messages):
+    print(f"--- {name}: exit status {status}\n{error}", end="")
+    check(status == expected_status,
+          f"{name}: exit status {status} instead of {expected_status}")
+    for message in messages:
+        check(re.search(message, error), f"{name}: no message like {message}")
+    check(error.startswith("crevasse: "), f"{name}: who speaks?")
+    for text in ("An error occurred", "Stacktrace", "violated condition",
+                 "uncaught", "terminate called", "what():", "libdeal_ii",
+                 "libdeal.ii", "std::", "dealii::", "Crevasse::", "0x"):
+        check(text not in error, f"{name}: \"{text}\" on standard error")
+        check(text not in output, f"{name}: \"{text}\" on standard output")
+    check("rror" not in output and "xception" not in output,
+          f"{name}: an error on standard output")
+
+
+def execute_case(case):
+    directory = pathlib.Path("results") / case.name
+    shutil.rmtree(directory, ignore_errors=True)
+    scene = pathlib.Path(case.name + case.suffix)
+    scene.write_text(case.scene)
+    settings = [word for text in case.settings for word in ("--set", text)]
+    return execute(scene, "--output", directory, *settings)
+
+
+def test_cases():
+    pathlib.Path("not_a_gmsh_file.msh").write_text(MESH_SCENE)
+    # Most of the time goes into waiting for MPI to start.
+    with ThreadPoolExecutor(max_workers=4) as pool:
+        for case, result in zip(CASES, pool.map(execute_case, CASES)):
+            check_messages(case.name, *result, case.status, case.messages)
+            directory = pathlib.Path("results") / case.name
+            check(directory.exists() == case.creates_directory,
+                  f"{case.name}: is there an output directory?")
+
+
+def test_missing_scene():
+    for name, reason in (("nowhere.prm", "No such file or directory"),
+                         ("nowhere.json", "No such file or directory"),
+                         (".", "it is a directory")):
+        check_messages(name, *execute(name), 4,
+                       [f'The file "{re.escape(name)}" cannot be read: '
+                        + reason])
+
+
+def test_output_directory():
+    """Even root can neither make a directory below a file nor in /proc."""
+    scene = pathlib.Path("output_directory.prm")
+    scene.write_text(SCENE)
+    for directory in (scene / "below", "/proc/nonexistent"):
+        check_messages(str(directory),
+                       *execute(scene, "--quiet", "--output", directory), 4,
+                       [rf"\[Output directory\] {directory}: cannot be created",
+                        "--output DIR"])
+    check_messages("parameter",
+                   *execute(scene, "--set", f"Output directory={scene}"), 4,
+                   [rf"\[Output directory\] {scene}: cannot be"])
+
+
+def test_stability_bound():
+    """The number of steps in the message is the smallest that will do."""
+    scene = pathlib.Path("stability_bound.prm")
+    scene.write_text(SCENE)
+    directory = pathlib.Path("results/stability_bound")
+    shutil.rmtree(directory, ignore_errors=True)
+
+    def execute_with(steps, relaxation_time, *arguments):
+        return execute(scene, "--output", directory, *arguments, "--set",
+                       f"Time integration/Steps per period={steps}", "--set",
+                       f"Material/Relaxation time={relaxation_time}")
+
+    # 120 divides the period exactly, 14 does not; Heun's limit is 2.
+    for relaxation_time, needed in ((60, 6), (7, 43)):
+        result = execute_with(3, relaxation_time)
+        check_messages("stability", *result, 3,
+                       ["time step 200 is too large",
+                        f"below {2 * relaxation_time}, whatever the mesh",
+                        f"Use at least {needed} steps"])
+        setting = re.search(r'--set "Time integration/Steps per period=(\d+)"',
+                            result[2])
+        check(setting, "no setting is suggested")
+        check(int(setting[1]) == needed, f"{setting[1]} steps are suggested")
+        check_messages("one step less",
+                       *execute_with(needed - 1, relaxation_time), 3,
+                       [f"Use at least {needed} steps"])
+        check(not directory.exists(), "an output directory was created")
+        status, _, error = execute_with(needed, relaxation_time, "--check")
+        check(status == 0, f"the suggestion does not work: {error}")
+
+    status, _, error = execute_with(6, 60)
+    check(status == 0, f"the suggestion does not work: {error}")
+
+
+def test_not_yet_periodic():
+    """Exit status 3, but nothing that was computed is lost."""
+    scene = pathlib.Path("not_yet_periodic.prm")
+    scene.write_text(SCENE)
+    directory = pathlib.Path("results/not_yet_periodic")
+    shutil.rmtree(directory, ignore_errors=True)
+    result = execute(scene, "--output", directory, "--set",
+                     "Periodic state/Tolerance=1e-8")
+    check_messages("not yet periodic", *result, 3,
+                   [r"not yet periodic: after 2 periods it still changes by "
+                    r"\S+ of its maximum", "results so far are written",
+                    r"\[Periodic state\] Tolerance = 1e-0?8",
+                    '"Maximum periods"'])
+    for name in ("used.prm", "log.txt", "contact.csv", "periods.csv",
+                 "solution.pvd", "summary.json"):
+        check((directory / name).stat().st_size > 0, f"{name} is empty")
+    lines = (directory / "probe_A.csv").read_text().splitlines()
+    check(len(lines) == 1 + 2 * 10 + 1, f"probe_A.csv has {len(lines)} lines")
+    summary = json.loads((directory / "summary.json").read_text())
+    check(summary["converged"] is False, "summary.json says converged")
+    check(summary["periods"] == 2, "summary.json has another number of periods")
+
+
+test_cases()
+test_missing_scene()
+test_output_directory()
+test_stability_bound()
+test_not_yet_periodic()

@@ -1,0 +1,203 @@
+"""What can be asked on the command line, and that every way to write a scene
+gives the same run."""
+
+import json
+import pathlib
+import re
+import shutil
+
+from crevasse_run import check, execute, run
+
+SCENE = """\
+set Title = A = b, c
+subsection Geometry
+  set Subdivisions = 4, 2
+end
+subsection Material
+  set Relaxation time = 60
+end
+subsection Loads
+  set Period   = 600
+  set Traction = 0; if(t < 300, 0.1, 1)*sin(2*pi*t/600)
+end
+subsection Time integration
+  set Steps per period = 10
+end
+subsection Periodic state
+  set Maximum periods = 2
+  set Tolerance       = 0
+end
+subsection Output
+  set Probes      = A: 1, 0; B: 0.3, 0.6
+  set Field times = 150
+end
+"""
+
+JSON_SCENE = {
+    "Title": "A = b, c",
+    "Geometry": {"Subdivisions": [4, 2]},
+    "Material": {"Relaxation time": 60},
+    "Loads": {"Period": 600,
+              "Traction": "0; if(t < 300, 0.1, 1)*sin(2*pi*t/600)"},
+    "Time integration": {"Steps per period": 10},
+    "Periodic state": {"Maximum periods": 2, "Tolerance": 0},
+    "Output": {"Probes": "A: 1, 0; B: 0.3, 0.6", "Field times": [150]},
+}
+
+PROBES = ("probe_A.csv", "probe_B.csv", "contact.csv")
+
+
+def succeed(*arguments):
+    """Runs the program, which must have nothing to complain about."""
+    status, output, error = execute(*arguments)
+    check(status == 0, f"{arguments}: exit status {status}\n{error}")
+    check(error == "", f"{arguments}: standard error:\n{error}")
+    return output
+
+
+def write_scene(name, text=SCENE):
+    path = pathlib.Path(name)
+    path.write_text(text)
+    return path
+
+
+def remove(directory):
+    shutil.rmtree(directory, ignore_errors=True)
+    return pathlib.Path(directory)
+
+
+def check_same_tables(results, others, what):
+    for name in PROBES:
+        check((results.directory / name).read_bytes()
+              == (others.directory / name).read_bytes(),
+              f"{what}: {name} differs")
+
+
+def test_questions():
+    output = succeed("--help")
+    for text in ("scene", "--set", "--output", "--check", "--quiet",
+                 "--print-parameters", "--version"):
+        check(text in output, f"--help does not speak of {text}")
+    check(re.fullmatch(r"crevasse \d+\.\d+\.\d+\n", succeed("--version")),
+          "--version")
+
+
+def test_mistakes():
+    for arguments, message in (
+            ((), "scene file is required"),
+            (("--frobnicate",), "--frobnicate"),
+            (("a.prm", "b.prm"), "b.prm"),
+            (("a.prm", "--set"), "--set"),
+            (("a.prm", "--output"), "--output"),
+            (("--print-parameters", "xml"), "prm,json,markdown")):
+        status, output, error = execute(*arguments)
+        check(status == 2, f"{arguments}: exit status {status}")
+        check(output == "", f"{arguments}: standard output:\n{output}")
+        check(message in error, f"{arguments}: standard error:\n{error}")
+
+
+def test_check():
+    scene = write_scene("checked.prm")
+    directory = remove("results/checked")
+    before = sorted(pathlib.Path().rglob("*"))
+    output = succeed("--check", scene)
+    check(sorted(pathlib.Path().rglob("*")) == before, "--check wrote something")
+    check(not directory.exists(), "--check made an output directory")
+    print(output)
+    for pattern in ("A = b, c", "8 cells, 30 unknowns, 32 quadrature points, 2 "
+                    "contact nodes", r"memory: about \d+ MB",
+                    r"contact +on +\(", r"viscosity +on +\(",
+                    r"body force +off +\(", r"field output +on +\(",
+                    "10 steps a period", "nothing was computed"):
+        check(re.search(pattern, output), f"--check does not print {pattern}")
+
+
+def test_quiet_and_output():
+    scene = write_scene("quiet.prm")
+    elsewhere = remove("deep/in/elsewhere")
+    default = remove("results/quiet")
+    output = succeed("--quiet", scene, "--output", elsewhere)
+    check(output == "", f"--quiet prints:\n{output}")
+    for name in PROBES + ("used.prm", "summary.json", "log.txt",
+                          "periods.csv", "solution.pvd"):
+        check((elsewhere / name).stat().st_size > 0, f"{name} is empty")
+    check(not default.exists(), "--output does not replace the default")
+
+
+def test_directories():
+    scenes = pathlib.Path("scenes.of")
+    scenes.mkdir(exist_ok=True)
+    scene = write_scene(scenes / "a.scene.prm")
+    directory = remove("results/a.scene")
+    remove("chosen")
+    arguments = ("--quiet", "--set", "Periodic state/Maximum periods=1")
+    succeed(scene, *arguments)
+    check((directory / "summary.json").exists(),
+          "the default is not results/<scene name>")
+    succeed(scene, *arguments, "--set", "Output directory=chosen")
+    check((pathlib.Path("chosen") / "summary.json").exists(),
+          "Output directory has no effect")
+
+
+def test_set():
+    """Only the first "=" ends the name; commas do not end the value."""
+    scene = write_scene("set.prm")
+    settings = ["Title=x = y, z", "Geometry/Subdivisions=6, 3",
+                "Loads/Traction=0; if(t <= 300, 1, 0)",
+                "  Loads /  Period =600  ",
+                "Material/Poisson ratio=0.1", "Material/Poisson ratio=0.2"]
+    results = run(scene, "set", settings + ["Periodic state/Maximum periods=1"])
+    used = (results.directory / "used.prm").read_text()
+    for pattern in (r"set Title += x = y, z ", r"set Subdivisions += 6, 3 ",
+                    r"set Traction += 0; if\(t <= 300, 1, 0\) ",
+                    r"set Period += 600 ", r"set Poisson ratio += 0.2 "):
+        check(re.search(pattern, used), f"used.prm lacks {pattern}")
+    check(results.summary["cells"] == 18, "Subdivisions has no effect")
+
+
+def test_print_parameters():
+    prm = succeed("--print-parameters")
+    check(prm == succeed("--print-parameters", "prm"), "prm is the default")
+    printed_json = succeed("--print-parameters", "json")
+    markdown = succeed("--print-parameters", "markdown")
+
+    sections = [name for name, value in json.loads(printed_json).items()
+                if isinstance(value, dict)]
+    check("Geometry" in sections and "Output" in sections, "sections are missing")
+    for section in sections:
+        check(f"subsection {section}\n" in prm, f"prm lacks {section}")
+        check(f"\n## {section}\n" in markdown, f"markdown lacks {section}")
+    check("| Crack length | `0.5` |" in markdown, "markdown lacks a parameter")
+    for line in markdown.splitlines():
+        check(not line.startswith("|")
+              or len(re.findall(r"(?<!\\)\|", line)) == 5,
+              f"markdown: not four columns: {line}")
+
+    # Both are scenes, and the same one.
+    sizes = set()
+    for scene in (write_scene("printed.prm", prm),
+                  write_scene("printed.json", printed_json)):
+        output = succeed("--check", scene)
+        sizes.add(output.split("\n", 1)[1])
+    check(len(sizes) == 1, f"the printed scenes differ: {sizes}")
+
+
+def test_round_trips():
+    results = run(SCENE, "first")
+    again = run(results.directory / "used.prm", "again")
+    check_same_tables(results, again, "used.prm")
+    check((results.directory / "used.prm").read_bytes()
+          == (again.directory / "used.prm").read_bytes(),
+          "used.prm of used.prm differs")
+    scene = write_scene("same.json", json.dumps(JSON_SCENE))
+    check_same_tables(results, run(scene, "json"), "JSON")
+
+
+test_questions()
+test_mistakes()
+test_check()
+test_quiet_and_output()
+test_directories()
+test_set()
+test_print_parameters()
+test_round_trips()

@@ -1,0 +1,127 @@
+"""The same body, built in and read from both formats of Gmsh, whose nodes are
+numbered differently."""
+
+import os
+import pathlib
+import shutil
+
+from crevasse_run import SOURCE, check, check_below, execute, run
+
+REST = """\
+subsection Material
+  set Relaxation time = 60
+end
+subsection Loads
+  set Period   = 600
+  set Traction = 0; sin(2*pi*t/600) - 0.4
+end
+subsection Time integration
+  set Steps per period = 12
+end
+subsection Contact
+  set Relaxation factor = 1.9
+  set Tolerance         = 1e-13
+end
+subsection Periodic state
+  set Maximum periods = 2
+  set Tolerance       = 0
+end
+subsection Output
+  set Probes = lip: 1, 0; inside: 0.3, 0.6
+  set Fields = none
+end
+"""
+
+BUILT_IN = """\
+subsection Geometry
+  set Shape        = edge crack
+  set Subdivisions = 4, 2
+end
+""" + REST
+
+READ = """\
+subsection Geometry
+  set Shape     = mesh file
+  set Mesh file = {mesh}
+end
+subsection Boundary
+  set Symmetry     = 1
+  set Contact      = 2
+  set Loaded       = 3
+  set Fixed points = 0.5, 0: 1
+end
+""" + REST
+
+MESHES = SOURCE / "tests" / "meshes"
+
+
+def largest_difference(results, others, table):
+    """Relative to the largest value of each column, or to 1."""
+    mine, theirs = results.table(table), others.table(table)
+    check(mine.keys() == theirs.keys(), f"{table}: the columns differ")
+    difference = 0.
+    for column in mine:
+        check(len(mine[column]) == len(theirs[column]), "the lengths differ")
+        scale = max(1., *map(abs, mine[column]))
+        for a, b in zip(mine[column], theirs[column]):
+            difference = max(difference, abs(a - b) / scale)
+    return difference
+
+
+def test_formats():
+    for degree, refinements in ((1, 0), (2, 1)):
+        settings = [f"Discretisation/Degree={degree}",
+                    f"Geometry/Refinements={refinements}"]
+        built_in = run(BUILT_IN, f"built_in_{degree}", settings)
+        table = built_in.table("probe_lip.csv")
+        check(len(table["t"]) == 25, "rows are missing")
+        check(max(table["opening"]) > 0.1, "the crack does not open")
+        check(max(table["pressure"]) > 0.1, "the crack does not close")
+        for mesh in ("edge_crack_2.msh", "edge_crack_4.msh"):
+            read = run(READ.format(mesh=MESHES / mesh), f"{mesh}_{degree}",
+                       settings)
+            for key in ("cells", "unknowns", "contact_nodes"):
+                check(read.summary[key] == built_in.summary[key],
+                      f"{mesh}: {key} differs")
+            for table in ("probe_lip.csv", "probe_inside.csv", "contact.csv"):
+                check_below(largest_difference(built_in, read, table), 1e-10,
+                            f"degree {degree}, {mesh}, {table}")
+
+
+def test_where_it_is_looked_for():
+    """Next to the scene file first, then in the working directory."""
+    mesh = "edge_crack_2.msh"
+    folder = pathlib.Path("with_mesh")
+    folder.mkdir(exist_ok=True)
+    shutil.copy(MESHES / mesh, folder)
+    scene = folder / "scene.prm"
+    scene.write_text(READ.format(mesh=mesh))
+    for directory, path in ((".", scene), (folder, "scene.prm")):
+        status, _, error = execute("--check", path, cwd=directory)
+        check(status == 0, error)
+
+    shutil.copy(MESHES / mesh, "here.msh")
+    scene.write_text(READ.format(mesh="here.msh"))
+    status, _, error = execute("--check", scene)
+    check(status == 0, error)
+    os.remove("here.msh")
+    status, _, error = execute("--check", scene)
+    check(status == 2 and "here.msh: must be a file that can be read" in error,
+          f"exit status {status}\n{error}")
+
+
+def test_used_parameters():
+    """A run from a mesh can be repeated from its used.prm."""
+    folder = pathlib.Path("with_mesh")
+    scene = folder / "again.prm"
+    scene.write_text(READ.format(mesh="edge_crack_2.msh"))
+    first = run(scene, "first")
+    again = run(first.directory / "used.prm", "again")
+    check((first.directory / "probe_lip.csv").read_bytes()
+          == (again.directory / "probe_lip.csv").read_bytes(),
+          "used.prm gives another result")
+
+
+test_formats()
+test_where_it_is_looked_for()
+test_used_parameters()
