@@ -229,5 +229,25 @@ namespace Crevasse
 
 
 
+  template <int dim>
+  std::vector<ProbeEvaluator<dim>>
+  make_probes(const std::string          &probes,
+              const Space<dim>           &space,
+              const StressRecovery<dim>  &recovery,
+              const ContactBoundary<dim> &lip)
+  {
+    std::vector<ProbeEvaluator<dim>> evaluators;
+    for (const Probe<dim> &probe : parse_probes<dim>(probes))
+      evaluators.emplace_back(probe, space, recovery, lip);
+    return evaluators;
+  }
+
+
+
   template class ProbeEvaluator<2>;
+  template std::vector<ProbeEvaluator<2>>
+  make_probes<2>(const std::string &,
+                 const Space<2> &,
+                 const StressRecovery<2> &,
+                 const ContactBoundary<2> &);
 } // namespace Crevasse

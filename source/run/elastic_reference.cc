@@ -15,38 +15,48 @@
 namespace Crevasse
 {
   template <int dim>
+  std::vector<double>
+  load_factors(const Body<dim> &body, const StepList &steps)
+  {
+    const unsigned int k_ref     = step_of_largest_load(body, steps);
+    const Vector       loads_ref = loads_at(body, steps.instant(k_ref));
+    const double       norm_ref  = loads_ref.l2_norm();
+
+    std::vector<double> factors;
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      {
+        Vector       loads = loads_at(body, steps.instant(k));
+        const double factor =
+          norm_ref > 0. ? (loads * loads_ref) / (norm_ref * norm_ref) : 0.;
+        factors.push_back(factor);
+        loads.add(-factor, loads_ref);
+        if (loads.l2_norm() > 1e-12 * norm_ref)
+          throw SceneError("[Output] Elastic comparison: the loads at t = " +
+                           std::to_string(steps.instant(k)) +
+                           " are not a multiple of those at t = " +
+                           std::to_string(steps.instant(k_ref)) +
+                           "; the closed form holds for loads F(t) p(x) only. "
+                           "Set it to none.");
+      }
+    return factors;
+  }
+
+
+
+  template <int dim>
   ElasticComparison::Reference
   elastic_reference(const Body<dim> &body,
                     Solvers<dim>    &solvers,
                     const StepList  &steps,
                     const bool       lip_closed)
   {
-    const unsigned int k_ref     = step_of_largest_load(body, steps);
-    const Vector       loads_ref = loads_at(body, steps.instant(k_ref));
-    const double       norm_ref  = loads_ref.l2_norm();
+    const Vector loads =
+      loads_at(body, steps.instant(step_of_largest_load(body, steps)));
 
     ElasticComparison::Reference reference;
     reference.relaxation_time = body.law.uniform_relaxation_time();
-    for (unsigned int k = 0; k < steps.n_steps(); ++k)
-      {
-        Vector       loads = loads_at(body, steps.instant(k));
-        const double factor =
-          norm_ref > 0. ? (loads * loads_ref) / (norm_ref * norm_ref) : 0.;
-        reference.factor.push_back(factor);
-        loads.add(-factor, loads_ref);
-        if (loads.l2_norm() > 1e-12 * norm_ref)
-          throw SceneError(
-            "[Output] Elastic comparison: the loads at t = " +
-            std::to_string(steps.instant(k)) +
-            " are not a multiple of those "
-            "at t = " +
-            std::to_string(steps.instant(k_ref)) +
-            "; the closed form holds for loads F(t) p(x) only. Set it to "
-            "none.");
-      }
-
-    reference.displacement =
-      solvers.elastic_displacement(loads_ref, lip_closed);
+    reference.factor          = load_factors(body, steps);
+    reference.displacement    = solvers.elastic_displacement(loads, lip_closed);
     body.points.initialize(reference.stress);
     body.strain_operator.for_each_strain(
       reference.displacement,
@@ -60,6 +70,8 @@ namespace Crevasse
 
 
 
+  template std::vector<double>
+  load_factors<2>(const Body<2> &, const StepList &);
   template ElasticComparison::Reference
   elastic_reference<2>(const Body<2> &,
                        Solvers<2> &,

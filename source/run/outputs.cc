@@ -54,17 +54,19 @@ namespace Crevasse
 
 
   template <int dim>
-  Outputs<dim>::Outputs(const Scene       &scene,
-                        const Body<dim>   &body,
-                        Solvers<dim>      &solvers,
-                        const StepList    &steps,
-                        Log               &log,
-                        const std::string &directory)
+  Outputs<dim>::Outputs(const Scene                            &scene,
+                        const Body<dim>                        &body,
+                        const StressRecovery<dim>              &recovery,
+                        const std::vector<ProbeEvaluator<dim>> &probes,
+                        Solvers<dim>                           &solvers,
+                        const StepList                         &steps,
+                        Log                                    &log,
+                        const std::string                      &directory)
     : body(body)
     , steps(steps)
     , log(log)
     , directory(directory)
-    , recovery(body.space, body.points)
+    , probes(probes)
   {
     const bool writes =
       Utilities::MPI::this_mpi_process(body.space.communicator()) == 0;
@@ -72,13 +74,8 @@ namespace Crevasse
       return writes ? directory + '/' + name : std::string();
     };
 
-    for (const Probe<dim> &probe : parse_probes<dim>(scene.output.probes))
-      {
-        probes.push_back(std::make_unique<ProbeEvaluator<dim>>(
-          probe, body.space, recovery, body.lip));
-        add<ProbeTable<dim>>(*probes.back(),
-                             file("probe_" + probe.name + ".csv"));
-      }
+    for (const ProbeEvaluator<dim> &probe : probes)
+      add<ProbeTable<dim>>(probe, file("probe_" + probe.name() + ".csv"));
     if (body.effects.contact.on)
       contact_table = add<ContactTable<dim>>(body.lip, file("contact.csv"));
     if (body.effects.viscosity.on)
@@ -149,9 +146,9 @@ namespace Crevasse
     secular["largest_rate"] = gain.linfty_norm() / period;
     for (const auto &probe : probes)
       {
-        const Tensor<1, dim> beta = probe->displacement(gain) / period;
+        const Tensor<1, dim> beta = probe.displacement(gain) / period;
         for (unsigned int d = 0; d < dim; ++d)
-          secular["beta"][probe->name()].push_back(beta[d]);
+          secular["beta"][probe.name()].push_back(beta[d]);
       }
   }
 

@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/periodic/period_map.h>
+#include <crevasse/run/elastic_reference.h>
 #include <crevasse/run/libraries.h>
 #include <crevasse/run/outputs.h>
 #include <crevasse/run/relaxation_table.h>
@@ -55,11 +56,15 @@ namespace Crevasse
     // is on its way.
     , phases(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , body(scene, communicator)
+    , recovery(body.space, body.points)
+    , probes(make_probes(scene.output.probes, body.space, recovery, body.lip))
     , steps(scene.time_integration, scene.loads.period)
     , integrator(body.effects.viscosity.on
                    ? make_integrator(scene.time_integration)
                    : nullptr)
   {
+    if (scene.output.elastic_comparison != "none")
+      load_factors(body, steps); // throws if there is nothing to compare with
     if (integrator != nullptr)
       steps.require_stability(integrator->stability_limit(),
                               body.law.smallest_relaxation_time());
@@ -108,7 +113,8 @@ namespace Crevasse
 
     Summary              summary;
     const PeriodicResult result = [&]() {
-      Outputs<dim>         outputs(scene, body, solvers, steps, log, directory);
+      Outputs<dim> outputs(
+        scene, body, recovery, probes, solvers, steps, log, directory);
       const PeriodicResult result = march(solvers, outputs.observers());
       summarise(summary, solvers);
       if (result.periods > 0)

@@ -101,7 +101,8 @@ def test_check():
     directory = remove("results/checked")
     before = sorted(pathlib.Path().rglob("*"))
     output = succeed("--check", scene)
-    check(sorted(pathlib.Path().rglob("*")) == before, "--check wrote something")
+    after = sorted(pathlib.Path().rglob("*"))
+    check(after == before, "--check wrote something")
     check(not directory.exists(), "--check made an output directory")
     print(output)
     for pattern in ("A = b, c", "8 cells, 30 unknowns, 32 quadrature points, 2 "
@@ -163,7 +164,7 @@ def test_print_parameters():
 
     sections = [name for name, value in json.loads(printed_json).items()
                 if isinstance(value, dict)]
-    check("Geometry" in sections and "Output" in sections, "sections are missing")
+    check({"Geometry", "Output"} < set(sections), "sections are missing")
     for section in sections:
         check(f"subsection {section}\n" in prm, f"prm lacks {section}")
         check(f"\n## {section}\n" in markdown, f"markdown lacks {section}")

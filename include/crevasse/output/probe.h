@@ -89,6 +89,14 @@ namespace Crevasse
     std::vector<std::pair<unsigned int, double>> lip_weights;
     bool                                         is_on_lip = false;
   };
+
+  /** The evaluators of the scene's "name: x, y; …". @throw SceneError */
+  template <int dim>
+  std::vector<ProbeEvaluator<dim>>
+  make_probes(const std::string          &probes,
+              const Space<dim>           &space,
+              const StressRecovery<dim>  &recovery,
+              const ContactBoundary<dim> &lip);
 } // namespace Crevasse
 
 #endif

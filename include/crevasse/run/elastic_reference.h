@@ -19,12 +19,18 @@
 namespace Crevasse
 {
   /**
-   * What ElasticComparison compares with: u_el and s_el at the instant of the
-   * largest load, by the direct solver, and F at each step.
+   * F at each step, for loads F(t) p(x), relative to the loads at
+   * step_of_largest_load().
    *
-   * @throw SceneError if the loads are not F(t) p(x): then there is no such
-   * closed form.
+   * @throw SceneError if the loads are not of this form: then there is no
+   * closed form to compare with.
    */
+  template <int dim>
+  std::vector<double>
+  load_factors(const Body<dim> &body, const StepList &steps);
+
+  /** What ElasticComparison compares with: u_el and s_el at the instant of the
+   * largest load, by the direct solver, and F at each step. */
   template <int dim>
   ElasticComparison::Reference
   elastic_reference(const Body<dim> &body,

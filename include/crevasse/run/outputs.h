@@ -35,12 +35,15 @@ namespace Crevasse
   class Outputs
   {
   public:
-    Outputs(const Scene       &scene,
-            const Body<dim>   &body,
-            Solvers<dim>      &solvers,
-            const StepList    &steps,
-            Log               &log,
-            const std::string &directory);
+    /** All arguments must outlive this object. */
+    Outputs(const Scene                            &scene,
+            const Body<dim>                        &body,
+            const StressRecovery<dim>              &recovery,
+            const std::vector<ProbeEvaluator<dim>> &probes,
+            Solvers<dim>                           &solvers,
+            const StepList                         &steps,
+            Log                                    &log,
+            const std::string                      &directory);
 
     const std::vector<Observer *> &
     observers() const;
@@ -68,10 +71,9 @@ namespace Crevasse
     Log              &log;
     const std::string directory;
 
-    const StressRecovery<dim>                         recovery;
-    std::vector<std::unique_ptr<ProbeEvaluator<dim>>> probes;
-    std::vector<std::unique_ptr<Observer>>            owned;
-    std::vector<Observer *>                           all;
+    const std::vector<ProbeEvaluator<dim>> &probes;
+    std::vector<std::unique_ptr<Observer>>  owned;
+    std::vector<Observer *>                 all;
 
     // Some of the above, where they are on.
     ContactTable<dim> *contact_table  = nullptr;

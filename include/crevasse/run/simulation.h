@@ -12,7 +12,9 @@
 #ifndef crevasse_run_simulation_h
 #define crevasse_run_simulation_h
 
+#include <crevasse/discretisation/stress_recovery.h>
 #include <crevasse/output/log.h>
+#include <crevasse/output/probe.h>
 #include <crevasse/output/summary.h>
 #include <crevasse/periodic/march.h>
 #include <crevasse/run/body.h>
@@ -65,11 +67,13 @@ namespace Crevasse
     const MPI_Comm communicator;
     Log           &log;
 
-    mutable dealii::TimerOutput       phases;
-    const Body<dim>                   body;
-    const StepList                    steps;
-    const std::unique_ptr<Integrator> integrator; // none without viscosity
-    std::size_t                       rate_evaluations = 0;
+    mutable dealii::TimerOutput            phases;
+    const Body<dim>                        body;
+    const StressRecovery<dim>              recovery;
+    const std::vector<ProbeEvaluator<dim>> probes;
+    const StepList                         steps;
+    const std::unique_ptr<Integrator>      integrator; // none without viscosity
+    std::size_t                            rate_evaluations = 0;
   };
 } // namespace Crevasse
 
