@@ -9,8 +9,8 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/output/csv_table.h>
 #include <crevasse/output/log.h>
+#include <crevasse/output/output_directory.h>
 #include <crevasse/run/command_line.h>
 #include <crevasse/run/simulation.h>
 #include <crevasse/run/version.h>
@@ -23,6 +23,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <string>
 
 namespace
@@ -46,8 +47,10 @@ namespace
   write_used_parameters(dealii::ParameterHandler &prm,
                         const std::string        &file_name)
   {
+    std::ostringstream text;
+    prm.print_parameters(text, dealii::ParameterHandler::PRM);
     std::ofstream file(file_name);
-    prm.print_parameters(file, dealii::ParameterHandler::PRM);
+    file << text.str() << std::flush;
     if (!file)
       throw FileError("Cannot write " + file_name + ".");
   }
@@ -57,7 +60,11 @@ namespace
   void
   run_scene(const Command &command)
   {
-    const MPI_Comm           communicator = MPI_COMM_WORLD;
+    const MPI_Comm communicator = MPI_COMM_WORLD;
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+      throw SceneError(
+        "this version solves on one process only: start it "
+        "without mpirun.");
     dealii::ParameterHandler prm;
     Problems                 problems;
     const Scene              scene =
@@ -80,6 +87,7 @@ namespace
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         require_writable_directory(directory);
+        remove_earlier_results(directory);
         write_used_parameters(prm, directory + "/used.prm");
       }
     log.open_file(directory + "/log.txt");
@@ -94,7 +102,8 @@ namespace
   run_guarded(const Command &command)
   {
     const auto report = [](const std::exception &error, const int status) {
-      std::cerr << "crevasse: " << error.what() << std::endl;
+      if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+        std::cerr << "crevasse: " << error.what() << std::endl;
       return status;
     };
     try
@@ -130,9 +139,5 @@ main(int argc, char **argv)
     return command.status;
 
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const int                                status = run_guarded(command);
-  if (status != done &&
-      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-    MPI_Abort(MPI_COMM_WORLD, status); // the other ranks may be waiting
-  return status;
+  return run_guarded(command);
 }

@@ -73,6 +73,9 @@ namespace Crevasse
   double
   Certificate::worst() const
   {
+    // Comparisons overlook nan, sums do not.
+    if (std::isnan(penetration + tension + complementarity + residual))
+      return std::numeric_limits<double>::infinity();
     return std::max({penetration, tension, complementarity, residual});
   }
 
@@ -134,6 +137,8 @@ namespace Crevasse
       }
 
     certificate.residual = largest_entry(residual) / force;
+    if (!std::isfinite(force) || !std::isfinite(displacement))
+      certificate.residual = std::numeric_limits<double>::infinity();
 
     std::array<double, 3> contact{{certificate.penetration,
                                    certificate.tension,

@@ -11,6 +11,7 @@
 
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_values.h>
@@ -34,11 +35,34 @@ namespace Crevasse
         if (std::abs(outward_normal[d]) > 1. - 1e-10)
           return {d, outward_normal[d] > 0. ? -1. : 1.};
       std::ostringstream message;
-      message << "[Boundary] Contact: the face at (" << place
-              << ") has the normal (" << outward_normal
-              << "), but the crack lip must be parallel to a coordinate axis: "
+      message << "[Boundary] Contact: the face at " << Text::from_point(place)
+              << " has the normal "
+              << Text::from_point(Point<dim>(outward_normal))
+              << ", but the crack lip must be parallel to a coordinate axis: "
                  "turn the mesh.";
       throw SceneError(message.str());
+    }
+
+
+
+    /** A constrained node of the lip must be held at zero. One that depends on
+     * other unknowns, as on an inclined plane of symmetry, could penetrate
+     * without anybody noticing. (In two dimensions no node of a boundary
+     * hangs.) */
+    template <int dim>
+    void
+    require_held(const Space<dim>             &space,
+                 const types::global_dof_index dof,
+                 const Point<dim>             &place)
+    {
+      const auto *entries = space.constraints().get_constraint_entries(dof);
+      if (entries != nullptr && !entries->empty())
+        throw SceneError(
+          "[Boundary] Contact: the normal displacement of the lip's node at " +
+          Text::from_point(place) +
+          " is tied to another one by an inclined plane of symmetry, so that "
+          "contact cannot be imposed there. Let the lip end elsewhere, or "
+          "turn the mesh so that the plane is parallel to an axis.");
     }
   } // namespace
 
@@ -46,7 +70,8 @@ namespace Crevasse
 
   template <int dim>
   ContactBoundary<dim>::ContactBoundary(const Space<dim> &space,
-                                        const Expression &gap)
+                                        Expression      &&gap_formula)
+    : gap(std::move(gap_formula))
   {
     const FESystem<dim>  &fe = space.finite_element();
     FEFaceValues<dim>     values(space.mapping(),
@@ -82,9 +107,15 @@ namespace Crevasse
               {
                 if (fe.system_to_component_index(i).first != axis ||
                     !fe.has_support_on_face(i, f) ||
-                    !owned.is_element(indices[i]) ||
-                    space.constraints().is_constrained(indices[i]))
+                    !owned.is_element(indices[i]))
                   continue;
+                if (space.constraints().is_constrained(indices[i]))
+                  {
+                    require_held(space,
+                                 indices[i],
+                                 support_values.quadrature_point(i));
+                    continue;
+                  }
                 LipNode<dim> &node = nodes[indices[i]];
                 node.dof           = indices[i];
                 node.component     = axis;
@@ -99,18 +130,36 @@ namespace Crevasse
     for (auto &[dof, node] : nodes)
       {
         (void)dof;
-        node.gap = gap.value(node.point);
-        if (node.gap > 0.)
-          {
-            std::ostringstream message;
-            message << "[Boundary] Gap = " << gap.formula() << ": is "
-                    << node.gap << " at (" << node.point
-                    << "); it must be at most 0 (an initial opening is "
-                       "negative).";
-            throw SceneError(message.str());
-          }
+        node.gap = gap_at(node.point);
         lip_nodes.push_back(node);
       }
+  }
+
+
+
+  template <int dim>
+  double
+  ContactBoundary<dim>::gap_at(const Point<dim> &point) const
+  {
+    double value;
+    try
+      {
+        value = gap.value(point);
+      }
+    catch (const NumericalError &error)
+      {
+        // The gap is known before anything is computed.
+        throw SceneError(std::string("[Boundary] Gap: ") + error.what());
+      }
+    if (value > 0.)
+      {
+        std::ostringstream message;
+        message << "[Boundary] Gap = " << gap.formula() << ": is " << value
+                << " at " << Text::from_point(point)
+                << "; it must be at most 0 (an initial opening is negative).";
+        throw SceneError(message.str());
+      }
+    return value;
   }
 
 

@@ -273,7 +273,7 @@ namespace Crevasse
             if (n_parts > 1)
               names.back() += " of part " + std::to_string(part + 1) + " of " +
                               std::to_string(n_parts) +
-                              " of the mesh, which hang together by no face";
+                              " of the mesh (parts share no face)";
           }
       }
     return names;

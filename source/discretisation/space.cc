@@ -11,6 +11,7 @@
 
 #include <crevasse/discretisation/space.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -127,19 +128,30 @@ namespace Crevasse
             for (unsigned int d = 0; d < dim; ++d)
               {
                 const auto dof = cell->vertex_dof_index(v, d);
-                if (fixed_point.components[d] &&
-                    !affine_constraints.is_constrained(dof))
+                if (!fixed_point.components[d])
+                  continue;
+                if (!affine_constraints.is_constrained(dof))
                   affine_constraints.add_line(dof);
+                else if (!affine_constraints.get_constraint_entries(dof)
+                            ->empty())
+                  throw SceneError(
+                    "[Boundary] Fixed points: component " +
+                    std::to_string(d + 1) + " at " +
+                    Text::from_point(fixed_point.point) +
+                    " is already tied to another one by an inclined plane of "
+                    "symmetry or a hanging node; fix another component or "
+                    "another vertex.");
               }
           }
 
     if (Utilities::MPI::max(found ? 1 : 0, communicator()) == 0)
       {
         std::ostringstream message;
-        message << "[Boundary] Fixed points = " << fixed_point.point
-                << ": is no vertex of the mesh";
+        message << "[Boundary] Fixed points: "
+                << Text::from_point(fixed_point.point)
+                << " is no vertex of the mesh";
         if (Utilities::MPI::n_mpi_processes(communicator()) == 1)
-          message << "; the nearest one is " << nearest;
+          message << "; the nearest one is " << Text::from_point(nearest);
         throw SceneError(message.str());
       }
   }

@@ -14,9 +14,7 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <filesystem>
 #include <limits>
-#include <system_error>
 
 namespace Crevasse
 {
@@ -46,27 +44,5 @@ namespace Crevasse
     if (!file)
       throw FileError("Cannot write " + file_name +
                       ": is the disk full? The rows before are there.");
-  }
-
-
-
-  void
-  require_writable_directory(const std::string &directory)
-  {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    fs::create_directories(directory, error);
-    if (error)
-      throw FileError("[Output directory] " + directory +
-                      ": cannot be created (" + error.message() +
-                      "). Choose another one by --output DIR.");
-
-    const fs::path probe    = fs::path(directory) / ".write_test";
-    const bool     writable = std::ofstream(probe).put('\n').good();
-    fs::remove(probe, error);
-    if (!writable)
-      throw FileError("[Output directory] " + directory +
-                      ": cannot be written to. Choose another one by --output "
-                      "DIR.");
   }
 } // namespace Crevasse

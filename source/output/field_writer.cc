@@ -18,6 +18,7 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <fstream>
+#include <sstream>
 
 namespace Crevasse
 {
@@ -73,9 +74,11 @@ namespace Crevasse
 
     if (Utilities::MPI::this_mpi_process(space.communicator()) == 0)
       {
-        const std::string file_name = directory + "/solution.pvd";
-        std::ofstream     file(file_name);
-        DataOutBase::write_pvd_record(file, records);
+        const std::string  file_name = directory + "/solution.pvd";
+        std::ostringstream text;
+        DataOutBase::write_pvd_record(text, records);
+        std::ofstream file(file_name);
+        file << text.str() << std::flush;
         if (!file)
           throw FileError("Cannot write " + file_name + ".");
       }
@@ -142,8 +145,16 @@ namespace Crevasse
     add_scalar(pressure, "contact_pressure");
 
     data_out.build_patches(space.mapping(), space.finite_element().degree);
-    data_out.write_vtu_with_pvtu_record(
-      directory + '/', "solution", number, space.communicator(), 4);
+    try
+      {
+        data_out.write_vtu_with_pvtu_record(
+          directory + '/', "solution", number, space.communicator(), 4);
+      }
+    catch (const ExceptionBase &)
+      {
+        throw FileError("Cannot write the fields in " + directory +
+                        ": is the disk full?");
+      }
   }
 
 

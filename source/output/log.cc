@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/output/log.h>
+#include <crevasse/scene/problems.h>
 
 #include <iostream>
 #include <unistd.h>
@@ -32,9 +33,11 @@ namespace Crevasse
   {
     if (!first_rank)
       return;
-    file.open(file_name);
+    name = file_name;
+    file.open(name);
     file << earlier_lines << std::flush;
     earlier_lines.clear();
+    require_written();
   }
 
 
@@ -51,6 +54,18 @@ namespace Crevasse
       file << text << std::endl;
     else
       earlier_lines += text + '\n';
+    require_written();
+  }
+
+
+
+  void
+  Log::require_written() const
+  {
+    if (!name.empty() && !file)
+      throw FileError("Cannot write " + name + ": is the disk full?");
+    if (!std::cout)
+      throw FileError("Cannot write to the standard output.");
   }
 
 

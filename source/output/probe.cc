@@ -11,14 +11,16 @@
 
 #include <crevasse/output/probe.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -70,14 +72,14 @@ namespace Crevasse
       Utilities::MPI::min(found ? rank : none, communicator);
     if (owner == none)
       {
-        std::ostringstream message;
-        message << "[Output] Probes: " << probe.name << " at (" << probe.point
-                << ") lies outside the mesh.";
-        throw SceneError(message.str());
+        throw SceneError("[Output] Probes: " + probe.name + " at " +
+                         Text::from_point(probe.point) +
+                         " lies outside the mesh.");
       }
 
     DofWeights at_nodes;
-    if (rank == owner)
+    owns_point = (rank == owner);
+    if (owns_point)
       {
         find_displacement_weights(cell, unit_point, space);
         find_lip_weights(cell, unit_point, space);
@@ -155,16 +157,24 @@ namespace Crevasse
         if (!cell->face(f)->at_boundary() || distance > 1e-10 ||
             space.roles().contact.count(cell->face(f)->boundary_id()) == 0)
           continue;
-        is_on_lip = true;
-      }
-    if (!is_on_lip)
-      return;
 
-    for (unsigned int k = 0; k < lip.nodes().size(); ++k)
-      for (const auto &[dof, weight] :
-           displacement_weights[lip.nodes()[k].component])
-        if (dof == lip.nodes()[k].dof)
-          lip_weights.emplace_back(k, weight);
+        // At a corner of two lips the first one speaks.
+        is_on_lip = true;
+        gap       = lip.gap_at(probe.point);
+        FEFaceValues<dim> face(space.mapping(),
+                               space.finite_element(),
+                               QMidpoint<dim - 1>(),
+                               update_normal_vectors);
+        face.reinit(cell, f);
+        normal = -face.normal_vector(0);
+        for (unsigned int k = 0; k < lip.nodes().size(); ++k)
+          if (std::abs(normal[lip.nodes()[k].component]) > 0.5)
+            for (const auto &[dof, weight] :
+                 displacement_weights[lip.nodes()[k].component])
+              if (dof == lip.nodes()[k].dof)
+                lip_weights.emplace_back(k, weight);
+        return;
+      }
   }
 
 
@@ -213,14 +223,14 @@ namespace Crevasse
   std::array<double, 2>
   ProbeEvaluator<dim>::opening_and_pressure(const State &state) const
   {
-    std::array<double, 2> values{{0., 0.}};
+    // The rank that owns the point knows its normal; elsewhere it is zero.
+    const double opening =
+      displacement(state.displacement) * normal - (is_on_lip ? gap : 0.);
+    double pressure = 0.;
     for (const auto &[k, weight] : lip_weights)
-      {
-        const LipNode<dim> &node = lip.nodes()[k];
-        values[0] +=
-          weight * (node.sign * state.displacement(node.dof) - node.gap);
-        values[1] += weight * state.contact_forces[k] / node.weight;
-      }
+      pressure += weight * state.contact_forces[k] / lip.nodes()[k].weight;
+
+    std::array<double, 2> values{{owns_point ? opening : 0., pressure}};
     Utilities::MPI::sum(ArrayView<const double>(values.data(), values.size()),
                         communicator,
                         ArrayView<double>(values.data(), values.size()));

@@ -12,6 +12,7 @@
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/run/body.h>
 #include <crevasse/scene/geometry.h>
+#include <crevasse/scene/problems.h>
 
 namespace Crevasse
 {
@@ -46,7 +47,15 @@ namespace Crevasse
   BoundaryRoles
   boundary_roles(const Scene &scene)
   {
-    return resolve_roles(scene.boundary, built_in_roles(scene.geometry));
+    const BoundaryRoles roles =
+      resolve_roles(scene.boundary, built_in_roles(scene.geometry));
+    for (const Expression &component :
+         Expression::parse_list(scene.loads.traction))
+      if (!component.is_zero() && roles.loaded.empty())
+        throw SceneError("[Loads] Traction = " + scene.loads.traction +
+                         ": no boundary has the role Loaded that could bear "
+                         "it; set [Boundary] Loaded, or the traction to 0.");
+    return roles;
   }
 
 

@@ -12,6 +12,8 @@
 #include <crevasse/run/elastic_reference.h>
 #include <crevasse/scene/problems.h>
 
+#include <sstream>
+
 namespace Crevasse
 {
   template <int dim>
@@ -31,13 +33,23 @@ namespace Crevasse
         factors.push_back(factor);
         loads.add(-factor, loads_ref);
         if (loads.l2_norm() > 1e-12 * norm_ref)
-          throw SceneError("[Output] Elastic comparison: the loads at t = " +
-                           std::to_string(steps.instant(k)) +
-                           " are not a multiple of those at t = " +
-                           std::to_string(steps.instant(k_ref)) +
-                           "; the closed form holds for loads F(t) p(x) only. "
-                           "Set it to none.");
+          {
+            std::ostringstream message;
+            message << "[Output] Elastic comparison: the loads at t = "
+                    << steps.instant(k)
+                    << " are not a multiple of those at t = "
+                    << steps.instant(k_ref)
+                    << "; the closed form holds for loads F(t) p(x) only. Set "
+                       "it to none.";
+            throw SceneError(message.str());
+          }
       }
+    for (const LipNode<dim> &node : body.lip.nodes())
+      if (node.gap != 0.)
+        throw SceneError(
+          "[Output] Elastic comparison: the closed forms hold "
+          "for a lip without initial opening; set it to none, "
+          "or [Boundary] Gap to 0.");
     return factors;
   }
 

@@ -12,6 +12,7 @@
 #include <crevasse/contact/relaxation_factor.h>
 #include <crevasse/output/csv_table.h>
 #include <crevasse/run/relaxation_table.h>
+#include <crevasse/scene/problems.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,6 +86,11 @@ namespace Crevasse
     const SparseMatrix &matrix = solvers.stiffness();
     const Vector        loads =
       loads_at(body, steps.instant(step_of_largest_load(body, steps)));
+    if (loads.linfty_norm() == 0.)
+      throw SceneError(
+        "[Contact] Relaxation table: nothing is loaded, so that "
+        "there is nothing to iterate for. Set [Loads] or leave "
+        "the table empty.");
     const Vector direct = solvers.elastic_displacement(loads, false);
     const double target = residual_norm(matrix, direct, loads);
     const double target_1980 =

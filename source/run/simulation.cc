@@ -218,7 +218,8 @@ namespace Crevasse
       return;
     std::ostringstream message;
     message << "The stress is not yet periodic: after " << result.periods
-            << " periods it still changes by " << result.stress_change.back()
+            << " period" << (result.periods == 1 ? "" : "s")
+            << " it still changes by " << result.stress_change.back()
             << " of its maximum, more than [Periodic state] Tolerance = "
             << scene.periodic_state.tolerance
             << ". All results so far are written. Raise \"Maximum periods\" or "

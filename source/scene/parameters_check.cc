@@ -97,11 +97,23 @@ namespace Crevasse
       {
         checker.demand_positive("Crack length", crack_length);
         if (!problems.concern(section, "Width"))
-          checker.demand(crack_length < width,
-                         "Crack length",
-                         crack_length,
-                         "must be shorter than the plate: Width = " +
-                           Text::from_number(width));
+          {
+            checker.demand(crack_length < width,
+                           "Crack length",
+                           crack_length,
+                           "must be shorter than the plate: Width = " +
+                             Text::from_number(width));
+            // Beyond this the cells at the tip vanish in rounding.
+            const double shortest = 1e-8 * width;
+            checker.demand(crack_length >= width ||
+                             (crack_length >= shortest &&
+                              width - crack_length >= shortest),
+                           "Crack length",
+                           crack_length,
+                           "crack and ligament must each be at least 1e-8 of "
+                           "Width = " +
+                             Text::from_number(width));
+          }
       }
 
     for (const unsigned int n : subdivisions)
@@ -116,6 +128,15 @@ namespace Crevasse
                    "Refinements",
                    refinements,
                    "must be at most 12");
+
+    double n_cells = std::pow(4., refinements);
+    for (const unsigned int n : subdivisions)
+      n_cells *= n;
+    checker.demand(shape == "mesh file" || n_cells <= 2e7,
+                   "Subdivisions",
+                   n_cells,
+                   "cells after the Refinements are more than 2e7, which no "
+                   "direct solver can take");
 
     if (shape == "mesh file")
       // A directory can be opened, but nothing can be read from it.
@@ -294,10 +315,10 @@ namespace Crevasse
                      heun_weight,
                      "must be from 0.5, which puts the second stage at the "
                      "end of the step, to 1");
-    checker.demand(steps_per_period >= 1,
+    checker.demand(steps_per_period >= 1 && steps_per_period <= 1000000,
                    "Steps per period",
                    steps_per_period,
-                   "must be at least 1");
+                   "must be from 1 to 1000000");
 
     if (step_control != "list")
       return;

@@ -61,7 +61,7 @@ namespace Crevasse
         return;
 
       prm.enter_subsection(GeometryParameters::section);
-      prm.set("Mesh file", mesh_file.lexically_normal().string());
+      prm.set("Mesh file", fs::absolute(mesh_file).lexically_normal().string());
       prm.leave_subsection();
     }
   } // namespace

@@ -42,17 +42,24 @@ namespace Crevasse
   {
   public:
     /**
-     * @param gap The least u_N, at most 0 (an initial opening is negative).
+     * @param gap_formula The least u_N, at most 0 (an initial opening is
+     * negative).
      * @throw SceneError if a face of the lip is not parallel to an axis or the
      * gap is positive somewhere, with the place.
      */
-    ContactBoundary(const Space<dim> &space, const Expression &gap);
+    ContactBoundary(const Space<dim> &space, Expression &&gap_formula);
 
     /** In the order of their dofs. */
     const std::vector<LipNode<dim>> &
     nodes() const;
 
+    /** The least u_N at any point of the lip. @throw SceneError if it is not
+     * finite or positive. */
+    double
+    gap_at(const dealii::Point<dim> &point) const;
+
   private:
+    const Expression          gap;
     std::vector<LipNode<dim>> lip_nodes;
   };
 } // namespace Crevasse

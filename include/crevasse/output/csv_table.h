@@ -36,11 +36,6 @@ namespace Crevasse
     const std::size_t n_columns;
     std::ofstream     file;
   };
-
-  /** Creates the directory and its parents where needed and makes sure that
-   * files can be written there. @throw FileError otherwise. */
-  void
-  require_writable_directory(const std::string &directory);
 } // namespace Crevasse
 
 #endif

@@ -20,7 +20,8 @@
 namespace Crevasse
 {
   /** What the run tells: lines on the first rank's standard output (none if
-   * quiet) and in log.txt, and on a terminal one line that is overwritten. */
+   * quiet) and in log.txt, and on a terminal one line that is overwritten.
+   * A line that cannot be written is a FileError. */
   class Log
   {
   public:
@@ -44,12 +45,15 @@ namespace Crevasse
   private:
     void
     clear_progress();
+    void
+    require_written() const;
 
     const bool    first_rank;
     const bool    quiet;
     const bool    terminal;
     bool          progress_shown = false;
     std::string   earlier_lines;
+    std::string   name;
     std::ofstream file;
   };
 } // namespace Crevasse

@@ -87,7 +87,10 @@ namespace Crevasse
     std::array<DofWeights, dim>                  displacement_weights;
     typename StressRecovery<dim>::PointWeights   stress_weights;
     std::vector<std::pair<unsigned int, double>> lip_weights;
-    bool                                         is_on_lip = false;
+    bool                                         is_on_lip  = false;
+    bool                                         owns_point = false;
+    dealii::Tensor<1, dim> normal; ///< inward, of the lip; on the owner
+    double                 gap = 0.;
   };
 
   /** The evaluators of the scene's "name: x, y; …". @throw SceneError */

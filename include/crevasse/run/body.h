@@ -28,7 +28,8 @@
 namespace Crevasse
 {
   /** The roles of the scene's boundaries: what the user says, completed by what
-   * the built-in shape has. */
+   * the built-in shape has. @throw SceneError if there is a traction but no
+   * loaded boundary. */
   BoundaryRoles
   boundary_roles(const Scene &scene);
 
