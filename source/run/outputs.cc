@@ -120,7 +120,8 @@ namespace Crevasse
     summary["extremes"]["stress"] = largest_stress->value;
     if (contact_table != nullptr)
       summary["extremes"]["opening"] = contact_table->largest_opening();
-    if (drift != nullptr && drift->last_period().size() > 0)
+    summary["secular"]["on"] = false; // measured, not solved for
+    if (drift != nullptr)
       finish_drift(summary);
     if (comparison != nullptr)
       finish_comparison(summary);
@@ -142,7 +143,6 @@ namespace Crevasse
     const double  period = steps.period();
 
     auto &secular           = summary["secular"];
-    secular["on"]           = false; // measured, not solved for
     secular["largest_rate"] = gain.linfty_norm() / period;
     for (const auto &probe : probes)
       {
