@@ -61,10 +61,6 @@ namespace
   run_scene(const Command &command)
   {
     const MPI_Comm communicator = MPI_COMM_WORLD;
-    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-      throw SceneError(
-        "this version solves on one process only: start it "
-        "without mpirun.");
     dealii::ParameterHandler prm;
     Problems                 problems;
     const Scene              scene =

@@ -46,26 +46,68 @@ namespace Crevasse
 
 
   void
+  Scales::judge_by_load(const double largest_nodal_force)
+  {
+    load = largest_nodal_force;
+  }
+
+
+
+  void
   Scales::include(const SignoriniProblem &problem,
                   const Vector           &right_hand_side,
                   const Vector           &solution)
   {
+    std::array<double, 3> here{{0., 0., 0.}};
     for (unsigned int i = 0; i < solution.locally_owned_size(); ++i)
       {
-        const double b = std::abs(right_hand_side.local_element(i));
-        const double q = std::abs(solution.local_element(i));
-        force = std::max({force, b, problem.diagonal().local_element(i) * q});
-        displacement = std::max(displacement, q);
+        const double b  = std::abs(right_hand_side.local_element(i));
+        const double q  = std::abs(solution.local_element(i));
+        const double Aq = problem.diagonal().local_element(i) * q;
+        here            = {
+                     {std::max(here[0], b), std::max(here[1], q), std::max(here[2], Aq)}};
       }
-    for (const double gap : problem.bounds.gap)
-      displacement = std::max(displacement, std::abs(gap));
-
-    std::array<double, 2> both{{force, displacement}};
-    Utilities::MPI::max(ArrayView<const double>(both.data(), both.size()),
+    Utilities::MPI::max(ArrayView<const double>(here.data(), here.size()),
                         problem.matrix.get_mpi_communicator(),
-                        ArrayView<double>(both.data(), both.size()));
-    force        = both[0];
-    displacement = both[1];
+                        ArrayView<double>(here.data(), here.size()));
+
+    largest_force         = std::max(largest_force, here[0]);
+    displacement_to_round = std::max(displacement_to_round, here[1]);
+    force_to_round        = std::max(force_to_round, here[2]);
+    // The viscous strain of a few periods makes up for a few times the load.
+    constexpr double long_drift = 4.;
+    if (load == 0. || here[0] <= long_drift * load ||
+        largest_displacement == 0.)
+      largest_displacement = std::max(largest_displacement, here[1]);
+  }
+
+
+
+  double
+  Scales::force() const
+  {
+    if (load > 0.)
+      return load;
+    return largest_force > 0. ? largest_force : 1.;
+  }
+
+
+
+  double
+  Scales::displacement() const
+  {
+    return largest_displacement > 0. ? largest_displacement : 1.;
+  }
+
+
+
+  double
+  Scales::rounding() const
+  {
+    constexpr double some_roundings =
+      100. * std::numeric_limits<double>::epsilon();
+    return some_roundings * std::max(force_to_round / force(),
+                                     displacement_to_round / displacement());
   }
 
 
@@ -114,10 +156,8 @@ namespace Crevasse
   {
     const UnilateralBounds &bounds = problem.bounds;
     scales.include(problem, right_hand_side, solution);
-    // Nothing was ever loaded or moved: then any scale will do.
-    const double force = scales.force > 0. ? scales.force : 1.;
-    const double displacement =
-      scales.displacement > 0. ? scales.displacement : 1.;
+    const double force        = scales.force();
+    const double displacement = scales.displacement();
 
     problem.matrix.vmult(residual, solution);
     residual -= right_hand_side;

@@ -10,9 +10,10 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/contact/condensed_active_set.h>
-#include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <algorithm>
 
 namespace Crevasse
 {
@@ -23,19 +24,24 @@ namespace Crevasse
                                          const double            tolerance)
     : ContactSolver(problem, tolerance)
     , linear_solver(linear_solver)
-    , lip_problem(problem.bounds.dofs.size(),
-                  [this](const std::vector<unsigned int> &nodes) {
-                    return compliance_columns(nodes);
-                  })
-    , opening(problem.bounds.dofs.size())
-    , forces(problem.bounds.dofs.size())
+    , lip(problem)
+    , lip_problem(
+        lip.n_nodes(),
+        [this](const std::vector<unsigned int> &nodes) {
+          return compliance_columns(nodes);
+        },
+        [this](const std::vector<bool> &active, std::vector<bool> &next) {
+          lip.extrapolate(active, next);
+        })
+    , gap(problem.n_bounds())
+    , opening(problem.n_bounds())
+    , forces(problem.n_bounds())
     , loads(problem.diagonal())
   {
-    if (Utilities::MPI::n_mpi_processes(problem.matrix.get_mpi_communicator()) >
-        1)
-      throw NumericalError(
-        "The condensed active set works on one process only: start the program "
-        "without mpirun.");
+    std::copy(problem.bounds.gap.begin(),
+              problem.bounds.gap.end(),
+              gap.begin() + lip.first());
+    lip.gather(gap.data());
   }
 
 
@@ -59,7 +65,8 @@ namespace Crevasse
   {
     const UnilateralBounds &bounds = problem.bounds;
     for (unsigned int k = 0; k < bounds.dofs.size(); ++k)
-      on_lip(k) = bounds.sign[k] * v(bounds.dofs[k]);
+      on_lip(lip.first() + k) = bounds.sign[k] * v(bounds.dofs[k]);
+    lip.gather(on_lip.data());
   }
 
 
@@ -71,21 +78,23 @@ namespace Crevasse
     // the block is what limits the memory.
     constexpr std::size_t               block_size = 32;
     std::vector<dealii::Vector<double>> columns;
-    for (std::size_t first = 0; first < nodes.size(); first += block_size)
+    for (std::size_t begin = 0; begin < nodes.size(); begin += block_size)
       {
-        const std::size_t   m = std::min(block_size, nodes.size() - first);
+        const std::size_t   m = std::min(block_size, nodes.size() - begin);
         std::vector<Vector> unit_loads(m, problem.diagonal());
         for (std::size_t k = 0; k < m; ++k)
           {
-            const unsigned int node = nodes[first + k];
-            unit_loads[k]           = 0.;
-            unit_loads[k](problem.bounds.dofs[node]) =
-              problem.bounds.sign[node];
+            unit_loads[k] = 0.;
+            // Another rank's node is a number beyond the local ones.
+            const unsigned int bound = nodes[begin + k] - lip.first();
+            if (bound < problem.bounds.dofs.size())
+              unit_loads[k](problem.bounds.dofs[bound]) =
+                problem.bounds.sign[bound];
           }
-        linear_solver.solve(unit_loads);
+        linear_solver.solve(unit_loads, 0.1 * tolerance);
         for (const Vector &solution : unit_loads)
           {
-            columns.emplace_back(problem.bounds.dofs.size());
+            columns.emplace_back(problem.n_bounds());
             restrict_to_lip(solution, columns.back());
           }
       }
@@ -99,22 +108,25 @@ namespace Crevasse
   {
     const UnilateralBounds &bounds = problem.bounds;
 
-    linear_solver.solve(solution, right_hand_side);
+    solve_linear(linear_solver, right_hand_side, solution);
+    if (problem.n_bounds() == 0)
+      return 1;
     restrict_to_lip(solution, opening);
-    for (unsigned int k = 0; k < bounds.dofs.size(); ++k)
-      opening(k) -= bounds.gap[k];
+    opening -= gap;
 
     const unsigned int n_sets = lip_problem.solve(opening, forces);
     if (lip_problem.active_set().empty())
       return n_sets;
 
     loads = right_hand_side;
-    for (const unsigned int k : lip_problem.active_set())
-      loads(bounds.dofs[k]) += bounds.sign[k] * forces(k);
-    linear_solver.solve(solution, loads);
+    for (const unsigned int node : lip_problem.active_set())
+      if (const unsigned int k = node - lip.first(); k < bounds.dofs.size())
+        loads(bounds.dofs[k]) += bounds.sign[k] * forces(node);
+    solve_linear(linear_solver, loads, solution);
     // Closed is closed: no rounding of a back-solve in the gap.
-    for (const unsigned int k : lip_problem.active_set())
-      solution(bounds.dofs[k]) = bounds.sign[k] * bounds.gap[k];
+    for (const unsigned int node : lip_problem.active_set())
+      if (const unsigned int k = node - lip.first(); k < bounds.dofs.size())
+        solution(bounds.dofs[k]) = bounds.sign[k] * bounds.gap[k];
     return n_sets;
   }
 } // namespace Crevasse

@@ -41,9 +41,11 @@ namespace Crevasse
 
 
   CondensedProblem::CondensedProblem(const unsigned int       n_nodes,
-                                     const ComplianceColumns &columns)
+                                     const ComplianceColumns &columns,
+                                     const Extrapolation     &extrapolation)
     : n(n_nodes)
     , compute_columns(columns)
+    , extrapolation(extrapolation)
     , columns(n_nodes)
   {
   }
@@ -65,6 +67,12 @@ namespace Crevasse
           return n_sets;
         if (!seen.insert(active).second)
           return n_sets + solve_by_lawson_hanson(w_0, forces);
+        if (extrapolation)
+          {
+            Set further = extrapolated(next);
+            if (seen.count(further) == 0)
+              next = std::move(further);
+          }
         active = std::move(next);
       }
   }
@@ -178,6 +186,25 @@ namespace Crevasse
           next.push_back(i);
       }
     return next;
+  }
+
+
+
+  CondensedProblem::Set
+  CondensedProblem::extrapolated(const Set &next) const
+  {
+    std::vector<bool> is_active(n, false), is_next(n, false);
+    for (const unsigned int i : active)
+      is_active[i] = true;
+    for (const unsigned int i : next)
+      is_next[i] = true;
+    extrapolation(is_active, is_next);
+
+    Set result;
+    for (unsigned int i = 0; i < n; ++i)
+      if (is_next[i])
+        result.push_back(i);
+    return result;
   }
 
 

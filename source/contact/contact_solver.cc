@@ -12,6 +12,7 @@
 #include <crevasse/contact/contact_solver.h>
 #include <crevasse/scene/problems.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace Crevasse
@@ -40,26 +41,122 @@ namespace Crevasse
   void
   ContactSolver::solve(const Vector        &right_hand_side,
                        Vector              &solution,
-                       std::vector<double> &contact_forces)
+                       std::vector<double> &contact_forces,
+                       const double         stiffness_factor)
   {
     timer.start();
+    if (stiffness_factor == 1.)
+      solve_and_certify(right_hand_side, solution);
+    else
+      {
+        if (!(stiffness_factor > 0.))
+          throw NumericalError("The stiffness factor k(t) is " +
+                               std::to_string(stiffness_factor) +
+                               "; it must be positive.");
+        scaled_right_hand_side = right_hand_side;
+        scaled_right_hand_side /= stiffness_factor;
+        solve_and_certify(scaled_right_hand_side, solution);
+      }
+    contact_forces = forces;
+    for (double &force : contact_forces)
+      force *= stiffness_factor;
+    timer.stop();
+  }
+
+
+
+  void
+  ContactSolver::solve_and_certify(const Vector &right_hand_side,
+                                   Vector       &solution)
+  {
     const std::size_t n_new     = iterate(right_hand_side, solution);
     const Certificate certified = certify(right_hand_side, solution);
-    timer.stop();
-    if (!(certified.worst() <= tolerance))
-      {
-        std::ostringstream message;
-        message << "The contact problem was not solved to the tolerance "
-                << tolerance << " by " << description() << " in " << n_new
-                << " iterations. Reached: " << certified.describe()
-                << ". Try a larger [Contact] Maximum iterations, another "
-                   "Relaxation factor, or a Tolerance above rounding (1e-13).";
-        throw NumericalError(message.str());
-      }
+    if (!(certified.worst() <= accuracy()))
+      fail(certified, n_new);
     ++solves;
     iterations += n_new;
     maxima.merge(certified);
-    contact_forces = forces;
+  }
+
+
+
+  void
+  ContactSolver::fail(const Certificate &certified,
+                      const std::size_t  n_iterations) const
+  {
+    std::ostringstream message;
+    message << "The contact problem was not solved to the accuracy "
+            << accuracy() << " by " << description() << " in " << n_iterations
+            << " iterations. Reached: " << certified.describe() << '.';
+    const std::string sets = last_sets();
+    if (!sets.empty())
+      message << " Closed nodes of the last sets: " << sets << '.';
+    message << " Try a larger [Contact] Maximum iterations, another Solver or "
+               "Relaxation factor, or a Tolerance above rounding (1e-13).";
+    throw NumericalError(message.str());
+  }
+
+
+
+  std::string
+  ContactSolver::last_sets() const
+  {
+    return "";
+  }
+
+
+
+  void
+  ContactSolver::judge_by_load(const double largest_nodal_force)
+  {
+    scales.judge_by_load(largest_nodal_force);
+  }
+
+
+
+  double
+  ContactSolver::accuracy() const
+  {
+    return std::max(tolerance, scales.rounding());
+  }
+
+
+
+  bool
+  ContactSolver::is_solved(const Vector &right_hand_side,
+                           const Vector &candidate)
+  {
+    return certify(right_hand_side, candidate).worst() <= accuracy();
+  }
+
+
+
+  double
+  ContactSolver::residual_target() const
+  {
+    // The l₂ norm is never below the maximum norm of the certificate.
+    return 0.5 * accuracy() * scales.force();
+  }
+
+
+
+  void
+  ContactSolver::solve_linear(LinearSolver &linear_solver,
+                              const Vector &right_hand_side,
+                              Vector       &solution)
+  {
+    if (!linear_solver.is_direct())
+      {
+        // The size of the solution belongs to the scales: a rough one tells.
+        constexpr double rough = 1e-2;
+        scales.include(problem, right_hand_side, solution);
+        linear_solver.solve(solution,
+                            right_hand_side,
+                            std::max(residual_target(),
+                                     rough * right_hand_side.l2_norm()));
+        scales.include(problem, right_hand_side, solution);
+      }
+    linear_solver.solve(solution, right_hand_side, residual_target());
   }
 
 
@@ -84,6 +181,14 @@ namespace Crevasse
   ContactSolver::n_iterations() const
   {
     return iterations;
+  }
+
+
+
+  std::size_t
+  ContactSolver::n_linear_iterations() const
+  {
+    return 0;
   }
 
 

@@ -13,15 +13,17 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace Crevasse
 {
-  ProjectedSor::ProjectedSor(const SignoriniProblem &problem,
-                             const double            relaxation_factor,
-                             const double            tolerance,
-                             const unsigned int      maximum_iterations)
+  ProjectedSor::ProjectedSor(const SignoriniProblem      &problem,
+                             std::unique_ptr<const Sweep> sweep,
+                             const double                 relaxation_factor,
+                             const double                 tolerance,
+                             const unsigned int           maximum_iterations)
     : ContactSolver(problem, tolerance)
-    , sweep(problem)
+    , sweep(std::move(sweep))
     , relaxation_factor(relaxation_factor)
     , maximum_iterations(maximum_iterations)
   {
@@ -49,12 +51,13 @@ namespace Crevasse
     scales.include(problem, right_hand_side, solution);
     for (unsigned int n = 1; n <= maximum_iterations; ++n)
       {
-        const double seen = sweep(right_hand_side, solution, relaxation_factor);
+        const double seen =
+          (*sweep)(right_hand_side, solution, relaxation_factor);
         if (!std::isfinite(seen))
           return n;
-        if (seen <= tolerance * scales.force && n >= next_certificate)
+        if (seen <= accuracy() * scales.force() && n >= next_certificate)
           {
-            if (certify(right_hand_side, solution).worst() <= tolerance)
+            if (is_solved(right_hand_side, solution))
               return n;
             next_certificate = n + sweeps_between_certificates;
           }

@@ -10,7 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/contact/relaxation_factor.h>
-#include <crevasse/contact/sor_sweep.h>
+#include <crevasse/contact/sweep.h>
 #include <crevasse/scene/problems.h>
 
 #include <algorithm>
@@ -21,13 +21,13 @@ namespace Crevasse
 {
   SorCount
   count_sor_iterations(const SignoriniProblem &problem,
+                       const Sweep            &sweep,
                        const Vector           &right_hand_side,
                        const double            relaxation_factor,
                        const double            target,
                        const unsigned int      maximum_iterations)
   {
-    const SorSweep sweep(problem);
-    Vector         solution(right_hand_side), residual(right_hand_side);
+    Vector solution(right_hand_side), residual(right_hand_side);
     solution = 0.;
 
     double   norm = right_hand_side.linfty_norm();
@@ -49,6 +49,7 @@ namespace Crevasse
 
   double
   find_relaxation_factor(const SignoriniProblem &problem,
+                         const Sweep            &sweep,
                          const Vector           &right_hand_side,
                          const double            target,
                          const unsigned int      maximum_iterations)
@@ -62,16 +63,17 @@ namespace Crevasse
     constexpr int n_coarse = 16;
     int           best     = -1;
     unsigned int  n_best   = maximum_iterations;
-    for (unsigned int limit = 64; best < 0; limit *= 2)
+    for (std::size_t limit = 64; best < 0; limit *= 2)
       {
         for (int y = 0; y < n_coarse; ++y)
           {
             const SorCount count =
               count_sor_iterations(problem,
+                                   sweep,
                                    right_hand_side,
                                    factor(y),
                                    target,
-                                   std::min(limit, n_best));
+                                   std::min<std::size_t>(limit, n_best));
             if (count.reached && (best < 0 || count.iterations < n_best))
               {
                 best   = y;
@@ -89,7 +91,7 @@ namespace Crevasse
     // Fine: golden section between the neighbours of the best.
     const auto cost = [&](const double y) {
       const SorCount count = count_sor_iterations(
-        problem, right_hand_side, factor(y), target, 4 * n_best);
+        problem, sweep, right_hand_side, factor(y), target, 4 * n_best);
       return count.reached ? count.iterations : 4 * n_best + 1;
     };
     const double golden = (std::sqrt(5.) - 1.) / 2.;

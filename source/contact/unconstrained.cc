@@ -37,7 +37,7 @@ namespace Crevasse
   std::size_t
   Unconstrained::iterate(const Vector &right_hand_side, Vector &solution)
   {
-    linear_solver.solve(solution, right_hand_side);
+    solve_linear(linear_solver, right_hand_side, solution);
     return 1;
   }
 } // namespace Crevasse

@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/scene/problems.h>
 
@@ -30,9 +31,6 @@ namespace Crevasse
 
   namespace
   {
-    template <int dim>
-    constexpr unsigned int n_modes = dim *(dim + 1) / 2;
-
     /** Connected parts of the mesh, by coarse cell: cells that share a face
      * hold each other. */
     template <int dim>
@@ -68,32 +66,16 @@ namespace Crevasse
 
 
 
-    /** Component c at x of mode m: translations, then rotations about axes
-     * through the origin, lengths scaled. */
-    template <int dim>
-    double
-    mode_value(const unsigned int m, const unsigned int c, const Point<dim> &x)
-    {
-      if (m < dim)
-        return m == c ? 1. : 0.;
-      // Rotation in the plane (a,b): (12) in 2D; (12), (13), (23) in 3D.
-      const unsigned int a = (m - dim == 2 ? 1 : 0);
-      const unsigned int b = (m - dim == 0 ? 1 : 2);
-      return c == a ? -x[b] : (c == b ? x[a] : 0.);
-    }
-
-
-
     template <int dim>
     std::string
-    describe(const std::array<double, n_modes<dim>> &mode,
-             const Point<dim>                       &origin,
-             const double                            length)
+    describe(const std::array<double, n_rigid_modes<dim>> &mode,
+             const Point<dim>                             &origin,
+             const double                                  length)
     {
       constexpr const char *planes[] = {"x1-x2", "x1-x3", "x2-x3"};
       std::ostringstream    text;
       double                rotation = 0.;
-      for (unsigned int m = dim; m < n_modes<dim>; ++m)
+      for (unsigned int m = dim; m < n_rigid_modes<dim>; ++m)
         rotation = std::max(rotation, std::abs(mode[m]));
 
       if (rotation < 1e-6)
@@ -105,7 +87,7 @@ namespace Crevasse
           return text.str();
         }
       text << "rotation in the plane";
-      for (unsigned int m = dim; m < n_modes<dim>; ++m)
+      for (unsigned int m = dim; m < n_rigid_modes<dim>; ++m)
         if (std::abs(mode[m]) > 1e-6)
           text << ' ' << planes[m - dim];
       if (dim == 2)
@@ -155,12 +137,12 @@ namespace Crevasse
                                   part_of_cell[coarse->index()]};
           }
 
-      constexpr unsigned int n = n_modes<dim>;
+      constexpr unsigned int n = n_rigid_modes<dim>;
       std::vector<double>    gram(n_parts * n * n, 0.);
       const auto             mode_at = [&](const types::global_dof_index dof,
                                const unsigned int            m) {
         const Point<dim> x((support_points.at(dof) - origin) / length);
-        return mode_value<dim>(m, kind.at(dof).first, x);
+        return rigid_mode<dim>(m, kind.at(dof).first, x);
       };
       for (const auto &line : space.constraints().get_lines())
         {
@@ -212,10 +194,10 @@ namespace Crevasse
     /** The kernel of a Gram matrix, sorted into pure translations and what is
      * orthogonal to them, so that each mode has a name. */
     template <int dim>
-    std::vector<std::array<double, n_modes<dim>>>
+    std::vector<std::array<double, n_rigid_modes<dim>>>
     free_modes(FullMatrix<double> gram)
     {
-      std::vector<std::array<double, n_modes<dim>>> modes;
+      std::vector<std::array<double, n_rigid_modes<dim>>> modes;
 
       FullMatrix<double> translations(dim, dim);
       for (unsigned int i = 0; i < dim; ++i)
@@ -247,7 +229,7 @@ namespace Crevasse
   std::vector<std::string>
   find_free_rigid_motions(const Space<dim> &space)
   {
-    constexpr unsigned int n = n_modes<dim>;
+    constexpr unsigned int n = n_rigid_modes<dim>;
 
     const BoundingBox<dim> box(space.mesh().get_vertices());
     const Point<dim>       origin = box.center();

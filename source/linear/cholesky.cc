@@ -10,11 +10,11 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/linear/cholesky.h>
+#include <crevasse/linear/matrix_rows.h>
 #include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <Epetra_CrsMatrix.h>
 #include <algorithm>
 #include <cholmod.h>
 #include <sstream>
@@ -94,19 +94,12 @@ namespace Crevasse
     cholmod_sparse *
     upper_triangle(const LinearSolver::Matrix &matrix, cholmod_common &common)
     {
-      int      *starts;
-      int      *columns;
-      double   *values;
-      const int error = matrix.trilinos_matrix().ExtractCrsDataPointers(starts,
-                                                                        columns,
-                                                                        values);
-      AssertThrow(error == 0, ExcTrilinosError(error));
-
-      const int   n       = matrix.m();
-      std::size_t n_upper = 0;
+      const MatrixRows rows(matrix);
+      const int        n       = rows.n;
+      std::size_t      n_upper = 0;
       for (int i = 0; i < n; ++i)
-        n_upper += std::count_if(columns + starts[i],
-                                 columns + starts[i + 1],
+        n_upper += std::count_if(rows.columns + rows.starts[i],
+                                 rows.columns + rows.starts[i + 1],
                                  [i](const int j) { return j <= i; });
 
       cholmod_sparse *upper =
@@ -121,11 +114,11 @@ namespace Crevasse
       for (int i = 0; i < n; ++i)
         {
           p[i] = k;
-          for (int entry = starts[i]; entry < starts[i + 1]; ++entry)
-            if (columns[entry] <= i)
+          for (int entry = rows.starts[i]; entry < rows.starts[i + 1]; ++entry)
+            if (rows.columns[entry] <= i)
               {
-                r[k] = columns[entry];
-                x[k] = values[entry];
+                r[k] = rows.columns[entry];
+                x[k] = rows.values[entry];
                 ++k;
               }
         }
@@ -140,9 +133,9 @@ namespace Crevasse
     : factor(std::make_unique<Factor>())
   {
     if (Utilities::MPI::n_mpi_processes(matrix.get_mpi_communicator()) > 1)
-      throw NumericalError(
-        "The sparse Cholesky solver works on one process "
-        "only: start the program without mpirun.");
+      throw SceneError(
+        "[Linear solver] Type = cholesky works on one process only. Start the "
+        "program without mpirun, or choose automatic, mumps or amg.");
 
     cholmod_common &common = factor->common;
     cholmod_sparse *upper  = upper_triangle(matrix, common);
@@ -183,8 +176,16 @@ namespace Crevasse
 
 
 
+  bool
+  Cholesky::is_direct() const
+  {
+    return true;
+  }
+
+
+
   void
-  Cholesky::apply_inverse(Vector &solution, const Vector &right_hand_side)
+  Cholesky::precondition(Vector &solution, const Vector &right_hand_side)
   {
     // A view of the right-hand side; CHOLMOD only reads it.
     factor->solve(const_cast<double *>(right_hand_side.begin()),
@@ -195,8 +196,20 @@ namespace Crevasse
 
 
 
-  void
-  Cholesky::apply_inverse(std::vector<Vector> &right_hand_sides)
+  unsigned int
+  Cholesky::apply_inverse(Vector       &solution,
+                          const Vector &right_hand_side,
+                          const double)
+  {
+    precondition(solution, right_hand_side);
+    return 0;
+  }
+
+
+
+  unsigned int
+  Cholesky::apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
+                                 const double)
   {
     const std::size_t   n = right_hand_sides.front().locally_owned_size();
     std::vector<double> block(n * right_hand_sides.size());
@@ -207,5 +220,6 @@ namespace Crevasse
     factor->solve(block.data(), n, right_hand_sides.size());
     for (std::size_t k = 0; k < right_hand_sides.size(); ++k)
       factor->copy_solution(k, right_hand_sides[k]);
+    return 0;
   }
 } // namespace Crevasse

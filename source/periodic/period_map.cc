@@ -39,7 +39,12 @@ namespace Crevasse
         const double t    = step_list.instant(k);
         const double time = (period - 1) * step_list.period() + t;
         const auto   show = [&]() {
-          observe({period, k, time, evolution.state(), r});
+          observe({period,
+                   k,
+                   time,
+                   evolution.state(),
+                   r,
+                   evolution.right_hand_side()});
         };
         if (has_memory())
           integrator->step(f, t, step_list.step(k), r, show);
@@ -70,7 +75,8 @@ namespace Crevasse
              step_list.n_steps(),
              period * step_list.period(),
              evolution.state(),
-             r});
+             r,
+             evolution.right_hand_side()});
   }
 
 

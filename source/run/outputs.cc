@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/output/problem_export.h>
 #include <crevasse/run/elastic_reference.h>
 #include <crevasse/run/outputs.h>
 
@@ -93,6 +94,11 @@ namespace Crevasse
                                      steps,
                                      scene.output.field_times,
                                      directory);
+    const RecordedSteps problems =
+      parse_recorded_steps(scene.output.contact_problems);
+    if (!problems.empty())
+      problem_export =
+        add<ProblemExport>(solvers.contact_problem(), problems, log, directory);
     largest_stress = add<LargestStress>();
     add<PeriodTable>(file("periods.csv"));
     add<Progress<dim>>(log,
@@ -117,6 +123,8 @@ namespace Crevasse
   void
   Outputs<dim>::finish(Summary &summary)
   {
+    if (problem_export != nullptr)
+      problem_export->report_missing();
     summary["extremes"]["stress"] = largest_stress->value;
     if (contact_table != nullptr)
       summary["extremes"]["opening"] = contact_table->largest_opening();

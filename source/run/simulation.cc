@@ -182,29 +182,13 @@ namespace Crevasse
       summary["effects"][effect.name] = {{"on", effect.on},
                                          {"why", effect.why}};
 
-    const ContactSolver &contact = solvers.contact_solver();
-    summary["contact_solver"]    = contact.description();
-    auto &counters               = summary["counters"];
-    counters["assemblies"]       = solvers.counters().assemblies;
-    counters["factorisations"]   = solvers.counters().factorisations;
-    counters["linear_solves"]    = solvers.n_linear_solves();
-    counters["vi_solves"]        = contact.n_solves();
-    counters["vi_iterations"]    = contact.n_iterations();
-    counters["rate_evaluations"] = rate_evaluations;
+    solvers.summarise(summary);
+    summary["counters"]["rate_evaluations"] = rate_evaluations;
 
-    const Certificate &worst = contact.worst_certificate();
-    summary["certificate"]   = {{"penetration", worst.penetration},
-                                {"tension", worst.tension},
-                                {"complementarity", worst.complementarity},
-                                {"residual", worst.residual}};
-    if (contact.n_solves() > 0)
-      summary["seconds"]["vi_mean"] = contact.seconds() / contact.n_solves();
-    if (solvers.n_linear_solves() > 0)
-      summary["seconds"]["back_solve_mean"] =
-        solvers.linear_seconds() / solvers.n_linear_solves();
+    const ContactSolver &contact = solvers.contact_solver();
     log.line("");
     log.line("  certificate of " + std::to_string(contact.n_solves()) +
-             " solves: " + worst.describe());
+             " solves: " + contact.worst_certificate().describe());
   }
 
 

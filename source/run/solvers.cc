@@ -9,15 +9,23 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/contact/active_set.h>
 #include <crevasse/contact/condensed_active_set.h>
 #include <crevasse/contact/projected_sor.h>
 #include <crevasse/contact/relaxation_factor.h>
 #include <crevasse/contact/unconstrained.h>
+#include <crevasse/discretisation/node_blocks.h>
+#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/discretisation/stiffness.h>
+#include <crevasse/linear/amg_cg.h>
 #include <crevasse/linear/cholesky.h>
+#include <crevasse/linear/mumps.h>
 #include <crevasse/run/solvers.h>
 
 #include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace Crevasse
 {
@@ -32,6 +40,16 @@ namespace Crevasse
     : scene(scene)
     , body(body)
     , phases(phases)
+    , linear_choice(choose_linear_solver(scene.linear_solver,
+                                         dim,
+                                         body.space.dof_handler().n_dofs(),
+                                         Utilities::MPI::n_mpi_processes(
+                                           body.space.communicator())))
+    , contact_choice(
+        choose_contact_solver(scene.contact,
+                              linear_choice,
+                              Utilities::MPI::sum(body.lip.nodes().size(),
+                                                  body.space.communicator())))
     , bounds(unilateral_bounds(body.lip))
   {
     {
@@ -40,8 +58,11 @@ namespace Crevasse
       ++count.assemblies;
     }
     problem = std::make_unique<SignoriniProblem>(matrix, bounds);
+    if (scene.contact.relaxed_together == "node")
+      unknown_blocks = node_blocks(body.space);
 
     contact = make_contact_solver(steps);
+    contact->judge_by_load(largest_load(steps));
     log.line("  solver: " + contact->description());
   }
 
@@ -54,16 +75,39 @@ namespace Crevasse
     const ContactParameters &parameters = scene.contact;
     if (problem->n_bounds() == 0)
       return std::make_unique<Unconstrained>(*problem,
-                                             direct_solver(),
+                                             linear_solver(),
                                              parameters.tolerance);
-    if (parameters.solver == "projected sor")
-      return std::make_unique<ProjectedSor>(*problem,
-                                            relaxation_factor(steps),
-                                            parameters.tolerance,
-                                            parameters.maximum_iterations);
+    if (contact_choice.name == "projected sor")
+      {
+        auto sweep = make_sweep(*problem, unknown_blocks);
+        return std::make_unique<ProjectedSor>(*problem,
+                                              std::move(sweep),
+                                              relaxation_factor(steps),
+                                              parameters.tolerance,
+                                              parameters.maximum_iterations);
+      }
+    if (contact_choice.name == "active set")
+      return std::make_unique<ActiveSet>(*problem,
+                                         linear_solver(),
+                                         parameters.tolerance,
+                                         scene.linear_solver.tolerance,
+                                         parameters.maximum_iterations);
     return std::make_unique<CondensedActiveSet>(*problem,
-                                                direct_solver(),
+                                                linear_solver(),
                                                 parameters.tolerance);
+  }
+
+
+
+  template <int dim>
+  double
+  Solvers<dim>::largest_load(const StepList &steps) const
+  {
+    double largest = 0.;
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      largest =
+        std::max(largest, loads_at(body, steps.instant(k)).linfty_norm());
+    return largest;
   }
 
 
@@ -84,7 +128,9 @@ namespace Crevasse
     if (norm == 0.)
       return 1.; // nothing is loaded: any factor solves A q = 0
     const UnilateralBounds none;
-    return find_relaxation_factor(SignoriniProblem(matrix, none),
+    const SignoriniProblem unconstrained(matrix, none);
+    return find_relaxation_factor(unconstrained,
+                                  *make_sweep(unconstrained, unknown_blocks),
                                   loads,
                                   1e-8 * norm,
                                   scene.contact.maximum_iterations);
@@ -94,10 +140,22 @@ namespace Crevasse
 
   template <int dim>
   std::unique_ptr<LinearSolver>
-  Solvers<dim>::factorise(const SparseMatrix &matrix)
+  Solvers<dim>::make_linear_solver(const SparseMatrix &matrix,
+                                   const Space<dim>   &space)
   {
+    if (linear_choice.type == LinearSolverChoice::amg)
+      {
+        TimerOutput::Scope phase(phases, "multigrid set-up");
+        ++count.multigrid_setups;
+        return std::make_unique<AmgCg>(matrix,
+                                       rigid_modes(space),
+                                       dim,
+                                       space.finite_element().degree > 1);
+      }
     TimerOutput::Scope phase(phases, "factorisation");
     ++count.factorisations;
+    if (linear_choice.type == LinearSolverChoice::mumps)
+      return std::make_unique<Mumps>(matrix);
     return std::make_unique<Cholesky>(matrix);
   }
 
@@ -113,6 +171,15 @@ namespace Crevasse
 
 
   template <int dim>
+  const SignoriniProblem &
+  Solvers<dim>::contact_problem() const
+  {
+    return *problem;
+  }
+
+
+
+  template <int dim>
   const SparseMatrix &
   Solvers<dim>::stiffness() const
   {
@@ -122,12 +189,21 @@ namespace Crevasse
 
 
   template <int dim>
-  LinearSolver &
-  Solvers<dim>::direct_solver()
+  const UnknownBlocks &
+  Solvers<dim>::blocks() const
   {
-    if (direct_open == nullptr)
-      direct_open = factorise(matrix);
-    return *direct_open;
+    return unknown_blocks;
+  }
+
+
+
+  template <int dim>
+  LinearSolver &
+  Solvers<dim>::linear_solver()
+  {
+    if (open_solver == nullptr)
+      open_solver = make_linear_solver(matrix, body.space);
+    return *open_solver;
   }
 
 
@@ -136,10 +212,15 @@ namespace Crevasse
   Vector
   Solvers<dim>::elastic_displacement(const Vector &loads, const bool lip_closed)
   {
-    Vector displacement(loads);
+    const UnilateralBounds none;
+    std::vector<double>    no_forces;
+    Vector                 displacement(loads);
+    displacement = 0.;
     if (!lip_closed)
       {
-        direct_solver().solve(displacement, loads);
+        const SignoriniProblem unconstrained(matrix, none);
+        Unconstrained(unconstrained, linear_solver(), scene.contact.tolerance)
+          .solve(loads, displacement, no_forces);
         return displacement;
       }
 
@@ -158,38 +239,62 @@ namespace Crevasse
 
     Vector closed_loads(loads);
     closed_space.constraints().set_zero(closed_loads);
-    direct_closed = factorise(closed_matrix);
-    direct_closed->solve(displacement, closed_loads);
+    closed_solver = make_linear_solver(closed_matrix, closed_space);
+    const SignoriniProblem unconstrained(closed_matrix, none);
+    Unconstrained(unconstrained, *closed_solver, scene.contact.tolerance)
+      .solve(closed_loads, displacement, no_forces);
     return displacement;
   }
 
 
 
   template <int dim>
-  const Counters &
-  Solvers<dim>::counters() const
+  template <typename Number>
+  Number
+  Solvers<dim>::total(Number (LinearSolver::*number)() const) const
   {
-    return count;
+    return (open_solver != nullptr ? (*open_solver.*number)() : Number()) +
+           (closed_solver != nullptr ? (*closed_solver.*number)() : Number());
   }
 
 
 
   template <int dim>
-  std::size_t
-  Solvers<dim>::n_linear_solves() const
+  void
+  Solvers<dim>::summarise(Summary &summary) const
   {
-    return (direct_open != nullptr ? direct_open->n_solves() : 0) +
-           (direct_closed != nullptr ? direct_closed->n_solves() : 0);
-  }
+    summary["contact_solver"] = {{"name", contact_choice.name},
+                                 {"why", contact_choice.why},
+                                 {"description", contact->description()}};
+    if (problem->n_bounds() == 0)
+      summary["contact_solver"] = {{"name", "none"},
+                                   {"why", "there is no contact"},
+                                   {"description", contact->description()}};
+    if (open_solver != nullptr)
+      summary["linear_solver"] = {{"why", linear_choice.why},
+                                  {"description", open_solver->description()}};
 
+    const std::size_t n_solves   = total(&LinearSolver::n_solves);
+    auto             &counters   = summary["counters"];
+    counters["assemblies"]       = count.assemblies;
+    counters["factorisations"]   = count.factorisations;
+    counters["multigrid_setups"] = count.multigrid_setups;
+    counters["linear_solves"]    = n_solves;
+    counters["linear_iterations"] =
+      total(&LinearSolver::n_iterations) + contact->n_linear_iterations();
+    counters["vi_solves"]     = contact->n_solves();
+    counters["vi_iterations"] = contact->n_iterations();
 
-
-  template <int dim>
-  double
-  Solvers<dim>::linear_seconds() const
-  {
-    return (direct_open != nullptr ? direct_open->seconds() : 0.) +
-           (direct_closed != nullptr ? direct_closed->seconds() : 0.);
+    const Certificate &worst = contact->worst_certificate();
+    summary["certificate"]   = {{"penetration", worst.penetration},
+                                {"tension", worst.tension},
+                                {"complementarity", worst.complementarity},
+                                {"residual", worst.residual}};
+    if (contact->n_solves() > 0)
+      summary["seconds"]["vi_mean"] = contact->seconds() / contact->n_solves();
+    if (n_solves > 0)
+      summary["seconds"]["back_solve_mean"] =
+        total(&LinearSolver::seconds) / n_solves;
   }
 
 

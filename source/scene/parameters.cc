@@ -201,19 +201,30 @@ namespace Crevasse
   {
     prm.add_parameter("Solver",
                       solver,
-                      "Method for the contact inequality; \"automatic\" "
-                      "chooses.",
-                      Patterns::Selection(
-                        "automatic|projected sor|condensed active set"));
+                      "Method for the contact inequality. \"condensed active "
+                      "set\" reduces it to the lip, \"active set\" works on "
+                      "all unknowns, \"projected sor\" is the method of the "
+                      "paper, on one process; \"automatic\" takes the first "
+                      "one unless the lip or the mesh is very large.",
+                      Patterns::Selection("automatic|projected sor|active set|"
+                                          "condensed active set"));
     prm.add_parameter("Relaxation factor",
                       relaxation_factor,
                       "Over-relaxation factor of the projected SOR method; "
                       "\"automatic\" searches for the best one. Allowed: "
                       "automatic, or a number greater than 0 and less than 2");
+    prm.add_parameter("Relaxed together",
+                      relaxed_together,
+                      "What the projected SOR method relaxes at once.",
+                      Patterns::Selection("unknown|node"));
     prm.add_parameter("Tolerance",
                       tolerance,
-                      "Residual, relative to the load, at which the solver "
-                      "stops. Allowed: a number greater than 0, at most 0.01");
+                      "Largest error that the certificate of a solution may "
+                      "show: penetration and complementarity relative to the "
+                      "largest displacement, tension and residual relative to "
+                      "the largest nodal force of the loads. Where rounding "
+                      "does not allow so much, what it does allow counts. "
+                      "Allowed: a number greater than 0, at most 0.01");
     prm.add_parameter("Maximum iterations",
                       maximum_iterations,
                       "Iterations after which the solver gives up. Allowed: an "
@@ -234,8 +245,18 @@ namespace Crevasse
   {
     prm.add_parameter("Type",
                       type,
-                      "Solver of the linear systems; \"automatic\" chooses.",
-                      Patterns::Selection("automatic|cholesky"));
+                      "Solver of the linear systems: factorisation by "
+                      "CHOLMOD on one process or by MUMPS on several, or "
+                      "conjugate gradients with algebraic multigrid (ML). "
+                      "\"automatic\" chooses by dimension, size and number of "
+                      "processes.",
+                      Patterns::Selection("automatic|cholesky|mumps|amg"));
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Factor by which conjugate gradients reduce the residual "
+                      "before the solver \"active set\" looks at its set "
+                      "again; how accurate the result is [Contact] Tolerance "
+                      "says. Allowed: a number greater than 0, at most 0.1");
   }
 
 
@@ -321,5 +342,11 @@ namespace Crevasse
                       "that of an elastic body whose crack is always open, or "
                       "always closed.",
                       Patterns::Selection("none|open|closed"));
+    prm.add_parameter("Contact problems",
+                      contact_problems,
+                      "Steps whose contact problem is written to files in the "
+                      "formats of Matrix Market and PETSc, for other solvers. "
+                      "Allowed: a list such as 1: 10; 3: 0 of periods, counted "
+                      "from 1, and steps in them, counted from 0");
   }
 } // namespace Crevasse

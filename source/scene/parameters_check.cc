@@ -12,6 +12,7 @@
 #include <crevasse/scene/boundary_roles.h>
 #include <crevasse/scene/expression.h>
 #include <crevasse/scene/parameters.h>
+#include <crevasse/scene/recorded_steps.h>
 #include <crevasse/scene/text.h>
 
 #include <algorithm>
@@ -299,8 +300,13 @@ namespace Crevasse
 
 
   void
-  LinearSolverParameters::check(Problems &) const
+  LinearSolverParameters::check(Problems &problems) const
   {
+    Checker(section, problems)
+      .demand(tolerance > 0. && tolerance <= 0.1,
+              "Tolerance",
+              tolerance,
+              "must be greater than 0 and at most 0.1");
   }
 
 
@@ -358,5 +364,16 @@ namespace Crevasse
     const Checker checker(section, problems);
     for (const double time : field_times)
       checker.demand(time >= 0., "Field times", time, "must be at least 0");
+    try
+      {
+        parse_recorded_steps(contact_problems);
+      }
+    catch (const SceneError &error)
+      {
+        problems.add(section,
+                     "Contact problems",
+                     contact_problems,
+                     error.what());
+      }
   }
 } // namespace Crevasse

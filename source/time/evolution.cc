@@ -26,7 +26,7 @@ namespace Crevasse
     , contact_solver(contact_solver)
   {
     strain_operator.initialize(last.displacement);
-    strain_operator.initialize(right_hand_side);
+    strain_operator.initialize(loading);
     points.initialize(last.stress);
   }
 
@@ -38,14 +38,11 @@ namespace Crevasse
   {
     using Field = QuadratureField<dim>;
 
-    loads.evaluate(t, right_hand_side);
-    strain_operator.add_transpose(right_hand_side,
-                                  [&](const std::size_t point) {
-                                    return K * Field::get(r, point);
-                                  });
-    contact_solver.solve(right_hand_side,
-                         last.displacement,
-                         last.contact_forces);
+    loads.evaluate(t, loading);
+    strain_operator.add_transpose(loading, [&](const std::size_t point) {
+      return K * Field::get(r, point);
+    });
+    contact_solver.solve(loading, last.displacement, last.contact_forces);
     strain_operator.for_each_strain(last.displacement,
                                     [&](const std::size_t       point,
                                         const VoigtVector<dim> &strain) {
@@ -63,10 +60,8 @@ namespace Crevasse
   void
   Evolution<dim>::elastic_state(const double t)
   {
-    loads.evaluate(t, right_hand_side);
-    contact_solver.solve(right_hand_side,
-                         last.displacement,
-                         last.contact_forces);
+    loads.evaluate(t, loading);
+    contact_solver.solve(loading, last.displacement, last.contact_forces);
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t point, const VoigtVector<dim> &strain) {
@@ -81,6 +76,15 @@ namespace Crevasse
   Evolution<dim>::state() const
   {
     return last;
+  }
+
+
+
+  template <int dim>
+  const Vector &
+  Evolution<dim>::right_hand_side() const
+  {
+    return loading;
   }
 
 

@@ -24,17 +24,41 @@ namespace Crevasse
    * problem is solved for many right-hand sides: the largest sizes among them
    * count, so that an instant without load, where everything is rounding, is
    * not asked for relative accuracy.
+   *
+   * A body that creeps on for many periods has a displacement, and a
+   * right-hand side that holds its viscous strain, far larger than what one
+   * period's loads do. If the loads are made known, they alone are the scale.
    */
-  struct Scales
+  class Scales
   {
-    double force        = 0.; ///< largest of |bᵢ|, |Aᵢᵢ qᵢ|
-    double displacement = 0.; ///< largest of |qᵢ|, |gap|
+  public:
+    /** Makes the largest nodal force of the loads known, if not 0. */
+    void
+    judge_by_load(const double largest_nodal_force);
 
     /** Raises the scales to those of one solution. Collective. */
     void
     include(const SignoriniProblem &problem,
             const Vector           &right_hand_side,
             const Vector           &solution);
+
+    /** 1 where nothing was ever loaded or moved: then any scale will do. */
+    double
+    force() const;
+    double
+    displacement() const;
+
+    /** The relative accuracy that rounding allows: sums of Aᵢⱼqⱼ cancel, all
+     * the more the finer the mesh and the longer the drift. */
+    double
+    rounding() const;
+
+  private:
+    double load                  = 0.; ///< the largest nodal force, if known
+    double largest_force         = 0.; ///< of |bᵢ|
+    double largest_displacement  = 0.; ///< of |qᵢ|, without a long drift
+    double force_to_round        = 0.; ///< of |Aᵢᵢqᵢ|
+    double displacement_to_round = 0.; ///< of |qᵢ|
   };
 
   /**

@@ -14,6 +14,7 @@
 
 #include <crevasse/contact/condensed_problem.h>
 #include <crevasse/contact/contact_solver.h>
+#include <crevasse/contact/lip_graph.h>
 #include <crevasse/linear/linear_solver.h>
 
 #include <memory>
@@ -25,12 +26,12 @@ namespace Crevasse
    * For a fixed A, whose factor is at hand: q = A⁻¹b + A⁻¹Lᵀg turns the
    * variational inequality into a small problem on the lip. It costs one
    * back-solve with the lip open and two otherwise, besides one for each node
-   * that closes for the first time in a run. Works on one rank.
+   * that closes for the first time in a run. On several ranks each solves the
+   * small problem.
    */
   class CondensedActiveSet : public ContactSolver
   {
   public:
-    /** @throw NumericalError on several ranks. */
     CondensedActiveSet(const SignoriniProblem &problem,
                        LinearSolver           &linear_solver,
                        const double            tolerance);
@@ -46,13 +47,15 @@ namespace Crevasse
     std::vector<dealii::Vector<double>>
     compliance_columns(const std::vector<unsigned int> &nodes);
 
-    /** L v. */
+    /** L v at the nodes of all ranks. */
     void
     restrict_to_lip(const Vector &v, dealii::Vector<double> &on_lip) const;
 
     LinearSolver &linear_solver;
 
+    const LipGraph         lip; ///< the nodes of the small problem
     CondensedProblem       lip_problem;
+    dealii::Vector<double> gap;
     dealii::Vector<double> opening;
     dealii::Vector<double> forces;
     Vector                 loads;

@@ -40,8 +40,14 @@ namespace Crevasse
     using ComplianceColumns = std::function<std::vector<dealii::Vector<double>>(
       const std::vector<unsigned int> &nodes)>;
 
+    /** Improves the set that follows on another one, where more is known about
+     * the nodes than S: see LipGraph::extrapolate(). */
+    using Extrapolation = std::function<void(const std::vector<bool> &active,
+                                             std::vector<bool>       &next)>;
+
     CondensedProblem(const unsigned int       n_nodes,
-                     const ComplianceColumns &columns);
+                     const ComplianceColumns &columns,
+                     const Extrapolation     &extrapolation = {});
 
     /**
      * @param opening_without_contact w₀
@@ -83,6 +89,10 @@ namespace Crevasse
     next_set(const dealii::Vector<double> &forces,
              const dealii::Vector<double> &opening) const;
 
+    /** The same, extrapolated. */
+    Set
+    extrapolated(const Set &next) const;
+
     unsigned int
     solve_by_lawson_hanson(
       const dealii::Vector<double> &opening_without_contact,
@@ -93,6 +103,7 @@ namespace Crevasse
 
     const unsigned int      n;
     const ComplianceColumns compute_columns;
+    const Extrapolation     extrapolation;
 
     std::vector<dealii::Vector<double>> columns; ///< empty where not computed
     Set                                 active;

@@ -14,6 +14,7 @@
 
 #include <crevasse/contact/certificate.h>
 #include <crevasse/contact/signorini_problem.h>
+#include <crevasse/linear/linear_solver.h>
 
 #include <deal.II/base/timer.h>
 
@@ -36,13 +37,20 @@ namespace Crevasse
     /**
      * @param[in,out] solution The start of iterative methods; then q.
      * @param[out] contact_forces g for each locally owned bound.
+     * @param stiffness_factor k > 0, if the problem is that of k A: with b / k
+     * for b it is that of A, whose forces are g / k.
      * @throw NumericalError with certificate and advice if no solution within
      * tolerance was found.
      */
     void
     solve(const Vector        &right_hand_side,
           Vector              &solution,
-          std::vector<double> &contact_forces);
+          std::vector<double> &contact_forces,
+          const double         stiffness_factor = 1.);
+
+    /** Makes known by which force errors are to be judged: see Scales. */
+    void
+    judge_by_load(const double largest_nodal_force);
 
     /** The maxima over all solves so far. */
     const Certificate &
@@ -53,6 +61,11 @@ namespace Crevasse
 
     std::size_t
     n_iterations() const;
+
+    /** Iterations of conjugate gradients that are the method's own, besides
+     * those of its linear solver. */
+    virtual std::size_t
+    n_linear_iterations() const;
 
     /** Wall time spent in solve(), certificates included. */
     double
@@ -68,15 +81,45 @@ namespace Crevasse
     virtual std::size_t
     iterate(const Vector &right_hand_side, Vector &solution) = 0;
 
-    /** Certifies into this object's own work space. */
-    Certificate
-    certify(const Vector &right_hand_side, const Vector &solution);
+    /** Sizes of the last active sets, for the message of a failure; empty if
+     * the method has none. */
+    virtual std::string
+    last_sets() const;
+
+    /** The tolerance, or what rounding leaves of it. */
+    double
+    accuracy() const;
+
+    /** Whether the certificate of a candidate is within accuracy(). */
+    bool
+    is_solved(const Vector &right_hand_side, const Vector &candidate);
+
+    /** The l₂ norm of a linear residual that the certificate accepts. */
+    double
+    residual_target() const;
+
+    /** A x = b to what the certificate accepts, with @p solution as start. */
+    void
+    solve_linear(LinearSolver &linear_solver,
+                 const Vector &right_hand_side,
+                 Vector       &solution);
 
     const SignoriniProblem &problem;
     const double            tolerance;
     Scales                  scales; ///< of all solves so far
 
   private:
+    /** Certifies into this object's own work space. */
+    Certificate
+    certify(const Vector &right_hand_side, const Vector &solution);
+
+    void
+    solve_and_certify(const Vector &right_hand_side, Vector &solution);
+
+    [[noreturn]] void
+    fail(const Certificate &certified, const std::size_t n_iterations) const;
+
+    Vector              scaled_right_hand_side; ///< empty until one is scaled
     Vector              residual;
     std::vector<double> forces;
     Certificate         maxima;

@@ -13,20 +13,21 @@
 #define crevasse_contact_projected_sor_h
 
 #include <crevasse/contact/contact_solver.h>
-#include <crevasse/contact/sor_sweep.h>
+#include <crevasse/contact/sweep.h>
 
 namespace Crevasse
 {
   /** The paper's solver: overrelaxation with projection, started from the last
-   * solution. */
+   * solution. On one rank. */
   class ProjectedSor : public ContactSolver
   {
   public:
     /** @param relaxation_factor in ]0,2[, where it converges. */
-    ProjectedSor(const SignoriniProblem &problem,
-                 const double            relaxation_factor,
-                 const double            tolerance,
-                 const unsigned int      maximum_iterations);
+    ProjectedSor(const SignoriniProblem      &problem,
+                 std::unique_ptr<const Sweep> sweep,
+                 const double                 relaxation_factor,
+                 const double                 tolerance,
+                 const unsigned int           maximum_iterations);
 
     std::string
     description() const override;
@@ -36,9 +37,9 @@ namespace Crevasse
     iterate(const Vector &right_hand_side, Vector &solution) override;
 
   private:
-    const SorSweep     sweep;
-    const double       relaxation_factor;
-    const unsigned int maximum_iterations;
+    const std::unique_ptr<const Sweep> sweep;
+    const double                       relaxation_factor;
+    const unsigned int                 maximum_iterations;
   };
 } // namespace Crevasse
 

@@ -13,6 +13,7 @@
 #define crevasse_contact_relaxation_factor_h
 
 #include <crevasse/contact/signorini_problem.h>
+#include <crevasse/contact/sweep.h>
 
 namespace Crevasse
 {
@@ -26,6 +27,7 @@ namespace Crevasse
 
   SorCount
   count_sor_iterations(const SignoriniProblem &problem,
+                       const Sweep            &sweep,
                        const Vector           &right_hand_side,
                        const double            relaxation_factor,
                        const double            target,
@@ -42,6 +44,7 @@ namespace Crevasse
    */
   double
   find_relaxation_factor(const SignoriniProblem &problem,
+                         const Sweep            &sweep,
                          const Vector           &right_hand_side,
                          const double            target,
                          const unsigned int      maximum_iterations);

@@ -23,19 +23,28 @@ namespace Crevasse
   {
   public:
     /** Factorises. @throw NumericalError if the matrix is not positive
-     * definite, or on several ranks. */
+     * definite; SceneError on several ranks. */
     explicit Cholesky(const Matrix &matrix);
     ~Cholesky() override;
+
+    void
+    precondition(Vector &solution, const Vector &right_hand_side) override;
+
+    bool
+    is_direct() const override;
 
     std::string
     description() const override;
 
   protected:
-    void
-    apply_inverse(Vector &solution, const Vector &right_hand_side) override;
+    unsigned int
+    apply_inverse(Vector       &solution,
+                  const Vector &right_hand_side,
+                  const double  residual_norm) override;
 
-    void
-    apply_inverse(std::vector<Vector> &right_hand_sides) override;
+    unsigned int
+    apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
+                         const double         residual_norm) override;
 
   private:
     struct Factor; // keeps cholmod.h out of every includer

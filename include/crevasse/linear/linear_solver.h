@@ -22,8 +22,10 @@
 
 namespace Crevasse
 {
-  /** Solves A x = b many times with one symmetric positive definite A, which
-   * the constructor of the derived class prepares. */
+  /**
+   * Solves A x = b many times with one symmetric positive definite A, which
+   * the constructor of the derived class prepares.
+   */
   class LinearSolver
   {
   public:
@@ -32,61 +34,67 @@ namespace Crevasse
 
     virtual ~LinearSolver() = default;
 
+    /**
+     * Iterative solvers start from @p solution and end when |b − Ax|₂ is at
+     * most @p residual_norm, which depends on what the caller needs; direct
+     * solvers use neither.
+     *
+     * @throw NumericalError if that residual is not reached.
+     */
     void
-    solve(Vector &solution, const Vector &right_hand_side)
-    {
-      const dealii::Timer timer;
-      apply_inverse(solution, right_hand_side);
-      wall_time += timer.wall_time();
-      ++solves;
-    }
+    solve(Vector       &solution,
+          const Vector &right_hand_side,
+          const double  residual_norm);
 
     /** Solves for several right-hand sides at once; each is overwritten by its
      * solution. */
     void
-    solve(std::vector<Vector> &right_hand_sides)
-    {
-      const dealii::Timer timer;
-      apply_inverse(right_hand_sides);
-      wall_time += timer.wall_time();
-      solves += right_hand_sides.size();
-    }
+    solve(std::vector<Vector> &right_hand_sides, const double residual_norm);
+
+    /** One application of a symmetric positive definite approximation of A⁻¹:
+     * exact for direct solvers. It is not counted as a solve. */
+    virtual void
+    precondition(Vector &solution, const Vector &right_hand_side) = 0;
+
+    /** Whether solve() is exact, at the price of a back-solve. */
+    virtual bool
+    is_direct() const = 0;
 
     std::size_t
-    n_solves() const
-    {
-      return solves;
-    }
+    n_solves() const;
+
+    /** Of the iterative solvers, over all solves. */
+    std::size_t
+    n_iterations() const;
 
     /** Wall time of all solves. */
     double
-    seconds() const
-    {
-      return wall_time;
-    }
+    seconds() const;
 
     /** For the log and the summary. */
     virtual std::string
     description() const = 0;
 
-  protected:
-    virtual void
-    apply_inverse(Vector &solution, const Vector &right_hand_side) = 0;
+    /** The same of precondition(). */
+    virtual std::string
+    preconditioner_description() const;
 
-    /** One after the other, unless a solver knows better. */
-    virtual void
-    apply_inverse(std::vector<Vector> &right_hand_sides)
-    {
-      for (Vector &right_hand_side : right_hand_sides)
-        {
-          const Vector copy = right_hand_side;
-          apply_inverse(right_hand_side, copy);
-        }
-    }
+  protected:
+    /** Returns the number of iterations, 0 for direct solvers. */
+    virtual unsigned int
+    apply_inverse(Vector       &solution,
+                  const Vector &right_hand_side,
+                  const double  residual_norm) = 0;
+
+    /** One after the other, from zero, unless a solver knows better. */
+    virtual unsigned int
+    apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
+                         const double         residual_norm);
 
   private:
-    std::size_t solves    = 0;
-    double      wall_time = 0.;
+    std::size_t solves     = 0;
+    std::size_t iterations = 0;
+    double      wall_time  = 0.;
   };
 } // namespace Crevasse
 

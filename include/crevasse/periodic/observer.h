@@ -28,6 +28,7 @@ namespace Crevasse
 
     const State  &state;
     const Vector &viscous_strain;
+    const Vector &right_hand_side; ///< b of the contact problem
   };
 
   /** What is known at the end of a period. */

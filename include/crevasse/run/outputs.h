@@ -17,6 +17,7 @@
 #include <crevasse/output/field_writer.h>
 #include <crevasse/output/log.h>
 #include <crevasse/output/probe.h>
+#include <crevasse/output/problem_export.h>
 #include <crevasse/output/progress.h>
 #include <crevasse/output/summary.h>
 #include <crevasse/output/tables.h>
@@ -81,6 +82,7 @@ namespace Crevasse
     ElasticComparison *comparison     = nullptr;
     FieldWriter<dim>  *fields         = nullptr;
     LargestStress     *largest_stress = nullptr;
+    ProblemExport     *problem_export = nullptr;
   };
 } // namespace Crevasse
 

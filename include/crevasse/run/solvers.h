@@ -13,8 +13,11 @@
 #define crevasse_run_solvers_h
 
 #include <crevasse/contact/contact_solver.h>
+#include <crevasse/contact/sweep.h>
 #include <crevasse/linear/linear_solver.h>
+#include <crevasse/linear/solver_choice.h>
 #include <crevasse/output/log.h>
+#include <crevasse/output/summary.h>
 #include <crevasse/run/body.h>
 #include <crevasse/scene/scene.h>
 #include <crevasse/time/step_list.h>
@@ -25,16 +28,9 @@
 
 namespace Crevasse
 {
-  /** How often the expensive things were done; they go to the summary. */
-  struct Counters
-  {
-    unsigned int assemblies     = 0;
-    unsigned int factorisations = 0;
-  };
-
   /**
    * The stiffness of a body and what solves with it. The matrix is assembled
-   * once; it is factorised when the direct solver is asked for, not before.
+   * once; the linear solver is prepared when it is asked for, not before.
    */
   template <int dim>
   class Solvers
@@ -51,50 +47,72 @@ namespace Crevasse
     ContactSolver &
     contact_solver();
 
+    const SignoriniProblem &
+    contact_problem() const;
+
     const SparseMatrix &
     stiffness() const;
 
-    /** The direct solver for the stiffness of the body with an open lip. */
-    LinearSolver &
-    direct_solver();
+    /** The unknowns that a sweep of projected SOR relaxes together; none: one
+     * by one. */
+    const UnknownBlocks &
+    blocks() const;
 
-    /** The elastic displacement under the given loads, by the direct solver,
-     * with the lip open or held at u_N = 0. */
+    /** The elastic displacement under the given loads with the lip open or
+     * held at u_N = 0. */
     Vector
     elastic_displacement(const Vector &loads, const bool lip_closed);
 
-    const Counters &
-    counters() const;
-
-    /** Solves by direct solvers. */
-    std::size_t
-    n_linear_solves() const;
-
-    /** Wall time of these. */
-    double
-    linear_seconds() const;
+    /** Which solvers there are and why, how often they were called and what it
+     * took. */
+    void
+    summarise(Summary &summary) const;
 
   private:
     std::unique_ptr<LinearSolver>
-    factorise(const SparseMatrix &matrix);
+    make_linear_solver(const SparseMatrix &matrix, const Space<dim> &space);
+
+    /** The linear solver for the body with an open lip. */
+    LinearSolver &
+    linear_solver();
 
     std::unique_ptr<ContactSolver>
     make_contact_solver(const StepList &steps);
 
+    /** By the largest nodal force of all steps. */
+    double
+    largest_load(const StepList &steps) const;
+
+    /** How often the expensive things were done. */
+    struct Counters
+    {
+      unsigned int assemblies       = 0;
+      unsigned int factorisations   = 0;
+      unsigned int multigrid_setups = 0;
+    };
+
+    /** A sum over the linear solvers that exist. */
+    template <typename Number>
+    Number
+    total(Number (LinearSolver::*count)() const) const;
+
     double
     relaxation_factor(const StepList &steps);
 
-    const Scene         &scene;
-    const Body<dim>     &body;
-    dealii::TimerOutput &phases;
+    const Scene              &scene;
+    const Body<dim>          &body;
+    dealii::TimerOutput      &phases;
+    const LinearSolverChoice  linear_choice;
+    const ContactSolverChoice contact_choice;
 
     SparseMatrix                            matrix;
     const UnilateralBounds                  bounds;
+    UnknownBlocks                           unknown_blocks;
     std::unique_ptr<const SignoriniProblem> problem;
-    std::unique_ptr<LinearSolver>           direct_open;
+    std::unique_ptr<LinearSolver>           open_solver;
     std::unique_ptr<ContactSolver>          contact;
     Counters                                count;
-    std::unique_ptr<LinearSolver>           direct_closed;
+    std::unique_ptr<LinearSolver>           closed_solver;
   };
 
   /** The step of a period at which the load vector is largest. */

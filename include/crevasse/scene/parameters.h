@@ -124,7 +124,9 @@ namespace Crevasse
 
     std::string solver = "automatic";
     /** A number in ]0,2[ or "automatic" (dichotomy). */
-    std::string  relaxation_factor  = "automatic";
+    std::string relaxation_factor = "automatic";
+    /** unknown | node: what projected SOR relaxes together. */
+    std::string  relaxed_together   = "unknown";
     double       tolerance          = 1e-12;
     unsigned int maximum_iterations = 100000;
     /** Factors of a table of iterations against the factor (paper, Table 1);
@@ -142,6 +144,9 @@ namespace Crevasse
     static constexpr const char *section = "Linear solver";
 
     std::string type = "automatic";
+    /** By how much an iterative solver reduces the residual before the active
+     * set is looked at again. */
+    double tolerance = 1e-3;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -194,6 +199,8 @@ namespace Crevasse
     /** none | open | closed: compare the last period's stress with the
      * elastic one of an open or closed lip. */
     std::string elastic_comparison = "none";
+    /** "period: step; ...": contact problems that are written to files. */
+    std::string contact_problems;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

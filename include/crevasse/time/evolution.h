@@ -62,6 +62,10 @@ namespace Crevasse
     const State &
     state() const;
 
+    /** b of the last evaluation. */
+    const Vector &
+    right_hand_side() const;
+
     std::size_t
     n_rate_evaluations() const;
 
@@ -73,7 +77,7 @@ namespace Crevasse
     ContactSolver             &contact_solver;
 
     State       last;
-    Vector      right_hand_side;
+    Vector      loading;
     std::size_t rate_evaluations = 0;
   };
 } // namespace Crevasse

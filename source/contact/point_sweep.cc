@@ -9,42 +9,19 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/contact/sor_sweep.h>
-#include <crevasse/scene/problems.h>
+#include <crevasse/contact/point_sweep.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <Epetra_CrsMatrix.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace Crevasse
 {
-  using namespace dealii;
-
-  SorSweep::SorSweep(const SignoriniProblem &problem)
+  PointSweep::PointSweep(const SignoriniProblem &problem)
     : problem(problem)
-    , bound_of(problem.matrix.m(), -1)
+    , rows(problem.matrix)
+    , bound_of(rows.n, -1)
   {
-    if (Utilities::MPI::n_mpi_processes(problem.matrix.get_mpi_communicator()) >
-        1)
-      throw NumericalError(
-        "Projected SOR sweeps through all unknowns in order and works on one "
-        "process only: start the program without mpirun.");
-
-    int      *starts;
-    int      *indices;
-    double   *entries;
-    const int error =
-      problem.matrix.trilinos_matrix().ExtractCrsDataPointers(starts,
-                                                              indices,
-                                                              entries);
-    AssertThrow(error == 0, ExcTrilinosError(error));
-    row_starts = starts;
-    columns    = indices;
-    values     = entries;
-
     for (unsigned int k = 0; k < problem.bounds.dofs.size(); ++k)
       bound_of[problem.bounds.dofs[k]] = k;
   }
@@ -52,20 +29,20 @@ namespace Crevasse
 
 
   double
-  SorSweep::operator()(const Vector &right_hand_side,
-                       Vector       &solution,
-                       const double  relaxation_factor) const
+  PointSweep::operator()(const Vector &right_hand_side,
+                         Vector       &solution,
+                         const double  relaxation_factor) const
   {
     double *const       q        = solution.begin();
     const double *const b        = right_hand_side.begin();
     const double *const diagonal = problem.diagonal().begin();
 
     double largest_residual = 0., sum = 0.;
-    for (std::size_t i = 0; i < bound_of.size(); ++i)
+    for (int i = 0; i < rows.n; ++i)
       {
         double residual = b[i];
-        for (int k = row_starts[i]; k < row_starts[i + 1]; ++k)
-          residual -= values[k] * q[columns[k]];
+        for (int k = rows.starts[i]; k < rows.starts[i + 1]; ++k)
+          residual -= rows.values[k] * q[rows.columns[k]];
 
         double    next  = q[i] + relaxation_factor * residual / diagonal[i];
         const int bound = bound_of[i];

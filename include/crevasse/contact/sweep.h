@@ -9,23 +9,27 @@
 //
 // ---------------------------------------------------------------------
 
-#ifndef crevasse_contact_sor_sweep_h
-#define crevasse_contact_sor_sweep_h
+#ifndef crevasse_contact_sweep_h
+#define crevasse_contact_sweep_h
 
 #include <crevasse/contact/signorini_problem.h>
 
+#include <memory>
+#include <vector>
+
 namespace Crevasse
 {
-  /**
-   * One sweep of point-wise successive overrelaxation in natural order, with
-   * projection on the bounds (paper, §6.1; Glowinski, Lions, Trémolières 1976).
-   * Works on one rank.
-   */
-  class SorSweep
+  /** Groups of at most three unknowns that are relaxed together: those of a
+   * node. Each unknown is in one group. */
+  using UnknownBlocks =
+    std::vector<std::vector<dealii::types::global_dof_index>>;
+
+  /** One sweep of successive overrelaxation in natural order, with projection
+   * on the bounds, on one rank. */
+  class Sweep
   {
   public:
-    /** @throw NumericalError on several ranks. */
-    explicit SorSweep(const SignoriniProblem &problem);
+    virtual ~Sweep() = default;
 
     /**
      * Overwrites @p solution by the next iterate and returns the largest
@@ -33,22 +37,16 @@ namespace Crevasse
      * not finite). Rows that the projection holds at their bound count by what
      * they still move. It is cheap and close to, but not, the certificate.
      */
-    double
+    virtual double
     operator()(const Vector &right_hand_side,
                Vector       &solution,
-               const double  relaxation_factor) const;
-
-  private:
-    const SignoriniProblem &problem;
-
-    // A view of the rows of the matrix, no copy.
-    const int    *row_starts;
-    const int    *columns;
-    const double *values;
-
-    /** For each dof its bound, or −1. */
-    std::vector<int> bound_of;
+               const double  relaxation_factor) const = 0;
   };
+
+  /** Unknown by unknown, or block by block if there are any.
+   * @throw SceneError on several ranks. */
+  std::unique_ptr<const Sweep>
+  make_sweep(const SignoriniProblem &problem, const UnknownBlocks &blocks);
 } // namespace Crevasse
 
 #endif

@@ -1,0 +1,107 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_contact_active_set_h
+#define crevasse_contact_active_set_h
+
+#include <crevasse/contact/contact_solver.h>
+#include <crevasse/contact/face_solver.h>
+#include <crevasse/contact/lip_graph.h>
+#include <crevasse/contact/projected_newton.h>
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * The primal–dual active set on all unknowns (Hintermüller, Ito and Kunisch,
+   * SIAM J. Optim. 13, 2002), on any number of ranks and with any linear
+   * solver. Set and solution of the last problem are where the next one
+   * starts; the linear problems are solved no better than the next set needs.
+   * If a set comes back, a projected Newton method finishes, which cannot
+   * cycle.
+   */
+  class ActiveSet : public ContactSolver
+  {
+  public:
+    /**
+     * @param linear_tolerance the factor by which the residual is reduced
+     * before the set is looked at again.
+     * @param maximum_iterations the largest number of sets for one problem.
+     */
+    ActiveSet(const SignoriniProblem &problem,
+              LinearSolver           &linear_solver,
+              const double            tolerance,
+              const double            linear_tolerance,
+              const unsigned int      maximum_iterations);
+
+    std::string
+    description() const override;
+
+    std::size_t
+    n_linear_iterations() const override;
+
+  protected:
+    std::size_t
+    iterate(const Vector &right_hand_side, Vector &solution) override;
+
+    std::string
+    last_sets() const override;
+
+  private:
+    /** b − Aq, with the bounds of the set as equations. */
+    void
+    hold_and_compute_residual(const Vector &right_hand_side, Vector &solution);
+
+    /** The set that forces and openings call for. */
+    std::vector<bool>
+    next_set(const Vector &solution) const;
+
+    /** Whether it is another one on any rank. */
+    bool
+    is_other(const std::vector<bool> &next) const;
+
+    /** The set that follows on the active one, extrapolated. */
+    std::vector<bool>
+    extrapolated(const std::vector<bool> &next) const;
+
+    /** A number that stands for a set, and the number of its nodes. */
+    std::pair<std::uint64_t, unsigned int>
+    hash(const std::vector<bool> &set) const;
+
+    /** Notes the active set; false if it was there before. */
+    bool
+    is_new_set();
+
+    unsigned int
+    finish_by_newton(const Vector      &right_hand_side,
+                     Vector            &solution,
+                     const unsigned int maximum_steps);
+
+    const LipGraph     lip;
+    FaceSolver         face;
+    ProjectedNewton    newton;
+    const double       linear_tolerance;
+    const unsigned int maximum_iterations;
+
+    std::vector<bool> active; ///< for each locally owned bound
+    Vector            residual;
+    Vector            correction;
+
+    std::set<std::uint64_t>   seen; ///< hashes of the sets of this solve
+    std::vector<unsigned int> set_sizes;
+    unsigned int              rescues = 0;
+  };
+} // namespace Crevasse
+
+#endif

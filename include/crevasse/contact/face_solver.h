@@ -1,0 +1,66 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_contact_face_solver_h
+#define crevasse_contact_face_solver_h
+
+#include <crevasse/contact/signorini_problem.h>
+#include <crevasse/linear/linear_solver.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * Solves on a face of the cone, where some bounds hold as equations: A with
+   * their rows and columns left out. Conjugate gradients run on the unknowns
+   * that are left; their preconditioner is the linear solver's for all of A,
+   * projected. So another face costs no set-up, and any linear solver on any
+   * number of ranks will do.
+   */
+  class FaceSolver
+  {
+  public:
+    FaceSolver(const SignoriniProblem &problem, LinearSolver &linear_solver);
+
+    /**
+     * @param held for each locally owned bound whether it holds.
+     * @param residual b − Aq; its held entries do not count.
+     * @param residual_norm at which l₂ norm of the new residual to end.
+     * @param[out] correction to be added to q; zero in the held entries.
+     */
+    void
+    solve(const std::vector<bool> &held,
+          const Vector            &residual,
+          const double             residual_norm,
+          Vector                  &correction);
+
+    /** Sets the held entries of a vector to zero. */
+    void
+    project(const std::vector<bool> &held, Vector &vector) const;
+
+    /** Of the conjugate gradients, over all solves. */
+    std::size_t
+    n_iterations() const;
+
+    const LinearSolver &
+    linear_solver() const;
+
+  private:
+    const SignoriniProblem &problem;
+    LinearSolver           &solver;
+    Vector                  projected_residual;
+    std::size_t             iterations = 0;
+  };
+} // namespace Crevasse
+
+#endif

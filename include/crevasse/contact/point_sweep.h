@@ -1,0 +1,41 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_contact_point_sweep_h
+#define crevasse_contact_point_sweep_h
+
+#include <crevasse/contact/sweep.h>
+#include <crevasse/linear/matrix_rows.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /** Unknown by unknown: the paper's method (§6.1; Glowinski, Lions,
+   * Trémolières 1976). */
+  class PointSweep : public Sweep
+  {
+  public:
+    explicit PointSweep(const SignoriniProblem &problem);
+
+    double
+    operator()(const Vector &right_hand_side,
+               Vector       &solution,
+               const double  relaxation_factor) const override;
+
+  private:
+    const SignoriniProblem &problem;
+    const MatrixRows        rows;
+    std::vector<int>        bound_of; ///< for each unknown its bound, or −1
+  };
+} // namespace Crevasse
+
+#endif

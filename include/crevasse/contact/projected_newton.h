@@ -1,0 +1,80 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_contact_projected_newton_h
+#define crevasse_contact_projected_newton_h
+
+#include <crevasse/contact/face_solver.h>
+
+#include <functional>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * Bertsekas' projected Newton method (SIAM J. Control Optim. 20, 1982):
+   * Newton steps on the face of the bounds that are met and pressed, bent back
+   * into the cone, and shortened until the energy ½qᵀAq − bᵀq decreases enough.
+   * The energy falls with every step, so that nothing can repeat: it converges
+   * for every symmetric positive definite A, if slower than an active set that
+   * does not cycle.
+   */
+  class ProjectedNewton
+  {
+  public:
+    ProjectedNewton(const SignoriniProblem &problem, FaceSolver &face);
+
+    /**
+     * @param[in,out] solution any start.
+     * @param residual_norm accuracy of the linear solves (l₂).
+     * @param is_solved asked before each step.
+     * @return the number of steps. It also ends when the energy cannot be
+     * decreased any more, or after @p maximum_steps.
+     */
+    unsigned int
+    solve(const Vector                              &right_hand_side,
+          Vector                                    &solution,
+          const double                               residual_norm,
+          const std::function<bool(const Vector &)> &is_solved,
+          const unsigned int                         maximum_steps);
+
+    /** The face of the last step, for each locally owned bound. */
+    const std::vector<bool> &
+    held_bounds() const;
+
+  private:
+    /** Into the cone. */
+    void
+    project(Vector &solution) const;
+
+    void
+    compute_residual(const Vector &right_hand_side, const Vector &solution);
+
+    /** The bounds that are met, or nearly, and pressed. */
+    void
+    find_face(const Vector &solution);
+
+    /** Moves along the correction, bent at the bounds, by one step or the
+     * fraction of it that decreases the energy enough. False if none does. */
+    bool
+    search_along_correction(Vector &solution);
+
+    const SignoriniProblem &problem;
+    FaceSolver             &face;
+    std::vector<bool>       held;
+    Vector                  residual;
+    Vector                  correction;
+    Vector                  trial;
+    Vector                  product;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,63 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_linear_amg_cg_h
+#define crevasse_linear_amg_cg_h
+
+#include <crevasse/linear/linear_solver.h>
+
+#include <deal.II/lac/trilinos_precondition.h>
+
+namespace Crevasse
+{
+  /** Conjugate gradients with smoothed aggregation (Trilinos ML) as
+   * preconditioner, on any number of ranks. */
+  class AmgCg : public LinearSolver
+  {
+  public:
+    /**
+     * Sets the multigrid hierarchy up.
+     *
+     * @param near_null_space vectors of small energy, which the coarse spaces
+     * are to contain: the rigid motions.
+     * @param block_size numbers of unknowns at a node; consecutive in A.
+     * @param higher_order whether the elements are of degree 2 or more.
+     */
+    AmgCg(const Matrix              &matrix,
+          const std::vector<Vector> &near_null_space,
+          const unsigned int         block_size,
+          const bool                 higher_order);
+
+    void
+    precondition(Vector &solution, const Vector &right_hand_side) override;
+
+    bool
+    is_direct() const override;
+
+    std::string
+    description() const override;
+
+    std::string
+    preconditioner_description() const override;
+
+  protected:
+    unsigned int
+    apply_inverse(Vector       &solution,
+                  const Vector &right_hand_side,
+                  const double  residual_norm) override;
+
+  private:
+    const Matrix                             &matrix;
+    dealii::TrilinosWrappers::PreconditionAMG multigrid;
+  };
+} // namespace Crevasse
+
+#endif

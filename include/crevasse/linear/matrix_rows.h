@@ -1,0 +1,33 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_linear_matrix_rows_h
+#define crevasse_linear_matrix_rows_h
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+namespace Crevasse
+{
+  /** A view of the rows of a matrix that lives on one rank, no copy: the
+   * entries of row i are those with numbers from starts[i] up to, but without,
+   * starts[i + 1]. */
+  struct MatrixRows
+  {
+    explicit MatrixRows(const dealii::TrilinosWrappers::SparseMatrix &matrix);
+
+    int           n;
+    const int    *starts;
+    const int    *columns;
+    const double *values;
+  };
+} // namespace Crevasse
+
+#endif

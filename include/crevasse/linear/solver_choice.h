@@ -1,0 +1,57 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_linear_solver_choice_h
+#define crevasse_linear_solver_choice_h
+
+#include <crevasse/scene/parameters.h>
+
+#include <cstddef>
+#include <string>
+
+namespace Crevasse
+{
+  /** Which linear solver, and why. */
+  struct LinearSolverChoice
+  {
+    enum Type
+    {
+      cholesky,
+      mumps,
+      amg
+    };
+
+    Type        type;
+    std::string why;
+  };
+
+  /** What the scene asks for or, if that is "automatic", what is fastest by
+   * the measurements in doc/contact_solvers.md. */
+  LinearSolverChoice
+  choose_linear_solver(const LinearSolverParameters &parameters,
+                       const unsigned int            dimension,
+                       const std::size_t             n_unknowns,
+                       const unsigned int            n_ranks);
+
+  /** Which contact solver, and why; the names are those of the scene. */
+  struct ContactSolverChoice
+  {
+    std::string name;
+    std::string why;
+  };
+
+  ContactSolverChoice
+  choose_contact_solver(const ContactParameters  &parameters,
+                        const LinearSolverChoice &linear_solver,
+                        const std::size_t         n_bounds);
+} // namespace Crevasse
+
+#endif

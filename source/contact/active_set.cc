@@ -1,0 +1,252 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/contact/active_set.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  ActiveSet::ActiveSet(const SignoriniProblem &problem,
+                       LinearSolver           &linear_solver,
+                       const double            tolerance,
+                       const double            linear_tolerance,
+                       const unsigned int      maximum_iterations)
+    : ContactSolver(problem, tolerance)
+    , lip(problem)
+    , face(problem, linear_solver)
+    , newton(problem, face)
+    , linear_tolerance(linear_tolerance)
+    , maximum_iterations(maximum_iterations)
+    , active(problem.bounds.dofs.size(), false)
+    , residual(problem.diagonal())
+    , correction(problem.diagonal())
+  {
+  }
+
+
+
+  std::string
+  ActiveSet::description() const
+  {
+    std::string text = "active set, conjugate gradients with " +
+                       face.linear_solver().preconditioner_description();
+    if (rescues > 0)
+      text += ", " + std::to_string(rescues) +
+              " cycles ended by a projected Newton method";
+    return text;
+  }
+
+
+
+  std::size_t
+  ActiveSet::n_linear_iterations() const
+  {
+    return face.n_iterations();
+  }
+
+
+
+  std::string
+  ActiveSet::last_sets() const
+  {
+    std::string        text;
+    const std::size_t  n     = set_sizes.size();
+    constexpr unsigned shown = 5;
+    for (std::size_t k = n > shown ? n - shown : 0; k < n; ++k)
+      text += (text.empty() ? "" : ", ") + std::to_string(set_sizes[k]);
+    return text;
+  }
+
+
+
+  void
+  ActiveSet::hold_and_compute_residual(const Vector &right_hand_side,
+                                       Vector       &solution)
+  {
+    const UnilateralBounds &bounds = problem.bounds;
+    for (std::size_t k = 0; k < active.size(); ++k)
+      if (active[k])
+        solution(bounds.dofs[k]) = bounds.sign[k] * bounds.gap[k];
+    problem.matrix.vmult(residual, solution);
+    residual.sadd(-1., 1., right_hand_side);
+  }
+
+
+
+  std::vector<bool>
+  ActiveSet::next_set(const Vector &solution) const
+  {
+    const UnilateralBounds &bounds = problem.bounds;
+    // What the certificate grants is no reason to change the set: a node with
+    // neither force nor opening stays where it is.
+    const double least_force   = -0.5 * accuracy() * scales.force();
+    const double least_opening = -0.5 * accuracy() * scales.displacement();
+
+    std::vector<bool> next(active.size());
+    for (std::size_t k = 0; k < active.size(); ++k)
+      {
+        const auto   i       = bounds.dofs[k];
+        const double force   = -bounds.sign[k] * residual(i);
+        const double opening = bounds.sign[k] * solution(i) - bounds.gap[k];
+        next[k] = active[k] ? force >= least_force : opening < least_opening;
+      }
+    return next;
+  }
+
+
+
+  bool
+  ActiveSet::is_other(const std::vector<bool> &next) const
+  {
+    return Utilities::MPI::max(next != active ? 1 : 0,
+                               problem.matrix.get_mpi_communicator()) > 0;
+  }
+
+
+
+  std::vector<bool>
+  ActiveSet::extrapolated(const std::vector<bool> &next) const
+  {
+    const auto everywhere = [&](const std::vector<bool> &local) {
+      std::vector<double> flags(lip.n_nodes());
+      std::copy(local.begin(), local.end(), flags.begin() + lip.first());
+      lip.gather(flags.data());
+      return std::vector<bool>(flags.begin(), flags.end());
+    };
+    std::vector<bool> all_next = everywhere(next);
+    lip.extrapolate(everywhere(active), all_next);
+    const auto begin = all_next.begin() + lip.first();
+    return {begin, begin + next.size()};
+  }
+
+
+
+  std::pair<std::uint64_t, unsigned int>
+  ActiveSet::hash(const std::vector<bool> &set) const
+  {
+    // The sum of random-looking numbers, one for each of its unknowns, modulo
+    // 2⁶⁴ (the mixing step of SplitMix64): no rank has to know the set whole.
+    std::uint64_t sums[2] = {0, 0};
+    for (std::size_t k = 0; k < set.size(); ++k)
+      if (set[k])
+        {
+          std::uint64_t z =
+            (problem.bounds.dofs[k] + 1) * UINT64_C(0x9e3779b97f4a7c15);
+          z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+          z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+          sums[0] += z ^ (z >> 31);
+          ++sums[1];
+        }
+    const int error = MPI_Allreduce(MPI_IN_PLACE,
+                                    sums,
+                                    2,
+                                    MPI_UINT64_T,
+                                    MPI_SUM,
+                                    problem.matrix.get_mpi_communicator());
+    AssertThrowMPI(error);
+    return {sums[0], static_cast<unsigned int>(sums[1])};
+  }
+
+
+
+  bool
+  ActiveSet::is_new_set()
+  {
+    const auto [number, size] = hash(active);
+    set_sizes.push_back(size);
+    return seen.insert(number).second;
+  }
+
+
+
+  unsigned int
+  ActiveSet::finish_by_newton(const Vector      &right_hand_side,
+                              Vector            &solution,
+                              const unsigned int maximum_steps)
+  {
+    ++rescues;
+    const unsigned int n_steps = newton.solve(
+      right_hand_side,
+      solution,
+      residual_target(),
+      [&](const Vector &candidate) {
+        return is_solved(right_hand_side, candidate);
+      },
+      maximum_steps);
+
+    active = newton.held_bounds(); // where the next problem starts
+    return n_steps;
+  }
+
+
+
+  std::size_t
+  ActiveSet::iterate(const Vector &right_hand_side, Vector &solution)
+  {
+    seen.clear();
+    set_sizes.clear();
+    scales.include(problem, right_hand_side, solution);
+    is_new_set();
+    hold_and_compute_residual(right_hand_side, solution);
+
+    bool exactly = false; // whether every set is solved to the last digit
+    for (unsigned int n = 1;; ++n)
+      {
+        correction = residual;
+        face.project(active, correction);
+        const double norm   = correction.l2_norm();
+        const double target = residual_target();
+        const bool   last   = exactly || linear_tolerance * norm <= target;
+        if (norm > target)
+          {
+            face.solve(active,
+                       residual,
+                       last ? target : linear_tolerance * norm,
+                       correction);
+            solution += correction;
+            scales.include(problem, right_hand_side, solution);
+            hold_and_compute_residual(right_hand_side, solution);
+          }
+
+        std::vector<bool> next    = next_set(solution);
+        const bool        changed = is_other(next);
+        if ((!changed && last) || n >= maximum_iterations)
+          return n;
+        if (!changed)
+          continue;
+        std::vector<bool> further = extrapolated(next);
+        if (seen.count(hash(further).first) == 0)
+          next = std::move(further);
+        active = std::move(next);
+        if (!is_new_set())
+          {
+            if (exactly)
+              {
+                ++rescues;
+                return n + finish_by_newton(right_hand_side,
+                                            solution,
+                                            maximum_iterations - n);
+              }
+            // Perhaps only because the sets before were solved roughly.
+            exactly = true;
+            seen.clear();
+            is_new_set();
+          }
+        hold_and_compute_residual(right_hand_side, solution);
+      }
+  }
+} // namespace Crevasse

@@ -1,0 +1,214 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/contact/lip_graph.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Where the entries of each rank start. */
+    std::vector<int>
+    partial_sums(const std::vector<int> &counts)
+    {
+      std::vector<int> starts(counts.size(), 0);
+      std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
+      return starts;
+    }
+
+
+
+    /** Edges move by this many layers at least, or the formulas are not those
+     * of a layer. */
+    constexpr unsigned int fewest_layers = 3;
+  } // namespace
+
+
+
+  LipGraph::LipGraph(const SignoriniProblem &problem)
+    : communicator(problem.matrix.get_mpi_communicator())
+    , counts(Utilities::MPI::all_gather(communicator,
+                                        int(problem.bounds.dofs.size())))
+    , starts(partial_sums(counts))
+    , first_local(starts[Utilities::MPI::this_mpi_process(communicator)])
+  {
+    // Numbers by dof, of all ranks: the lip is small.
+    const auto all_dofs =
+      Utilities::MPI::all_gather(communicator, problem.bounds.dofs);
+    std::map<types::global_dof_index, unsigned int> node_of;
+    unsigned int                                    n = 0;
+    for (const auto &dofs : all_dofs)
+      for (const auto dof : dofs)
+        node_of[dof] = n++;
+
+    std::vector<Nodes> local;
+    for (const auto dof : problem.bounds.dofs)
+      {
+        local.emplace_back();
+        for (auto entry = problem.matrix.begin(dof);
+             entry != problem.matrix.end(dof);
+             ++entry)
+          if (entry->column() != dof && entry->value() != 0.)
+            if (const auto found = node_of.find(entry->column());
+                found != node_of.end())
+              local.back().push_back(found->second);
+      }
+    for (const auto &of_rank : Utilities::MPI::all_gather(communicator, local))
+      neighbours.insert(neighbours.end(), of_rank.begin(), of_rank.end());
+  }
+
+
+
+  unsigned int
+  LipGraph::first() const
+  {
+    return first_local;
+  }
+
+
+
+  unsigned int
+  LipGraph::n_nodes() const
+  {
+    return neighbours.size();
+  }
+
+
+
+  void
+  LipGraph::gather(double *on_lip) const
+  {
+    if (n_nodes() == 0)
+      return;
+    const int error = MPI_Allgatherv(MPI_IN_PLACE,
+                                     0,
+                                     MPI_DATATYPE_NULL,
+                                     on_lip,
+                                     counts.data(),
+                                     starts.data(),
+                                     MPI_DOUBLE,
+                                     communicator);
+    AssertThrowMPI(error);
+  }
+
+
+
+  template <typename IsOutside>
+  std::vector<LipGraph::Nodes>
+  LipGraph::layers(const unsigned int seed,
+                   std::vector<bool> &marked,
+                   const IsOutside   &is_outside) const
+  {
+    Nodes component = {seed}, first_layer;
+    marked[seed]    = false;
+    for (std::size_t k = 0; k < component.size(); ++k)
+      {
+        bool at_edge = false;
+        for (const unsigned int neighbour : neighbours[component[k]])
+          if (marked[neighbour])
+            {
+              marked[neighbour] = false;
+              component.push_back(neighbour);
+            }
+          else
+            at_edge = at_edge || is_outside(neighbour);
+        if (at_edge)
+          first_layer.push_back(component[k]);
+      }
+    if (first_layer.empty())
+      return {};
+
+    std::vector<bool> remaining(n_nodes(), false);
+    for (const unsigned int node : component)
+      remaining[node] = true;
+    for (const unsigned int node : first_layer)
+      remaining[node] = false;
+    std::vector<Nodes> result;
+    for (Nodes layer = first_layer; !layer.empty();)
+      {
+        result.push_back(layer);
+        layer.clear();
+        for (const unsigned int node : result.back())
+          for (const unsigned int neighbour : neighbours[node])
+            if (remaining[neighbour])
+              {
+                remaining[neighbour] = false;
+                layer.push_back(neighbour);
+              }
+      }
+    return result;
+  }
+
+
+
+  void
+  LipGraph::erode(const std::vector<Nodes> &layers,
+                  std::vector<bool>        &next) const
+  {
+    Nodes front;
+    for (const Nodes &layer : layers)
+      front.insert(front.end(), layer.begin(), layer.end());
+    for (std::size_t k = 0; k < layers.size(); ++k)
+      {
+        Nodes eroded;
+        for (const unsigned int node : front)
+          for (const unsigned int neighbour : neighbours[node])
+            if (next[neighbour])
+              {
+                next[neighbour] = false;
+                eroded.push_back(neighbour);
+              }
+        front = std::move(eroded);
+      }
+  }
+
+
+
+  void
+  LipGraph::extrapolate(const std::vector<bool> &active,
+                        std::vector<bool>       &next) const
+  {
+    const unsigned int n = n_nodes();
+    std::vector<bool>  leaving(n), entering(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        leaving[i]  = active[i] && !next[i];
+        entering[i] = !active[i] && next[i];
+      }
+
+    for (unsigned int i = 0; i < n; ++i)
+      if (leaving[i])
+        {
+          const auto of_component =
+            layers(i, leaving, [&](const unsigned j) { return !active[j]; });
+          if (of_component.size() >= fewest_layers)
+            erode(of_component, next);
+        }
+      else if (entering[i])
+        {
+          const auto of_component =
+            layers(i, entering, [&](const unsigned j) { return active[j]; });
+          const std::size_t depth = of_component.size();
+          if (depth >= fewest_layers)
+            for (std::size_t k = (2 * depth + 2) / 3; k < depth; ++k)
+              for (const unsigned int node : of_component[k])
+                next[node] = false;
+        }
+  }
+} // namespace Crevasse

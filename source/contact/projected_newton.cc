@@ -1,0 +1,143 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/contact/projected_newton.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  ProjectedNewton::ProjectedNewton(const SignoriniProblem &problem,
+                                   FaceSolver             &face)
+    : problem(problem)
+    , face(face)
+    , held(problem.bounds.dofs.size())
+  {
+  }
+
+
+
+  const std::vector<bool> &
+  ProjectedNewton::held_bounds() const
+  {
+    return held;
+  }
+
+
+
+  void
+  ProjectedNewton::project(Vector &solution) const
+  {
+    const UnilateralBounds &bounds = problem.bounds;
+    for (std::size_t k = 0; k < bounds.dofs.size(); ++k)
+      {
+        double &q = solution(bounds.dofs[k]);
+        if (bounds.sign[k] * q < bounds.gap[k])
+          q = bounds.sign[k] * bounds.gap[k];
+      }
+  }
+
+
+
+  void
+  ProjectedNewton::compute_residual(const Vector &right_hand_side,
+                                    const Vector &solution)
+  {
+    problem.matrix.vmult(residual, solution);
+    residual.sadd(-1., 1., right_hand_side);
+  }
+
+
+
+  void
+  ProjectedNewton::find_face(const Vector &solution)
+  {
+    // How far a projected Jacobi step would move: where bounds nearer than
+    // that are left out of the face, short steps could zigzag between them.
+    const UnilateralBounds &bounds = problem.bounds;
+    double                  reach  = 0.;
+    for (std::size_t k = 0; k < held.size(); ++k)
+      {
+        const auto   i       = bounds.dofs[k];
+        const double opening = bounds.sign[k] * solution(i) - bounds.gap[k];
+        const double step =
+          bounds.sign[k] * residual(i) / problem.diagonal()(i);
+        reach = std::max(reach, std::min(std::abs(step), std::abs(opening)));
+      }
+    reach = Utilities::MPI::max(reach, problem.matrix.get_mpi_communicator());
+
+    for (std::size_t k = 0; k < held.size(); ++k)
+      {
+        const auto   i       = bounds.dofs[k];
+        const double opening = bounds.sign[k] * solution(i) - bounds.gap[k];
+        held[k] = opening <= reach && bounds.sign[k] * residual(i) < 0.;
+      }
+  }
+
+
+
+  bool
+  ProjectedNewton::search_along_correction(Vector &solution)
+  {
+    // With v the movement, the energy changes by ½vᵀAv − rᵀv. Armijo's rule
+    // compares with the decrease that the slope promises.
+    constexpr double sufficient = 1e-4, shortest = 1e-12;
+    const double     slope = residual * correction;
+    for (double step = 1.; step > shortest; step *= 0.5)
+      {
+        trial = solution;
+        trial.add(step, correction);
+        project(trial);
+        trial -= solution;
+        problem.matrix.vmult(product, trial);
+        const double change = 0.5 * (trial * product) - residual * trial;
+        if (change <= -sufficient * step * slope)
+          {
+            solution += trial;
+            return true;
+          }
+      }
+    return false;
+  }
+
+
+
+  unsigned int
+  ProjectedNewton::solve(const Vector &right_hand_side,
+                         Vector       &solution,
+                         const double  residual_norm,
+                         const std::function<bool(const Vector &)> &is_solved,
+                         const unsigned int maximum_steps)
+  {
+    residual.reinit(solution, true);
+    correction.reinit(solution, true);
+    trial.reinit(solution, true);
+    product.reinit(solution, true);
+
+    project(solution);
+    for (unsigned int n = 0; n < maximum_steps; ++n)
+      {
+        if (is_solved(solution))
+          return n;
+        compute_residual(right_hand_side, solution);
+        find_face(solution);
+        face.solve(held, residual, residual_norm, correction);
+        if (!search_along_correction(solution))
+          return n;
+      }
+    return maximum_steps;
+  }
+} // namespace Crevasse

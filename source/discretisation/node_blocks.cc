@@ -1,0 +1,54 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/discretisation/node_blocks.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  template <int dim>
+  std::vector<std::vector<types::global_dof_index>>
+  node_blocks(const Space<dim> &space)
+  {
+    const FESystem<dim> &fe = space.finite_element();
+
+    // The dof of component 0 stands for the node.
+    std::vector<std::vector<types::global_dof_index>> of_first_dof(
+      space.dof_handler().n_dofs());
+    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      {
+        cell->get_dof_indices(indices);
+        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+          if (fe.system_to_component_index(i).first == 0)
+            {
+              const unsigned int shape = fe.system_to_component_index(i).second;
+              auto              &block = of_first_dof[indices[i]];
+              block.clear();
+              for (unsigned int c = 0; c < dim; ++c)
+                block.push_back(
+                  indices[fe.component_to_system_index(c, shape)]);
+            }
+      }
+
+    std::vector<std::vector<types::global_dof_index>> blocks;
+    for (auto &block : of_first_dof)
+      if (!block.empty())
+        blocks.push_back(std::move(block));
+    return blocks;
+  }
+
+
+
+  template std::vector<std::vector<types::global_dof_index>>
+  node_blocks<2>(const Space<2> &);
+} // namespace Crevasse

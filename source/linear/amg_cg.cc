@@ -1,0 +1,116 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/linear/amg_cg.h>
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <sstream>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  AmgCg::AmgCg(const Matrix              &matrix,
+               const std::vector<Vector> &near_null_space,
+               const unsigned int         block_size,
+               const bool                 higher_order)
+    : matrix(matrix)
+  {
+    TrilinosWrappers::PreconditionAMG::AdditionalData settings;
+    settings.elliptic              = true;
+    settings.higher_order_elements = higher_order;
+
+    Teuchos::ParameterList              parameters;
+    std::unique_ptr<Epetra_MultiVector> no_modes;
+    settings.set_parameters(parameters, no_modes, matrix);
+
+    // deal.II passes on piecewise constant modes only; rotations are not.
+    const std::size_t   n = matrix.local_size();
+    std::vector<double> modes;
+    modes.reserve(n * near_null_space.size());
+    for (const Vector &mode : near_null_space)
+      modes.insert(modes.end(), mode.begin(), mode.end());
+    parameters.set("PDE equations", static_cast<int>(block_size));
+    parameters.set("null space: type", "pre-computed");
+    parameters.set("null space: dimension",
+                   static_cast<int>(near_null_space.size()));
+    parameters.set("null space: vectors", modes.data());
+
+    multigrid.initialize(matrix, parameters);
+  }
+
+
+
+  bool
+  AmgCg::is_direct() const
+  {
+    return false;
+  }
+
+
+
+  std::string
+  AmgCg::description() const
+  {
+    return "conjugate gradients with " + preconditioner_description();
+  }
+
+
+
+  std::string
+  AmgCg::preconditioner_description() const
+  {
+    return "smoothed aggregation (ML)";
+  }
+
+
+
+  void
+  AmgCg::precondition(Vector &solution, const Vector &right_hand_side)
+  {
+    multigrid.vmult(solution, right_hand_side);
+  }
+
+
+
+  unsigned int
+  AmgCg::apply_inverse(Vector       &solution,
+                       const Vector &right_hand_side,
+                       const double  residual_norm)
+  {
+    constexpr unsigned int maximum_iterations = 1000;
+    SolverControl          control(maximum_iterations, residual_norm);
+    SolverCG<Vector>       cg(control);
+    try
+      {
+        cg.solve(matrix, solution, right_hand_side, multigrid);
+      }
+    catch (const SolverControl::NoConvergence &error)
+      {
+        std::ostringstream message;
+        message << "The conjugate gradients with multigrid did not reach the "
+                   "residual "
+                << residual_norm << " in " << error.last_step
+                << " iterations: they ended at " << error.last_residual
+                << ". Check [Material] for extreme contrasts and the mesh for "
+                   "degenerate cells; raise [Contact] Tolerance; or use "
+                   "[Linear solver] Type = cholesky or mumps.";
+        throw NumericalError(message.str());
+      }
+    return control.last_step();
+  }
+} // namespace Crevasse

@@ -1,0 +1,86 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/linear/linear_solver.h>
+
+namespace Crevasse
+{
+  void
+  LinearSolver::solve(Vector       &solution,
+                      const Vector &right_hand_side,
+                      const double  residual_norm)
+  {
+    const dealii::Timer timer;
+    iterations += apply_inverse(solution, right_hand_side, residual_norm);
+    wall_time += timer.wall_time();
+    ++solves;
+  }
+
+
+
+  void
+  LinearSolver::solve(std::vector<Vector> &right_hand_sides,
+                      const double         residual_norm)
+  {
+    const dealii::Timer timer;
+    iterations += apply_inverse_to_all(right_hand_sides, residual_norm);
+    wall_time += timer.wall_time();
+    solves += right_hand_sides.size();
+  }
+
+
+
+  unsigned int
+  LinearSolver::apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
+                                     const double         residual_norm)
+  {
+    unsigned int n = 0;
+    for (Vector &right_hand_side : right_hand_sides)
+      {
+        const Vector copy = right_hand_side;
+        right_hand_side   = 0.;
+        n += apply_inverse(right_hand_side, copy, residual_norm);
+      }
+    return n;
+  }
+
+
+
+  std::string
+  LinearSolver::preconditioner_description() const
+  {
+    return description();
+  }
+
+
+
+  std::size_t
+  LinearSolver::n_solves() const
+  {
+    return solves;
+  }
+
+
+
+  std::size_t
+  LinearSolver::n_iterations() const
+  {
+    return iterations;
+  }
+
+
+
+  double
+  LinearSolver::seconds() const
+  {
+    return wall_time;
+  }
+} // namespace Crevasse

@@ -1,0 +1,39 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/linear/matrix_rows.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <Epetra_CrsMatrix.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  MatrixRows::MatrixRows(const TrilinosWrappers::SparseMatrix &matrix)
+    : n(matrix.m())
+  {
+    Assert(Utilities::MPI::n_mpi_processes(matrix.get_mpi_communicator()) == 1,
+           ExcMessage("Rows of other ranks are not in sight."));
+    int      *row_starts;
+    int      *indices;
+    double   *entries;
+    const int error =
+      matrix.trilinos_matrix().ExtractCrsDataPointers(row_starts,
+                                                      indices,
+                                                      entries);
+    AssertThrow(error == 0, ExcTrilinosError(error));
+    starts  = row_starts;
+    columns = indices;
+    values  = entries;
+  }
+} // namespace Crevasse

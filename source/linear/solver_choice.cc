@@ -1,0 +1,78 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/linear/solver_choice.h>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** Above this many unknowns a factor takes more memory, or its making more
+     * time, than the solves of a run are worth. */
+    std::size_t
+    largest_factorised(const unsigned int dimension)
+    {
+      return dimension == 2 ? 4000000 : 150000;
+    }
+  } // namespace
+
+
+
+  LinearSolverChoice
+  choose_linear_solver(const LinearSolverParameters &parameters,
+                       const unsigned int            dimension,
+                       const std::size_t             n_unknowns,
+                       const unsigned int            n_ranks)
+  {
+    using Choice          = LinearSolverChoice;
+    const std::string why = "[Linear solver] Type = " + parameters.type;
+    if (parameters.type == "cholesky")
+      return {Choice::cholesky, why};
+    if (parameters.type == "mumps")
+      return {Choice::mumps, why};
+    if (parameters.type == "amg")
+      return {Choice::amg, why};
+
+    const std::string limit = std::to_string(largest_factorised(dimension)) +
+                              " unknowns in " + std::to_string(dimension) + "D";
+    if (n_unknowns > largest_factorised(dimension))
+      return {Choice::amg, "automatic: more than " + limit};
+    if (n_ranks == 1)
+      return {Choice::cholesky, "automatic: one process, at most " + limit};
+    return {Choice::mumps, "automatic: several processes, at most " + limit};
+  }
+
+
+
+  ContactSolverChoice
+  choose_contact_solver(const ContactParameters  &parameters,
+                        const LinearSolverChoice &linear_solver,
+                        const std::size_t         n_bounds)
+  {
+    if (parameters.solver != "automatic")
+      return {parameters.solver, "[Contact] Solver = " + parameters.solver};
+
+    // The dense matrices of the condensed problem grow with the square of the
+    // lip, the work on them with its cube.
+    constexpr std::size_t largest_lip = 3000;
+    if (linear_solver.type == LinearSolverChoice::amg)
+      return {"active set",
+              "automatic: without a factor there are no cheap "
+              "columns of the compliance"};
+    if (n_bounds > largest_lip)
+      return {"active set",
+              "automatic: the lip has more than " +
+                std::to_string(largest_lip) + " nodes"};
+    return {"condensed active set",
+            "automatic: a factor, and a lip of at most " +
+              std::to_string(largest_lip) + " nodes"};
+  }
+} // namespace Crevasse

@@ -1,0 +1,112 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_tests_plate_on_plane_h
+#define crevasse_tests_plate_on_plane_h
+
+#include <crevasse/contact/signorini_problem.h>
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/stiffness.h>
+#include <crevasse/material/maxwell_law.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <memory>
+#include <string>
+
+/** A plate, five times as long as high, clamped at both ends, its lower edge
+ * on a plane from which it may lift off, with the traction 10 cos 5πx on its
+ * top: parts of the lip are closed. */
+class PlateOnPlane
+{
+public:
+  /** @param n numbers of cells along the lip, a multiple of 5.
+   * @param hanging_nodes whether cells at half of the lip are refined. */
+  PlateOnPlane(const MPI_Comm     communicator,
+               const unsigned int n,
+               const unsigned int degree,
+               const bool         hanging_nodes = false)
+    : law(material())
+    , space(mesh(communicator, n, hanging_nodes), degree, roles(), {})
+    , points(space)
+    , strain_operator(space, points)
+    , lip(space, Crevasse::Expression("0"))
+  {
+    Crevasse::assemble_stiffness(space, law.stiffness(), matrix);
+    for (const auto &node : lip.nodes())
+      {
+        bounds.dofs.push_back(node.dof);
+        bounds.sign.push_back(node.sign);
+        bounds.gap.push_back(0.);
+      }
+  }
+
+  /** The nodal forces of a traction on the top. */
+  Crevasse::Vector
+  loads(const std::string &traction = "0; 10*cos(5*pi*x)") const
+  {
+    Crevasse::LoadParameters parameters;
+    parameters.traction = traction;
+    Crevasse::Vector b;
+    strain_operator.initialize(b);
+    Crevasse::ExternalLoads<2>(space, strain_operator, parameters)
+      .evaluate(0., b);
+    return b;
+  }
+
+  const Crevasse::MaxwellLaw<2>      law;
+  const Crevasse::Space<2>           space;
+  const Crevasse::QuadratureField<2> points;
+  const Crevasse::StrainOperator<2>  strain_operator;
+  const Crevasse::ContactBoundary<2> lip;
+  Crevasse::SparseMatrix             matrix;
+  Crevasse::UnilateralBounds         bounds;
+
+private:
+  static Crevasse::MaterialParameters
+  material()
+  {
+    Crevasse::MaterialParameters parameters;
+    parameters.young_modulus = 13000.;
+    parameters.poisson_ratio = 0.2;
+    return parameters;
+  }
+
+  static Crevasse::BoundaryRoles
+  roles()
+  {
+    Crevasse::BoundaryRoles roles;
+    roles.clamped = {0, 1};
+    roles.contact = {2};
+    roles.loaded  = {3};
+    return roles;
+  }
+
+  static std::shared_ptr<const Crevasse::Mesh<2>>
+  mesh(const MPI_Comm     communicator,
+       const unsigned int n,
+       const bool         hanging_nodes)
+  {
+    auto mesh = std::make_shared<Crevasse::Mesh<2>>(communicator);
+    dealii::GridGenerator::subdivided_hyper_rectangle(
+      *mesh, {n, n / 5}, {}, {1., 0.2}, true);
+    for (const auto &cell : mesh->active_cell_iterators())
+      if (hanging_nodes && cell->is_locally_owned() &&
+          cell->center()[0] > 0.5 && cell->center()[1] < 0.1)
+        cell->set_refine_flag();
+    mesh->execute_coarsening_and_refinement();
+    return mesh;
+  }
+};
+
+#endif

@@ -1,0 +1,163 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+// One, two and four ranks give the same solution: the one that this rank finds
+// for itself, with everything on it.
+
+#include <crevasse/contact/active_set.h>
+#include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/contact/projected_sor.h>
+#include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/linear/amg_cg.h>
+#include <crevasse/linear/cholesky.h>
+#include <crevasse/linear/mumps.h>
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <crevasse_tests/plate_on_plane.h>
+#include <crevasse_tests/tests.h>
+#include <map>
+
+using namespace Crevasse;
+
+namespace
+{
+  using PointOrder = std::pair<std::pair<long, long>, unsigned int>;
+
+  /** The locally owned entries by place and component: numberings differ
+   * between ranks. */
+  std::map<PointOrder, double>
+  by_place(const PlateOnPlane &plate, const Vector &q)
+  {
+    std::map<dealii::types::global_dof_index, dealii::Point<2>> points;
+    const auto &dofs = plate.space.dof_handler();
+    dealii::DoFTools::map_dofs_to_support_points(plate.space.mapping(),
+                                                 dofs,
+                                                 points);
+    std::map<PointOrder, double> entries;
+    for (unsigned int component = 0; component < 2; ++component)
+      {
+        dealii::ComponentMask mask(2, false);
+        mask.set(component, true);
+        for (const auto dof : dealii::DoFTools::extract_dofs(dofs, mask))
+          entries[{{std::lround(1e6 * points[dof][0]),
+                    std::lround(1e6 * points[dof][1])},
+                   component}] = q(dof);
+      }
+    return entries;
+  }
+
+  Vector
+  solve(ContactSolver &solver, const Vector &b, double &total_force)
+  {
+    std::vector<double> forces;
+    Vector              q(b);
+    q = 0.;
+    solver.solve(b, q, forces);
+    Vector opposite(b);
+    opposite *= -1.;
+    solver.solve(opposite, q, forces);
+    solver.solve(b, q, forces); // from a wrong set
+    total_force = 0.;
+    for (const double force : forces)
+      total_force += force;
+    total_force =
+      dealii::Utilities::MPI::sum(total_force, b.get_mpi_communicator());
+    return q;
+  }
+
+  void
+  compare(const unsigned int degree, const bool hanging_nodes)
+  {
+    constexpr unsigned int n         = 12;
+    constexpr double       tolerance = 1e-12;
+    double                 force_alone;
+    const PlateOnPlane     plate_alone(MPI_COMM_SELF, n, degree, hanging_nodes);
+    const SignoriniProblem problem_alone(plate_alone.matrix,
+                                         plate_alone.bounds);
+    Cholesky               cholesky(plate_alone.matrix);
+    CondensedActiveSet     alone(problem_alone, cholesky, tolerance);
+    const auto             reference =
+      by_place(plate_alone, solve(alone, plate_alone.loads(), force_alone));
+
+    const PlateOnPlane     plate(MPI_COMM_WORLD, n, degree, hanging_nodes);
+    const SignoriniProblem problem(plate.matrix, plate.bounds);
+    Mumps                  mumps(plate.matrix);
+    AmgCg amg(plate.matrix, rigid_modes(plate.space), 2, degree > 1);
+    CondensedActiveSet condensed(problem, mumps, tolerance);
+    ActiveSet          with_mumps(problem, mumps, tolerance, 1e-3, 100);
+    ActiveSet          with_amg(problem, amg, tolerance, 1e-3, 100);
+
+    std::cout << "degree " << degree << (hanging_nodes ? ", hanging nodes" : "")
+              << std::endl;
+    const auto check_solver = [&](const std::string &name,
+                                  ContactSolver     &solver) {
+      double force, difference = 0., size = 0.;
+      for (const auto &[place, value] :
+           by_place(plate, solve(solver, plate.loads(), force)))
+        {
+          const double expected = reference.at(place);
+          difference = std::max(difference, std::abs(value - expected));
+          size       = std::max(size, std::abs(expected));
+        }
+      difference = dealii::Utilities::MPI::max(difference, MPI_COMM_WORLD);
+      size       = dealii::Utilities::MPI::max(size, MPI_COMM_WORLD);
+      check_below(name + ", displacement", difference / size, 1e-9);
+      check_below(name + ", contact force",
+                  std::abs(force / force_alone - 1.),
+                  1e-9);
+    };
+    check_solver("condensed active set, MUMPS", condensed);
+    check_solver("active set, MUMPS", with_mumps);
+    check_solver("active set, AMG", with_amg);
+  }
+
+  /** What works on one rank only says so, and what to do. */
+  void
+  refusals()
+  {
+    const bool several =
+      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
+    const PlateOnPlane     plate(MPI_COMM_WORLD, 10, 1);
+    const SignoriniProblem problem(plate.matrix, plate.bounds);
+    const auto             refuses = [](const auto &action) {
+      try
+        {
+          action();
+        }
+      catch (const SceneError &error)
+        {
+          return std::string(error.what()).find("automatic") !=
+                 std::string::npos;
+        }
+      return false;
+    };
+    check("projected SOR is refused on several ranks only",
+          refuses([&]() { make_sweep(problem, {}); }) == several);
+    check("Cholesky is refused on several ranks only",
+          refuses([&]() { Cholesky solver(plate.matrix); }) == several);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, []() {
+    // Only one rank's output is compared.
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      std::cout.setstate(std::ios::failbit);
+    for (const unsigned int degree : {1, 2})
+      for (const bool hanging_nodes : {false, true})
+        compare(degree, hanging_nodes);
+    refusals();
+  });
+}
