@@ -222,6 +222,15 @@ CASES = [
           "Boundary/Clamped=1", "Boundary/Symmetry=none"],
          scene=MESH_SCENE),
 
+    Case("lips_of_a_full_model", 2,
+         [r"\[Boundary\] Contact: at \(0\.5,? 0\) two faces with opposite "
+          "normals share a node", "not the half model", "as Symmetry"],
+         [mesh("slit"), "Boundary/Clamped=1", "Boundary/Symmetry=none",
+          "Boundary/Fixed points=none"], scene=MESH_SCENE),
+    Case("lips_of_a_full_model_held", 2,
+         [r"\[Boundary\] Contact: at \(0\.5,? 0\) two faces with opposite"],
+         [mesh("slit"), "Boundary/Clamped=1", "Boundary/Symmetry=none",
+          "Boundary/Fixed points=0.5, 0"], scene=MESH_SCENE),
     Case("lip_tied_to_inclined_symmetry", 2,
          [r"\[Boundary\] Contact: .* at \(.*, 0\)",
           "tied to another one by an inclined plane of symmetry"],
