@@ -364,6 +364,22 @@ def test_output_directory():
                    [rf"\[Output directory\] {scene}: cannot be"])
 
 
+def test_what_is_in_the_way():
+    """A directory where a file is to be written is found before computing."""
+    scene = pathlib.Path("in_the_way.prm")
+    scene.write_text(SCENE)
+    directory = pathlib.Path("results/in_the_way")
+    shutil.rmtree(directory, ignore_errors=True)
+    (directory / "solution.pvd").mkdir(parents=True)
+    for _ in range(2):  # without and with an earlier run's used.prm
+        check_messages("in the way", *execute(scene, "--output", directory), 4,
+                       [r"\[Output directory\] results/in_the_way: "
+                        r"solution\.pvd is a directory", "--output DIR"])
+        check((directory / "solution.pvd").is_dir(), "it was removed")
+        check(not (directory / "log.txt").exists(), "something was computed")
+        (directory / "used.prm").write_text(SCENE)
+
+
 def test_stability_bound():
     """The number of steps in the message is the smallest that will do."""
     scene = pathlib.Path("stability_bound.prm")
@@ -424,5 +440,6 @@ def test_not_yet_periodic():
 test_cases()
 test_missing_scene()
 test_output_directory()
+test_what_is_in_the_way()
 test_stability_bound()
 test_not_yet_periodic()

@@ -140,6 +140,28 @@ def test_directories():
           "Output directory has no effect")
 
 
+def test_earlier_results():
+    """Of an earlier run nothing is left, of other people's files everything."""
+    scene = write_scene("earlier.prm")
+    directory = remove("results/earlier")
+    directory.mkdir(parents=True)
+    arguments = ("--quiet", scene, "--output", directory, "--set",
+                 "Periodic state/Maximum periods=1")
+    notes = directory / "notes.txt"
+    theirs = directory / "probe_measured.csv"
+    for path in (notes, theirs):
+        path.write_text("1, 2, 3\n")
+    succeed(*arguments)
+    check(theirs.exists(), "removed a table where no run had been")
+
+    succeed(*arguments, "--set", "Output/Probes=other: 0.3, 0.6")
+    for name in ("probe_A.csv", "probe_measured.csv"):
+        check(not (directory / name).exists(),
+              f"{name} could be taken for this run's")
+    check((directory / "probe_other.csv").exists() and notes.exists(),
+          "a file is missing")
+
+
 def test_set():
     """Only the first "=" ends the name; commas do not end the value."""
     scene = write_scene("set.prm")
@@ -199,6 +221,7 @@ test_mistakes()
 test_check()
 test_quiet_and_output()
 test_directories()
+test_earlier_results()
 test_set()
 test_print_parameters()
 test_round_trips()
