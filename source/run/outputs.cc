@@ -120,7 +120,7 @@ namespace Crevasse
     summary["extremes"]["stress"] = largest_stress->value;
     if (contact_table != nullptr)
       summary["extremes"]["opening"] = contact_table->largest_opening();
-    summary["secular"]["on"] = false; // measured, not solved for
+    summary["secular"]["on"] = false; // the secular problem is not solved yet
     if (drift != nullptr)
       finish_drift(summary);
     if (comparison != nullptr)
@@ -142,13 +142,13 @@ namespace Crevasse
     const Vector &gain   = drift->last_period();
     const double  period = steps.period();
 
-    auto &secular           = summary["secular"];
-    secular["largest_rate"] = gain.linfty_norm() / period;
+    auto &rates           = summary["drift"];
+    rates["largest_rate"] = gain.linfty_norm() / period;
     for (const auto &probe : probes)
       {
-        const Tensor<1, dim> beta = probe.displacement(gain) / period;
+        const Tensor<1, dim> rate = probe.displacement(gain) / period;
         for (unsigned int d = 0; d < dim; ++d)
-          secular["beta"][probe.name()].push_back(beta[d]);
+          rates["per_probe"][probe.name()].push_back(rate[d]);
       }
   }
 

@@ -25,7 +25,7 @@ for degree in (1, 2):
         check_below(comparison["stress_difference"], 1e-10, name + ": stress")
         check_below(comparison["drift_difference"], 1e-10,
                     name + ": drift per period against T beta")
-        opening_rate = summary["secular"]["beta"]["C"][1]
+        opening_rate = summary["drift"]["per_probe"]["C"][1]
         check(abs(opening_rate) < 1e-15 if case == "closed" else
               opening_rate > 0, name + ": only the open lip goes on opening")
         check(summary["counters"]["assemblies"] ==

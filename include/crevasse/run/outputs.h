@@ -49,7 +49,7 @@ namespace Crevasse
     observers() const;
 
     /** Writes the fields, prints what was found, and adds it to the summary:
-     * extremes, secular, elastic_comparison. */
+     * extremes, drift, elastic_comparison. */
     void
     finish(Summary &summary);
 
@@ -61,6 +61,11 @@ namespace Crevasse
     Derived *
     add(Arguments &&...arguments);
 
+    /** summary.json "drift": what the displacement has gained over the last
+     * period, divided by its length T (length/time): the largest component of
+     * any node, and the vector at each probe. This is measured, whether the
+     * stress is periodic yet or not; the rate β of the secular problem is its
+     * limit. */
     void
     finish_drift(Summary &summary) const;
     void
