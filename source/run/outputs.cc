@@ -60,6 +60,7 @@ namespace Crevasse
                         const std::vector<ProbeEvaluator<dim>> &probes,
                         Solvers<dim>                           &solvers,
                         const StepList                         &steps,
+                        const Integrator                       *integrator,
                         Log                                    &log,
                         const std::string                      &directory)
     : body(body)
@@ -83,8 +84,8 @@ namespace Crevasse
     if (scene.output.elastic_comparison != "none")
       {
         ElasticComparison::Reference reference = elastic_reference(
-          body, solvers, steps, scene.output.elastic_comparison == "closed");
-        comparison = add<ElasticComparison>(std::move(reference), steps);
+          body, solvers, steps, integrator, scene.output.elastic_comparison);
+        comparison = add<ElasticComparison>(std::move(reference));
       }
     if (body.effects.field_output.on)
       fields = add<FieldWriter<dim>>(body.space,
@@ -167,7 +168,7 @@ namespace Crevasse
                   "largest stress",
                   stress);
     log.line(text);
-    if (drift == nullptr || body.law.uniform_relaxation_time() == 0.)
+    if (drift == nullptr)
       return;
 
     const double difference =

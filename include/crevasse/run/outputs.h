@@ -22,6 +22,7 @@
 #include <crevasse/output/tables.h>
 #include <crevasse/run/body.h>
 #include <crevasse/run/solvers.h>
+#include <crevasse/time/integrator.h>
 
 #include <memory>
 #include <string>
@@ -42,6 +43,7 @@ namespace Crevasse
             const std::vector<ProbeEvaluator<dim>> &probes,
             Solvers<dim>                           &solvers,
             const StepList                         &steps,
+            const Integrator                       *integrator,
             Log                                    &log,
             const std::string                      &directory);
 
