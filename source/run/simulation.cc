@@ -82,7 +82,7 @@ namespace Crevasse
   {
     if (!scene.title.empty())
       log.line(scene.title);
-    describe_sizes(body, steps, log);
+    describe_sizes(body, steps, scene.output.field_times, log);
     for (const Effects::Effect &effect : body.effects.list())
       {
         char text[200];

@@ -6,7 +6,7 @@ import pathlib
 import re
 import shutil
 
-from crevasse_run import check, execute, run
+from crevasse_run import SOURCE, check, execute, run
 
 SCENE = """\
 set Title = A = b, c
@@ -111,6 +111,19 @@ def test_check():
                     r"body force +off +\(", r"field output +on +\(",
                     "10 steps a period", "nothing was computed"):
         check(re.search(pattern, output), f"--check does not print {pattern}")
+
+
+def test_predicted_memory():
+    """21 instants of 57344 points (two tensors of 4) and 29250 unknowns."""
+    scene = SOURCE / "prm/raous1980.prm"
+    sizes = []
+    for times in ("", ", ".join(str(30 * k) for k in range(20))):
+        output = succeed("--check", scene, "--set", "Geometry/Refinements=4",
+                         "--set", f"Output/Field times={times}")
+        sizes.append(float(re.search(r"about (\d+) MB", output)[1]))
+    print(f"memory without and with field times: {sizes} MB")
+    expected = 20 * 8e-6 * (2 * 4 * 57344 + 29250)
+    check(abs(sizes[1] - sizes[0] - expected) <= 1.01, f"not {expected} MB more")
 
 
 def test_quiet_and_output():
@@ -219,6 +232,7 @@ def test_round_trips():
 test_questions()
 test_mistakes()
 test_check()
+test_predicted_memory()
 test_quiet_and_output()
 test_directories()
 test_earlier_results()
