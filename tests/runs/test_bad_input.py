@@ -390,8 +390,8 @@ def test_what_is_in_the_way():
     (directory / "solution.pvd").mkdir(parents=True)
     for _ in range(2):  # without and with an earlier run's used.prm
         check_messages("in the way", *execute(scene, "--output", directory), 4,
-                       [r"\[Output directory\] results/in_the_way: "
-                        r"solution\.pvd is a directory", "--output DIR"])
+                       [r"results/in_the_way: solution\.pvd is a directory",
+                        "--output DIR"])
         check((directory / "solution.pvd").is_dir(), "it was removed")
         check(not (directory / "log.txt").exists(), "something was computed")
         (directory / "used.prm").write_text(SCENE)
