@@ -10,13 +10,14 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -64,6 +65,102 @@ namespace Crevasse
           "contact cannot be imposed there. Let the lip end elsewhere, or "
           "turn the mesh so that the plane is parallel to an axis.");
     }
+
+
+
+    /** Two lips that meet in one node press it from both sides: it cannot be
+     * kept off a plane. */
+    template <int dim>
+    void
+    require_same_side(const LipNode<dim> &one, const LipNode<dim> &other)
+    {
+      if (one.sign != other.sign)
+        throw SceneError(
+          "[Boundary] Contact: at " + Text::from_point(one.point) +
+          " two faces with opposite normals share a node. The lip touches its "
+          "plane of symmetry from one side: this is not the half model of a "
+          "crack. Model the half above or below the plane, with the crack as "
+          "Contact and the rest of the plane as Symmetry.");
+    }
+
+
+
+    /** The nodes of one face of the lip, with the weights of this face. */
+    template <int dim>
+    class FaceNodes
+    {
+    public:
+      explicit FaceNodes(const Space<dim> &space)
+        : fe(space.finite_element())
+        , values(space.mapping(),
+                 fe,
+                 space.face_quadrature(),
+                 update_values | update_normal_vectors | update_JxW_values)
+        , support_values(space.mapping(),
+                         fe,
+                         Quadrature<dim>(fe.get_unit_support_points()),
+                         update_quadrature_points)
+        , indices(fe.n_dofs_per_cell())
+      {
+      }
+
+
+
+      std::vector<LipNode<dim>>
+      of(const typename DoFHandler<dim>::active_cell_iterator &cell,
+         const unsigned int                                    face)
+      {
+        values.reinit(cell, face);
+        support_values.reinit(cell);
+        cell->get_dof_indices(indices);
+        const auto [axis, sign] =
+          inward_axis<dim>(values.normal_vector(0), cell->face(face)->center());
+
+        std::vector<LipNode<dim>> nodes;
+        for (unsigned int i = 0; i < indices.size(); ++i)
+          {
+            if (fe.system_to_component_index(i).first != axis ||
+                !fe.has_support_on_face(i, face))
+              continue;
+            nodes.emplace_back();
+            nodes.back().dof       = indices[i];
+            nodes.back().component = axis;
+            nodes.back().sign      = sign;
+            nodes.back().point     = support_values.quadrature_point(i);
+            for (const unsigned int q : values.quadrature_point_indices())
+              nodes.back().weight +=
+                values.shape_value_component(i, q, axis) * values.JxW(q);
+          }
+        return nodes;
+      }
+
+    private:
+      const FESystem<dim>                 &fe;
+      FEFaceValues<dim>                    values;
+      FEValues<dim>                        support_values;
+      std::vector<types::global_dof_index> indices;
+    };
+
+
+
+    /** Keeps the free node of a face that is nearest to a held one. Cells come
+     * in the same order on any number of ranks, and the first of equals
+     * stays. */
+    template <int dim>
+    void
+    keep_nearest(std::pair<double, types::global_dof_index> &nearest,
+                 const LipNode<dim>                         &held,
+                 const std::vector<LipNode<dim>>            &on_face,
+                 const AffineConstraints<double>            &constraints)
+    {
+      for (const LipNode<dim> &node : on_face)
+        if (!constraints.is_constrained(node.dof))
+          {
+            const double distance = node.point.distance(held.point);
+            if (distance < (1. - 1e-10) * nearest.first)
+              nearest = {distance, node.dof};
+          }
+    }
   } // namespace
 
 
@@ -73,66 +170,108 @@ namespace Crevasse
                                         Expression      &&gap_formula)
     : gap(std::move(gap_formula))
   {
-    const FESystem<dim>  &fe = space.finite_element();
-    FEFaceValues<dim>     values(space.mapping(),
-                             fe,
-                             space.face_quadrature(),
-                             update_values | update_normal_vectors |
-                               update_JxW_values | update_quadrature_points);
-    const Quadrature<dim> support(fe.get_unit_support_points());
-    FEValues<dim>         support_values(space.mapping(),
-                                 fe,
-                                 support,
-                                 update_quadrature_points);
+    collectively(space.communicator(), [&]() { find_nodes(space); });
+    share_weights(space);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactBoundary<dim>::find_nodes(const Space<dim> &space)
+  {
+    const IndexSet &owned       = space.dof_handler().locally_owned_dofs();
+    const auto     &constraints = space.constraints();
 
     // Weights are sums over the faces of all ranks that share a node; ghost
     // cells are visited too instead of communicating.
+    FaceNodes<dim>                                  face_nodes(space);
     std::map<types::global_dof_index, LipNode<dim>> nodes;
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-    const IndexSet &owned = space.dof_handler().locally_owned_dofs();
+    std::map<types::global_dof_index,
+             std::pair<double, types::global_dof_index>>
+      nearest;
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       if (!cell->is_artificial() && cell->at_boundary())
         for (const unsigned int f : cell->face_indices())
           {
-            const auto face = cell->face(f);
-            if (!face->at_boundary() ||
-                space.roles().contact.count(face->boundary_id()) == 0)
+            if (!cell->face(f)->at_boundary() ||
+                space.roles().contact.count(cell->face(f)->boundary_id()) == 0)
               continue;
-            values.reinit(cell, f);
-            support_values.reinit(cell);
-            cell->get_dof_indices(indices);
-            const auto [axis, sign] =
-              inward_axis<dim>(values.normal_vector(0), face->center());
-            for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+            const std::vector<LipNode<dim>> on_face = face_nodes.of(cell, f);
+            for (const LipNode<dim> &node : on_face)
               {
-                if (fe.system_to_component_index(i).first != axis ||
-                    !fe.has_support_on_face(i, f) ||
-                    !owned.is_element(indices[i]))
+                if (!owned.is_element(node.dof))
                   continue;
-                if (space.constraints().is_constrained(indices[i]))
+                const auto [entry, is_new] = nodes.emplace(node.dof, node);
+                if (!is_new)
                   {
-                    require_held(space,
-                                 indices[i],
-                                 support_values.quadrature_point(i));
-                    continue;
+                    require_same_side(entry->second, node);
+                    entry->second.weight += node.weight;
                   }
-                LipNode<dim> &node = nodes[indices[i]];
-                node.dof           = indices[i];
-                node.component     = axis;
-                node.sign          = sign;
-                node.point         = support_values.quadrature_point(i);
-                for (const unsigned int q : values.quadrature_point_indices())
-                  node.weight +=
-                    values.shape_value_component(i, q, axis) * values.JxW(q);
+                if (!constraints.is_constrained(node.dof))
+                  continue;
+                require_held(space, node.dof, node.point);
+                const auto none =
+                  std::make_pair(std::numeric_limits<double>::max(),
+                                 numbers::invalid_dof_index);
+                keep_nearest(nearest.emplace(node.dof, none).first->second,
+                             node,
+                             on_face,
+                             constraints);
               }
           }
 
     for (auto &[dof, node] : nodes)
       {
-        (void)dof;
         node.gap = gap_at(node.point);
-        lip_nodes.push_back(node);
+        if (nearest.count(dof) == 0)
+          lip_nodes.push_back(node);
+        else
+          held_nodes.push_back({dof, nearest[dof].second, node.weight});
       }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactBoundary<dim>::share_weights(const Space<dim> &space)
+  {
+    Vector weights = space.ghosted_vector();
+    for (const HeldNode &node : held_nodes)
+      weights(node.dof) = node.weight;
+    gather_from_held_nodes(weights);
+    for (LipNode<dim> &node : lip_nodes)
+      node.held_weight = weights(node.dof);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactBoundary<dim>::spread_to_held_nodes(Vector &values) const
+  {
+    values.update_ghost_values();
+    for (const HeldNode &node : held_nodes)
+      if (node.neighbour != numbers::invalid_dof_index)
+        values(node.dof) = values(node.neighbour);
+    values.update_ghost_values();
+  }
+
+
+
+  template <int dim>
+  void
+  ContactBoundary<dim>::gather_from_held_nodes(Vector &values) const
+  {
+    values.zero_out_ghost_values();
+    for (const HeldNode &node : held_nodes)
+      {
+        if (node.neighbour != numbers::invalid_dof_index)
+          values(node.neighbour) += values(node.dof);
+        values(node.dof) = 0.;
+      }
+    values.compress(VectorOperation::add);
   }
 
 

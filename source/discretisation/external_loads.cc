@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/discretisation/external_loads.h>
+#include <crevasse/scene/collectively.h>
 
 #include <deal.II/fe/fe_values.h>
 
@@ -158,10 +159,13 @@ namespace Crevasse
     };
 
     if (!component_value.depends_on_time())
-      for_each_point([&](const Point<dim> &point, Weights &&weights) {
-        const double value = component_value.value(point);
-        for (const auto &[dof, weight] : weights)
-          constant(dof) += value * weight;
+      // A formula without a value somewhere is known to one rank only.
+      collectively(space.communicator(), [&]() {
+        for_each_point([&](const Point<dim> &point, Weights &&weights) {
+          const double value = component_value.value(point);
+          for (const auto &[dof, weight] : weights)
+            constant(dof) += value * weight;
+        });
       });
     else if (!component_value.depends_on_space())
       {
@@ -191,6 +195,23 @@ namespace Crevasse
   ExternalLoads<dim>::evaluate(const double t, Vector &loads) const
   {
     loads = 0.;
+    if (!densities.empty())
+      {
+        collectively(loads.get_mpi_communicator(),
+                     [&]() { add_densities(t, loads); });
+        loads.compress(VectorOperation::add);
+      }
+    loads += constant;
+    for (const Amplitude &amplitude : amplitudes)
+      loads.add(amplitude.factor.value(Point<dim>(), t), amplitude.integrals);
+  }
+
+
+
+  template <int dim>
+  void
+  ExternalLoads<dim>::add_densities(const double t, Vector &loads) const
+  {
     for (const Density &density : densities)
       for (const WeightedPoint &weighted : density.points)
         {
@@ -198,11 +219,6 @@ namespace Crevasse
           for (const auto &[dof, weight] : weighted.weights)
             loads(dof) += value * weight;
         }
-    if (!densities.empty())
-      loads.compress(VectorOperation::add);
-    loads += constant;
-    for (const Amplitude &amplitude : amplitudes)
-      loads.add(amplitude.factor.value(Point<dim>(), t), amplitude.integrals);
   }
 
 

@@ -16,6 +16,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace Crevasse
@@ -31,8 +33,14 @@ namespace Crevasse
 
   namespace
   {
+    /** More are a mesh whose nodes are not merged; the matrix below is dense.
+     */
+    constexpr unsigned int largest_number_of_parts = 300;
+
+
+
     /** Connected parts of the mesh, by coarse cell: cells that share a face
-     * hold each other. */
+     * move as one rigid body. */
     template <int dim>
     std::vector<unsigned int>
     connected_parts(const Triangulation<dim> &mesh, unsigned int &n_parts)
@@ -105,61 +113,100 @@ namespace Crevasse
 
 
 
-    /** For each part, the Gram matrix of the rigid modes' violations of the
-     * support constraints; its kernel is what the supports leave free. */
-    template <int dim>
-    std::vector<double>
-    constraint_gram_matrices(const Space<dim>                &space,
-                             const std::vector<unsigned int> &part_of_cell,
-                             const unsigned int               n_parts,
-                             const Point<dim>                &origin,
-                             const double                     length)
-    {
-      const FESystem<dim>                          &fe = space.finite_element();
-      std::map<types::global_dof_index, Point<dim>> support_points;
-      DoFTools::map_dofs_to_support_points(space.mapping(),
-                                           space.dof_handler(),
-                                           support_points);
+    /** A dof's component and the part of the mesh that it belongs to. */
+    using Kind = std::pair<unsigned int, unsigned int>;
 
-      // component and part of each dof that this rank sees
-      std::map<types::global_dof_index, std::pair<unsigned int, unsigned int>>
-                                           kind;
-      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    /** The dofs that this rank sees. Parts that touch in a vertex share its
+     * dofs: these belong to the first part, and @p shared names the others. */
+    template <int dim>
+    std::map<types::global_dof_index, Kind>
+    kinds_of_dofs(
+      const Space<dim>                                           &space,
+      const std::vector<unsigned int>                            &part_of_cell,
+      std::set<std::pair<types::global_dof_index, unsigned int>> &shared)
+    {
+      const FESystem<dim>                    &fe = space.finite_element();
+      std::map<types::global_dof_index, Kind> kinds;
+      std::vector<types::global_dof_index>    indices(fe.n_dofs_per_cell());
       for (const auto &cell : space.dof_handler().active_cell_iterators())
         if (!cell->is_artificial())
           {
             auto coarse = typename Triangulation<dim>::cell_iterator(cell);
             while (coarse->level() > 0)
               coarse = coarse->parent();
+            const unsigned int part = part_of_cell[coarse->index()];
             cell->get_dof_indices(indices);
             for (unsigned int i = 0; i < indices.size(); ++i)
-              kind[indices[i]] = {fe.system_to_component_index(i).first,
-                                  part_of_cell[coarse->index()]};
+              {
+                const Kind kind(fe.system_to_component_index(i).first, part);
+                if (kinds.emplace(indices[i], kind).first->second != kind)
+                  shared.emplace(indices[i], part);
+              }
           }
+      return kinds;
+    }
+
+
+
+    void
+    add_outer_product(FullMatrix<double>        &gram,
+                      const std::vector<double> &violation)
+    {
+      for (unsigned int i = 0; i < violation.size(); ++i)
+        if (violation[i] != 0.)
+          for (unsigned int j = 0; j < violation.size(); ++j)
+            gram(i, j) += violation[i] * violation[j];
+    }
+
+
+
+    /** The Gram matrix of what the rigid modes of all parts violate: support
+     * constraints, and the ties between parts that share dofs. Its kernel is
+     * what these leave free. Mode m of part p has the index p n_modes + m. */
+    template <int dim>
+    FullMatrix<double>
+    constraint_gram_matrix(const Space<dim>                &space,
+                           const std::vector<unsigned int> &part_of_cell,
+                           const unsigned int               n_parts,
+                           const Point<dim>                &origin,
+                           const double                     length)
+    {
+      std::map<types::global_dof_index, Point<dim>> support_points;
+      DoFTools::map_dofs_to_support_points(space.mapping(),
+                                           space.dof_handler(),
+                                           support_points);
+      std::set<std::pair<types::global_dof_index, unsigned int>> shared;
+      const auto      kinds = kinds_of_dofs(space, part_of_cell, shared);
+      const IndexSet &owned = space.dof_handler().locally_owned_dofs();
 
       constexpr unsigned int n = n_rigid_modes<dim>;
-      std::vector<double>    gram(n_parts * n * n, 0.);
-      const auto             mode_at = [&](const types::global_dof_index dof,
-                               const unsigned int            m) {
+      FullMatrix<double>     gram(n_parts * n, n_parts * n);
+      std::vector<double>    violation(gram.m());
+      const auto             add = [&](const types::global_dof_index dof,
+                           const unsigned int            part,
+                           const double                  factor) {
         const Point<dim> x((support_points.at(dof) - origin) / length);
-        return rigid_mode<dim>(m, kind.at(dof).first, x);
+        for (unsigned int m = 0; m < n; ++m)
+          violation[part * n + m] +=
+            factor * rigid_mode<dim>(m, kinds.at(dof).first, x);
       };
       for (const auto &line : space.constraints().get_lines())
-        {
-          if (!space.dof_handler().locally_owned_dofs().is_element(line.index))
-            continue;
-          std::array<double, n> violation;
-          for (unsigned int m = 0; m < n; ++m)
-            {
-              violation[m] = mode_at(line.index, m);
-              for (const auto &[dof, weight] : line.entries)
-                violation[m] -= weight * mode_at(dof, m);
-            }
-          double *block = &gram[kind.at(line.index).second * n * n];
-          for (unsigned int i = 0; i < n; ++i)
-            for (unsigned int j = 0; j < n; ++j)
-              block[i * n + j] += violation[i] * violation[j];
-        }
+        if (owned.is_element(line.index))
+          {
+            std::fill(violation.begin(), violation.end(), 0.);
+            add(line.index, kinds.at(line.index).second, 1.);
+            for (const auto &[dof, weight] : line.entries)
+              add(dof, kinds.at(dof).second, -weight);
+            add_outer_product(gram, violation);
+          }
+      for (const auto &[dof, part] : shared)
+        if (owned.is_element(dof))
+          {
+            std::fill(violation.begin(), violation.end(), 0.);
+            add(dof, kinds.at(dof).second, 1.);
+            add(dof, part, -1.);
+            add_outer_product(gram, violation);
+          }
       Utilities::MPI::sum(gram, space.communicator(), gram);
       return gram;
     }
@@ -191,35 +238,86 @@ namespace Crevasse
 
 
 
-    /** The kernel of a Gram matrix, sorted into pure translations and what is
-     * orthogonal to them, so that each mode has a name. */
-    template <int dim>
-    std::vector<std::array<double, n_rigid_modes<dim>>>
-    free_modes(FullMatrix<double> gram)
+    /** Motions of the given modes alone that @p gram leaves free. They are
+     * then locked: what is found later is orthogonal to them. */
+    std::vector<std::vector<double>>
+    find_and_lock(FullMatrix<double>              &gram,
+                  const std::vector<unsigned int> &modes)
     {
-      std::vector<std::array<double, n_rigid_modes<dim>>> modes;
+      FullMatrix<double> block(modes.size(), modes.size());
+      block.extract_submatrix_from(gram, modes, modes);
+      std::vector<std::vector<double>> motions;
+      for (const std::vector<double> &coefficients : kernel_of(block))
+        {
+          motions.emplace_back(gram.m(), 0.);
+          for (unsigned int i = 0; i < modes.size(); ++i)
+            motions.back()[modes[i]] = coefficients[i];
+          add_outer_product(gram, motions.back());
+        }
+      return motions;
+    }
 
-      FullMatrix<double> translations(dim, dim);
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          translations(i, j) = gram(i, j);
-      for (const std::vector<double> &direction : kernel_of(translations))
+
+
+    /** The kernel of the Gram matrix, sorted so that each motion has a name:
+     * what one part can do alone before what parts can only do together, and
+     * translations before what is orthogonal to them. */
+    template <int dim>
+    std::vector<std::vector<double>>
+    free_motions(FullMatrix<double> &gram, const unsigned int n_parts)
+    {
+      std::vector<std::vector<double>> motions;
+      const auto                       find = [&](const unsigned int begin,
+                            const unsigned int end,
+                            const unsigned int modes_per_part) {
+        std::vector<unsigned int> modes;
+        for (unsigned int part = begin; part < end; ++part)
+          for (unsigned int m = 0; m < modes_per_part; ++m)
+            modes.push_back(part * n_rigid_modes<dim> + m);
+        for (std::vector<double> &motion : find_and_lock(gram, modes))
+          motions.push_back(std::move(motion));
+      };
+      for (unsigned int part = 0; part < n_parts; ++part)
         {
-          modes.emplace_back();
-          modes.back().fill(0.);
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              modes.back()[i] = direction[i];
-              for (unsigned int j = 0; j < dim; ++j)
-                gram(i, j) += direction[i] * direction[j];
-            }
+          find(part, part + 1, dim);
+          find(part, part + 1, n_rigid_modes<dim>);
         }
-      for (const std::vector<double> &motion : kernel_of(gram))
+      if (n_parts > 1)
         {
-          modes.emplace_back();
-          std::copy(motion.begin(), motion.end(), modes.back().begin());
+          find(0, n_parts, dim);
+          find(0, n_parts, n_rigid_modes<dim>);
         }
-      return modes;
+      return motions;
+    }
+
+
+
+    /** The parts that move, and how. */
+    template <int dim>
+    std::string
+    describe(const std::vector<double> &motion,
+             const unsigned int         n_parts,
+             const Point<dim>          &origin,
+             const double               length)
+    {
+      std::string text;
+      for (unsigned int part = 0; part < n_parts; ++part)
+        {
+          std::array<double, n_rigid_modes<dim>> mode;
+          std::copy_n(motion.begin() + part * n_rigid_modes<dim>,
+                      n_rigid_modes<dim>,
+                      mode.begin());
+          if (std::all_of(mode.begin(), mode.end(), [](const double x) {
+                return std::abs(x) < 1e-6;
+              }))
+            continue;
+          text +=
+            (text.empty() ? "" : ", ") + describe<dim>(mode, origin, length);
+          if (n_parts > 1)
+            text += " of part " + std::to_string(part + 1) + " of " +
+                    std::to_string(n_parts);
+        }
+      return text + (n_parts > 1 ? " of the mesh (parts share no face)" : "");
     }
   } // namespace
 
@@ -229,8 +327,6 @@ namespace Crevasse
   std::vector<std::string>
   find_free_rigid_motions(const Space<dim> &space)
   {
-    constexpr unsigned int n = n_rigid_modes<dim>;
-
     const BoundingBox<dim> box(space.mesh().get_vertices());
     const Point<dim>       origin = box.center();
     const double           length = box.get_boundary_points().first.distance(
@@ -239,25 +335,18 @@ namespace Crevasse
     unsigned int                    n_parts;
     const std::vector<unsigned int> part_of_cell =
       connected_parts(space.mesh(), n_parts);
-    const std::vector<double> gram =
-      constraint_gram_matrices(space, part_of_cell, n_parts, origin, length);
+    if (n_parts > largest_number_of_parts)
+      throw SceneError(
+        "[Geometry] Mesh file: the mesh falls into " + std::to_string(n_parts) +
+        " parts that share no face; at most " +
+        std::to_string(largest_number_of_parts) +
+        " are allowed. Are the nodes of neighbouring cells merged?");
+    FullMatrix<double> gram =
+      constraint_gram_matrix(space, part_of_cell, n_parts, origin, length);
 
     std::vector<std::string> names;
-    for (unsigned int part = 0; part < n_parts; ++part)
-      {
-        FullMatrix<double> matrix(n, n);
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            matrix(i, j) = gram[part * n * n + i * n + j];
-        for (const auto &mode : free_modes<dim>(matrix))
-          {
-            names.push_back(describe<dim>(mode, origin, length));
-            if (n_parts > 1)
-              names.back() += " of part " + std::to_string(part + 1) + " of " +
-                              std::to_string(n_parts) +
-                              " of the mesh (parts share no face)";
-          }
-      }
+    for (const auto &motion : free_motions<dim>(gram, n_parts))
+      names.push_back(describe<dim>(motion, n_parts, origin, length));
     return names;
   }
 

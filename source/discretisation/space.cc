@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/discretisation/space.h>
+#include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
 
@@ -112,37 +113,26 @@ namespace Crevasse
     double     nearest_distance = std::numeric_limits<double>::max();
     Point<dim> nearest;
     bool       found = false;
-    for (const auto &cell : dofs.active_cell_iterators())
-      if (!cell->is_artificial())
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            const double distance = cell->vertex(v).distance(fixed_point.point);
-            if (distance < nearest_distance)
-              {
-                nearest_distance = distance;
-                nearest          = cell->vertex(v);
-              }
-            if (distance > 1e-8 * cell->diameter())
-              continue;
-            found = true;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                const auto dof = cell->vertex_dof_index(v, d);
-                if (!fixed_point.components[d])
-                  continue;
-                if (!affine_constraints.is_constrained(dof))
-                  affine_constraints.add_line(dof);
-                else if (!affine_constraints.get_constraint_entries(dof)
-                            ->empty())
-                  throw SceneError(
-                    "[Boundary] Fixed points: component " +
-                    std::to_string(d + 1) + " at " +
-                    Text::from_point(fixed_point.point) +
-                    " is already tied to another one by an inclined plane of "
-                    "symmetry or a hanging node; fix another component or "
-                    "another vertex.");
-              }
-          }
+    collectively(communicator(), [&]() {
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (!cell->is_artificial())
+          for (const unsigned int v : cell->vertex_indices())
+            {
+              const double distance =
+                cell->vertex(v).distance(fixed_point.point);
+              if (distance < nearest_distance)
+                {
+                  nearest_distance = distance;
+                  nearest          = cell->vertex(v);
+                }
+              if (distance > 1e-8 * cell->diameter())
+                continue;
+              found = true;
+              for (unsigned int d = 0; d < dim; ++d)
+                if (fixed_point.components[d])
+                  constrain(cell->vertex_dof_index(v, d), d, fixed_point.point);
+            }
+    });
 
     if (Utilities::MPI::max(found ? 1 : 0, communicator()) == 0)
       {
@@ -154,6 +144,24 @@ namespace Crevasse
           message << "; the nearest one is " << Text::from_point(nearest);
         throw SceneError(message.str());
       }
+  }
+
+
+
+  template <int dim>
+  void
+  Space<dim>::constrain(const types::global_dof_index dof,
+                        const unsigned int            component,
+                        const Point<dim>             &place)
+  {
+    if (!affine_constraints.is_constrained(dof))
+      affine_constraints.add_line(dof);
+    else if (!affine_constraints.get_constraint_entries(dof)->empty())
+      throw SceneError(
+        "[Boundary] Fixed points: component " + std::to_string(component + 1) +
+        " at " + Text::from_point(place) +
+        " is already tied to another one by an inclined plane of symmetry or a "
+        "hanging node; fix another component or another vertex.");
   }
 
 
@@ -226,6 +234,17 @@ namespace Crevasse
   Space<dim>::communicator() const
   {
     return triangulation->get_communicator();
+  }
+
+
+
+  template <int dim>
+  Vector
+  Space<dim>::ghosted_vector() const
+  {
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+    return Vector(dofs.locally_owned_dofs(), relevant, communicator());
   }
 
 

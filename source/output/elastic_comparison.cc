@@ -16,10 +16,8 @@
 
 namespace Crevasse
 {
-  ElasticComparison::ElasticComparison(Reference     &&reference,
-                                       const StepList &steps)
+  ElasticComparison::ElasticComparison(Reference &&reference)
     : reference(std::move(reference))
-    , steps(steps)
   {
   }
 
@@ -28,8 +26,8 @@ namespace Crevasse
   void
   ElasticComparison::observe(const Sample &sample)
   {
-    if (sample.step == steps.n_steps())
-      return;
+    if (sample.step == reference.factor.size())
+      return; // the end of the run is no sample of the last period
     difference = sample.state.stress;
     difference.add(-reference.factor[sample.step], reference.stress);
     largest_difference = std::max(largest_difference, difference.linfty_norm());
@@ -61,16 +59,10 @@ namespace Crevasse
   double
   ElasticComparison::drift_difference(const Vector &drift) const
   {
-    // T F̄/τ by the trapezoidal rule, exact to rounding for smooth periodic F.
-    double factor = 0., largest_factor = 0.;
-    for (unsigned int k = 0; k < steps.n_steps(); ++k)
-      {
-        factor +=
-          0.5 * steps.step(k) / reference.relaxation_time *
-          (reference.factor[k] + reference.factor[(k + 1) % steps.n_steps()]);
-        largest_factor =
-          std::max(largest_factor, std::abs(reference.factor[k]));
-      }
+    const double factor         = reference.drift_factor;
+    double       largest_factor = 0.;
+    for (const double f : reference.factor)
+      largest_factor = std::max(largest_factor, std::abs(f));
 
     Vector difference = drift;
     difference.add(-factor, reference.displacement);

@@ -125,6 +125,9 @@ namespace Crevasse
     std::vector<Vector> viscous_strain; // none in an elastic body
     if (snapshot.viscous_strain.size() > 0)
       viscous_strain = recovery.recover(snapshot.viscous_strain);
+    // The tensor's components: shear strains are computed as engineering ones.
+    for (unsigned int c = 3; c < viscous_strain.size(); ++c)
+      viscous_strain[c] *= 0.5;
     add_components(viscous_strain, "viscous_strain");
 
     const StressInvariants<dim> invariants =

@@ -37,7 +37,7 @@ namespace Crevasse
           node.sign * state.displacement(node.dof) - node.gap;
         if (opening <= touching)
           ++here.closed_nodes;
-        here.force += g;
+        here.force += node.force(g);
         here.largest_pressure =
           std::max(here.largest_pressure, g / node.weight);
         here.largest_opening = std::max(here.largest_opening, opening);

@@ -20,19 +20,6 @@ namespace Crevasse
 
   namespace
   {
-    template <int dim>
-    Vector
-    displacement_vector(const Space<dim> &space)
-    {
-      IndexSet relevant;
-      DoFTools::extract_locally_relevant_dofs(space.dof_handler(), relevant);
-      return Vector(space.dof_handler().locally_owned_dofs(),
-                    relevant,
-                    space.communicator());
-    }
-
-
-
     /** Calls f(nodal dof, displacement dofs of that node) on each locally
      * owned cell. */
     template <int dim, typename Function>
@@ -92,7 +79,7 @@ namespace Crevasse
     for (unsigned int d = 0; d < dim; ++d)
       {
         invariants.principal_stress[d].reinit(nodal_stress[0]);
-        invariants.principal_direction[d] = displacement_vector(space);
+        invariants.principal_direction[d] = space.ghosted_vector();
       }
 
     const auto set = [&](const types::global_dof_index                   node,
@@ -136,10 +123,10 @@ namespace Crevasse
                    const ContactBoundary<dim> &lip,
                    const std::vector<double>  &contact_forces)
   {
-    Vector at_dofs = displacement_vector(space);
+    Vector at_dofs = space.ghosted_vector();
     for (unsigned int k = 0; k < lip.nodes().size(); ++k)
       at_dofs(lip.nodes()[k].dof) = contact_forces[k] / lip.nodes()[k].weight;
-    at_dofs.update_ghost_values();
+    lip.spread_to_held_nodes(at_dofs);
 
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(recovery.dof_handler(), relevant);

@@ -45,11 +45,36 @@ namespace Crevasse
   remove_earlier_results(const std::string &directory)
   {
     namespace fs = std::filesystem;
+    // What is in the way is told now, not when the run comes to write it.
     static const std::regex ours(
       "summary\\.json|used\\.prm|log\\.txt|solution\\.pvd|"
       "solution_[0-9.]+\\.p?vtu|(probe_.*|contact|periods|relaxation)\\.csv");
-    for (const fs::directory_entry &entry : fs::directory_iterator(directory))
-      if (std::regex_match(entry.path().filename().string(), ours))
-        fs::remove(entry.path());
+    const fs::path         used = fs::path(directory) / "used.prm";
+    std::error_code        error;
+    const bool             earlier_run = fs::is_regular_file(used, error);
+    fs::directory_iterator entry(directory, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+      {
+        const fs::path &path = entry->path();
+        if (!std::regex_match(path.filename().string(), ours))
+          continue;
+        if (fs::is_directory(path, error))
+          throw FileError("[Output directory] " + directory + ": " +
+                          path.filename().string() +
+                          " is a directory, but a file of this name is to be "
+                          "written. Remove it, or choose another output "
+                          "directory by --output DIR.");
+        // used.prm is written anew; as long as it is there, what else is
+        // there can be told to be an earlier run's.
+        if (!error && earlier_run && path != used)
+          fs::remove(path, error);
+        if (error)
+          break;
+      }
+    if (error)
+      throw FileError("[Output directory] " + directory +
+                      ": the results of an earlier run cannot be removed (" +
+                      error.message() +
+                      "). Choose another one by --output DIR.");
   }
 } // namespace Crevasse

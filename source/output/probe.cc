@@ -10,16 +10,15 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/output/probe.h>
+#include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace Crevasse
@@ -33,20 +32,34 @@ namespace Crevasse
 
 
 
-    /** The locally owned cell around a point and the point in it; an invalid
-     * iterator if this rank has none. */
+    /** The lip face of a cell on which a point of it lies, if there is one. At
+     * a corner of two lips the first one speaks. */
     template <int dim>
-    std::pair<typename DoFHandler<dim>::active_cell_iterator, Point<dim>>
-    locate(const Space<dim> &space, const Point<dim> &point)
+    unsigned int
+    lip_face(const typename DoFHandler<dim>::active_cell_iterator &cell,
+             const Point<dim>                                     &unit_point,
+             const BoundaryRoles                                  &roles)
     {
-      const auto found =
-        GridTools::find_active_cell_around_point(space.mapping(),
-                                                 space.dof_handler(),
-                                                 point);
-      if (found.first.state() == IteratorState::valid &&
-          found.first->is_locally_owned())
-        return found;
-      return {space.dof_handler().end(), Point<dim>()};
+      for (const unsigned int f : cell->face_indices())
+        // Faces 2d and 2d+1 are where the unit coordinate d is 0 and 1.
+        if (cell->face(f)->at_boundary() &&
+            std::abs(unit_point[f / 2] - f % 2) <= 1e-10 &&
+            roles.contact.count(cell->face(f)->boundary_id()) > 0)
+          return f;
+      return numbers::invalid_unsigned_int;
+    }
+
+
+
+    /** The entries of a vector that this rank owns and that are not zero. */
+    std::vector<std::pair<types::global_dof_index, double>>
+    owned_entries(const Vector &weights)
+    {
+      std::vector<std::pair<types::global_dof_index, double>> entries;
+      for (const auto dof : weights.locally_owned_elements())
+        if (weights(dof) != 0.)
+          entries.emplace_back(dof, weights(dof));
+      return entries;
     }
   } // namespace
 
@@ -62,118 +75,162 @@ namespace Crevasse
     , recovery(recovery)
     , lip(lip)
   {
-    const auto [cell, unit_point] = locate(space, probe.point);
-    const bool found              = (cell != space.dof_handler().end());
+    Place place = find_place(space);
+    place.found = is_chosen(place);
+    find_displacement_weights(place, space);
+    find_stress_weights(place);
+    find_lip_weights(place, space);
+  }
 
-    // The first of the ranks that found the point speaks for it.
+
+
+  template <int dim>
+  typename ProbeEvaluator<dim>::Place
+  ProbeEvaluator<dim>::find_place(const Space<dim> &space) const
+  {
+    Place place;
+    for (const auto &[cell, unit_point] :
+         GridTools::find_all_active_cells_around_point(space.mapping(),
+                                                       space.dof_handler(),
+                                                       probe.point))
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        const unsigned int face =
+          lip_face<dim>(cell, unit_point, space.roles());
+        if (!place.found || (place.lip_face == numbers::invalid_unsigned_int &&
+                             face != numbers::invalid_unsigned_int))
+          place = {cell, unit_point, true, face};
+      }
+    return place;
+  }
+
+
+
+  template <int dim>
+  bool
+  ProbeEvaluator<dim>::is_chosen(const Place &place) const
+  {
+    // Ranks that see the lip there come first, then any that sees the point.
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int none = Utilities::MPI::n_mpi_processes(communicator);
-    const unsigned int owner =
-      Utilities::MPI::min(found ? rank : none, communicator);
-    if (owner == none)
-      {
-        throw SceneError("[Output] Probes: " + probe.name + " at " +
-                         Text::from_point(probe.point) +
-                         " lies outside the mesh.");
-      }
-
-    DofWeights at_nodes;
-    owns_point = (rank == owner);
-    if (owns_point)
-      {
-        find_displacement_weights(cell, unit_point, space);
-        find_lip_weights(cell, unit_point, space);
-        at_nodes = nodal_weights(cell, unit_point, recovery);
-      }
-    is_on_lip      = Utilities::MPI::max(is_on_lip ? 1 : 0, communicator) == 1;
-    stress_weights = recovery.weights_of(at_nodes);
+    const unsigned int none = 2 * Utilities::MPI::n_mpi_processes(communicator);
+    unsigned int       order = none;
+    if (place.found)
+      order = place.lip_face != numbers::invalid_unsigned_int ? rank
+                                                              : none / 2 + rank;
+    const unsigned int first = Utilities::MPI::min(order, communicator);
+    if (first == none)
+      throw SceneError("[Output] Probes: " + probe.name + " at " +
+                       Text::from_point(probe.point) +
+                       " lies outside the mesh.");
+    return order == first;
   }
 
 
 
   template <int dim>
   void
-  ProbeEvaluator<dim>::find_displacement_weights(
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Point<dim>                                     &unit_point,
-    const Space<dim>                                     &space)
+  ProbeEvaluator<dim>::find_displacement_weights(const Place      &place,
+                                                 const Space<dim> &space)
   {
     const FESystem<dim>                 &fe = space.finite_element();
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-    cell->get_dof_indices(indices);
-    for (unsigned int i = 0; i < indices.size(); ++i)
+    std::vector<Vector>                  weights(dim, space.ghosted_vector());
+    if (place.found)
       {
-        const double value = fe.shape_value(i, unit_point);
-        if (std::abs(value) < negligible)
-          continue;
-        DofWeights &weights =
-          displacement_weights[fe.system_to_component_index(i).first];
-        if (!space.constraints().is_constrained(indices[i]))
-          weights.emplace_back(indices[i], value);
-        else
-          for (const auto &[dof, factor] :
-               *space.constraints().get_constraint_entries(indices[i]))
-            weights.emplace_back(dof, factor * value);
+        place.cell->get_dof_indices(indices);
+        for (unsigned int i = 0; i < indices.size(); ++i)
+          {
+            const double value = fe.shape_value(i, place.unit_point);
+            if (std::abs(value) < negligible)
+              continue;
+            Vector &component = weights[fe.system_to_component_index(i).first];
+            if (!space.constraints().is_constrained(indices[i]))
+              component(indices[i]) += value;
+            else
+              for (const auto &[dof, factor] :
+                   *space.constraints().get_constraint_entries(indices[i]))
+                component(dof) += factor * value;
+          }
+      }
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        weights[d].compress(VectorOperation::add);
+        displacement_weights[d] = owned_entries(weights[d]);
       }
   }
 
 
 
   template <int dim>
-  typename ProbeEvaluator<dim>::DofWeights
-  ProbeEvaluator<dim>::nodal_weights(
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Point<dim>                                     &unit_point,
-    const StressRecovery<dim>                            &recovery) const
+  void
+  ProbeEvaluator<dim>::find_stress_weights(const Place &place)
   {
-    const typename DoFHandler<dim>::active_cell_iterator nodal_cell(
-      &cell->get_triangulation(),
-      cell->level(),
-      cell->index(),
-      &recovery.dof_handler());
-    const FiniteElement<dim>            &fe = nodal_cell->get_fe();
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-    nodal_cell->get_dof_indices(indices);
     DofWeights weights;
-    for (unsigned int i = 0; i < indices.size(); ++i)
-      if (std::abs(fe.shape_value(i, unit_point)) > negligible)
-        weights.emplace_back(indices[i], fe.shape_value(i, unit_point));
-    return weights;
+    if (place.found)
+      {
+        const Cell                nodal_cell(&place.cell->get_triangulation(),
+                              place.cell->level(),
+                              place.cell->index(),
+                              &recovery.dof_handler());
+        const FiniteElement<dim> &fe = nodal_cell->get_fe();
+        std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+        nodal_cell->get_dof_indices(indices);
+        for (unsigned int i = 0; i < indices.size(); ++i)
+          {
+            const double value = fe.shape_value(i, place.unit_point);
+            if (std::abs(value) > negligible)
+              weights.emplace_back(indices[i], value);
+          }
+      }
+    stress_weights = recovery.weights_of(weights);
   }
 
 
 
   template <int dim>
   void
-  ProbeEvaluator<dim>::find_lip_weights(
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Point<dim>                                     &unit_point,
-    const Space<dim>                                     &space)
+  ProbeEvaluator<dim>::find_lip_weights(const Place      &place,
+                                        const Space<dim> &space)
   {
-    for (const unsigned int f : cell->face_indices())
-      {
-        // Faces 2d and 2d+1 are where the unit coordinate d is 0 and 1.
-        const double distance = std::abs(unit_point[f / 2] - f % 2);
-        if (!cell->face(f)->at_boundary() || distance > 1e-10 ||
-            space.roles().contact.count(cell->face(f)->boundary_id()) == 0)
-          continue;
-
-        // At a corner of two lips the first one speaks.
-        is_on_lip = true;
-        gap       = lip.gap_at(probe.point);
-        FEFaceValues<dim> face(space.mapping(),
-                               space.finite_element(),
-                               QMidpoint<dim - 1>(),
-                               update_normal_vectors);
-        face.reinit(cell, f);
-        normal = -face.normal_vector(0);
-        for (unsigned int k = 0; k < lip.nodes().size(); ++k)
-          if (std::abs(normal[lip.nodes()[k].component]) > 0.5)
-            for (const auto &[dof, weight] :
-                 displacement_weights[lip.nodes()[k].component])
-              if (dof == lip.nodes()[k].dof)
-                lip_weights.emplace_back(k, weight);
+    Vector weights = space.ghosted_vector();
+    collectively(communicator, [&]() {
+      if (!place.found || place.lip_face == numbers::invalid_unsigned_int)
         return;
+      is_on_lip                               = true;
+      const unsigned int                   f  = place.lip_face;
+      const FESystem<dim>                 &fe = space.finite_element();
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      place.cell->get_dof_indices(indices);
+      FEFaceValues<dim> face(space.mapping(),
+                             fe,
+                             QMidpoint<dim - 1>(),
+                             update_normal_vectors);
+      face.reinit(place.cell, f);
+      normal = -face.normal_vector(0);
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        {
+          const double value = fe.shape_value(i, place.unit_point);
+          if (std::abs(value) < negligible || !fe.has_support_on_face(i, f) ||
+              std::abs(normal[fe.system_to_component_index(i).first]) < 0.5)
+            continue;
+          weights(indices[i]) += value;
+          gap += value * lip.gap_at(space.mapping().transform_unit_to_real_cell(
+                           place.cell, fe.unit_support_point(i)));
+        }
+    });
+    is_on_lip = Utilities::MPI::max(is_on_lip ? 1 : 0, communicator) == 1;
+    normal    = Utilities::MPI::sum(normal, communicator);
+    gap       = Utilities::MPI::sum(gap, communicator);
+
+    weights.compress(VectorOperation::add);
+    lip.gather_from_held_nodes(weights);
+    for (unsigned int k = 0; k < lip.nodes().size(); ++k)
+      {
+        const LipNode<dim> &node   = lip.nodes()[k];
+        const double        weight = weights(node.dof);
+        if (weight != 0.)
+          pressure_weights.emplace_back(k, weight / node.weight);
       }
   }
 
@@ -223,18 +280,11 @@ namespace Crevasse
   std::array<double, 2>
   ProbeEvaluator<dim>::opening_and_pressure(const State &state) const
   {
-    // The rank that owns the point knows its normal; elsewhere it is zero.
-    const double opening =
-      displacement(state.displacement) * normal - (is_on_lip ? gap : 0.);
     double pressure = 0.;
-    for (const auto &[k, weight] : lip_weights)
-      pressure += weight * state.contact_forces[k] / lip.nodes()[k].weight;
-
-    std::array<double, 2> values{{owns_point ? opening : 0., pressure}};
-    Utilities::MPI::sum(ArrayView<const double>(values.data(), values.size()),
-                        communicator,
-                        ArrayView<double>(values.data(), values.size()));
-    return values;
+    for (const auto &[k, weight] : pressure_weights)
+      pressure += weight * state.contact_forces[k];
+    return {{displacement(state.displacement) * normal - gap,
+             Utilities::MPI::sum(pressure, communicator)}};
   }
 
 

@@ -12,44 +12,145 @@
 #include <crevasse/run/elastic_reference.h>
 #include <crevasse/scene/problems.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace Crevasse
 {
-  template <int dim>
-  std::vector<double>
-  load_factors(const Body<dim> &body, const StepList &steps)
-  {
-    const unsigned int k_ref     = step_of_largest_load(body, steps);
-    const Vector       loads_ref = loads_at(body, steps.instant(k_ref));
-    const double       norm_ref  = loads_ref.l2_norm();
+  using namespace dealii;
 
-    std::vector<double> factors;
-    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+  namespace
+  {
+    [[noreturn]] void
+    refuse(const std::string &comparison, const std::string &reason)
+    {
+      throw SceneError("[Output] Elastic comparison = " + comparison + ": " +
+                       reason + " Set it to none.");
+    }
+
+
+
+    /** F(t) where loads(t) = F(t) × reference. */
+    template <int dim>
+    class LoadFactor
+    {
+    public:
+      LoadFactor(const Body<dim>   &body,
+                 const StepList    &steps,
+                 const std::string &comparison)
+        : body(body)
+        , steps(steps)
+        , comparison(comparison)
+        , reference_time(steps.instant(step_of_largest_load(body, steps)))
+        , reference(loads_at(body, reference_time))
+        , norm(reference.l2_norm())
       {
-        Vector       loads = loads_at(body, steps.instant(k));
-        const double factor =
-          norm_ref > 0. ? (loads * loads_ref) / (norm_ref * norm_ref) : 0.;
-        factors.push_back(factor);
-        loads.add(-factor, loads_ref);
-        if (loads.l2_norm() > 1e-12 * norm_ref)
-          {
-            std::ostringstream message;
-            message << "[Output] Elastic comparison: the loads at t = "
-                    << steps.instant(k)
-                    << " are not a multiple of those at t = "
-                    << steps.instant(k_ref)
-                    << "; the closed form holds for loads F(t) p(x) only. Set "
-                       "it to none.";
-            throw SceneError(message.str());
-          }
       }
-    for (const LipNode<dim> &node : body.lip.nodes())
-      if (node.gap != 0.)
-        throw SceneError(
-          "[Output] Elastic comparison: the closed forms hold "
-          "for a lip without initial opening; set it to none, "
-          "or [Boundary] Gap to 0.");
+
+
+
+      double
+      operator()(const double instant) const
+      {
+        if (norm == 0.)
+          return 0.;
+        const double t      = steps.within_period(instant);
+        Vector       loads  = loads_at(body, t);
+        const double factor = (loads * reference) / (norm * norm);
+        loads.add(-factor, reference);
+        if (loads.l2_norm() > 1e-12 * norm)
+          {
+            std::ostringstream reason;
+            reason << "the loads at t = " << t
+                   << " are not a multiple of those at t = " << reference_time
+                   << "; the closed form holds for loads F(t) p(x) only.";
+            refuse(comparison, reason.str());
+          }
+        return factor;
+      }
+
+    private:
+      const Body<dim>   &body;
+      const StepList    &steps;
+      const std::string &comparison;
+      const double       reference_time;
+      const Vector       reference;
+      const double       norm;
+    };
+
+
+
+    template <int dim>
+    void
+    require_suitable_body(const Body<dim> &body, const std::string &comparison)
+    {
+      bool has_gap = false;
+      for (const LipNode<dim> &node : body.lip.nodes())
+        has_gap = has_gap || node.gap != 0.;
+      if (Utilities::MPI::max(has_gap ? 1 : 0, body.space.communicator()) == 1)
+        refuse(comparison,
+               "the closed forms hold for a lip without initial opening; here "
+               "[Boundary] Gap is not 0.");
+      if (body.effects.viscosity.on && body.law.uniform_relaxation_time() == 0.)
+        refuse(comparison,
+               "the closed forms hold for a viscosity in proportion to the "
+               "stiffness ([Material] Viscosity = relaxation time) or none.");
+    }
+
+
+
+    /** A lip that stays closed needs loads of one sign, and so does any lip
+     * without viscosity, which has no memory to stay open by. */
+    template <int dim>
+    void
+    require_suitable_signs(const Body<dim>           &body,
+                           const std::vector<double> &factors,
+                           const std::string         &comparison)
+    {
+      const auto [least, most] =
+        std::minmax_element(factors.begin(), factors.end());
+      const double negligible = 1e-12 * std::max(-*least, *most);
+      if (!body.effects.contact.on || *least >= -negligible ||
+          *most <= negligible)
+        return;
+      if (comparison == "closed")
+        refuse(comparison,
+               "the loads F(t) p(x) change their sign over the period, so that "
+               "the lip does not stay closed.");
+      if (!body.effects.viscosity.on)
+        refuse(comparison,
+               "the loads F(t) p(x) change their sign over the period, and "
+               "without viscosity the lip opens and closes with them.");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  LoadFactors
+  load_factors(const Body<dim>   &body,
+               const StepList    &steps,
+               const Integrator  *integrator,
+               const std::string &comparison)
+  {
+    require_suitable_body(body, comparison);
+
+    const LoadFactor<dim> factor(body, steps, comparison);
+    LoadFactors           factors{{}, 0.};
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      factors.at_steps.push_back(factor(steps.instant(k)));
+    require_suitable_signs(body, factors.at_steps, comparison);
+
+    if (integrator != nullptr)
+      {
+        const TimeQuadrature rule = integrator->quadrature();
+        for (unsigned int k = 0; k < steps.n_steps(); ++k)
+          for (unsigned int s = 0; s < rule.nodes.size(); ++s)
+            if (rule.weights[s] != 0.)
+              factors.integral +=
+                steps.step(k) * rule.weights[s] *
+                factor(steps.instant(k) + rule.nodes[s] * steps.step(k));
+      }
     return factors;
   }
 
@@ -57,18 +158,25 @@ namespace Crevasse
 
   template <int dim>
   ElasticComparison::Reference
-  elastic_reference(const Body<dim> &body,
-                    Solvers<dim>    &solvers,
-                    const StepList  &steps,
-                    const bool       lip_closed)
+  elastic_reference(const Body<dim>   &body,
+                    Solvers<dim>      &solvers,
+                    const StepList    &steps,
+                    const Integrator  *integrator,
+                    const std::string &comparison)
   {
+    const LoadFactors factors =
+      load_factors(body, steps, integrator, comparison);
     const Vector loads =
       loads_at(body, steps.instant(step_of_largest_load(body, steps)));
 
     ElasticComparison::Reference reference;
-    reference.relaxation_time = body.law.uniform_relaxation_time();
-    reference.factor          = load_factors(body, steps);
-    reference.displacement    = solvers.elastic_displacement(loads, lip_closed);
+    reference.factor       = factors.at_steps;
+    reference.drift_factor = 0.;
+    if (integrator != nullptr)
+      reference.drift_factor =
+        factors.integral / body.law.uniform_relaxation_time();
+    reference.displacement =
+      solvers.elastic_displacement(loads, comparison == "closed");
     body.points.initialize(reference.stress);
     body.strain_operator.for_each_strain(
       reference.displacement,
@@ -82,11 +190,15 @@ namespace Crevasse
 
 
 
-  template std::vector<double>
-  load_factors<2>(const Body<2> &, const StepList &);
+  template LoadFactors
+  load_factors<2>(const Body<2> &,
+                  const StepList &,
+                  const Integrator *,
+                  const std::string &);
   template ElasticComparison::Reference
   elastic_reference<2>(const Body<2> &,
                        Solvers<2> &,
                        const StepList &,
-                       const bool);
+                       const Integrator *,
+                       const std::string &);
 } // namespace Crevasse

@@ -61,6 +61,7 @@ namespace Crevasse
                         const std::vector<ProbeEvaluator<dim>> &probes,
                         Solvers<dim>                           &solvers,
                         const StepList                         &steps,
+                        const Integrator                       *integrator,
                         Log                                    &log,
                         const std::string                      &directory)
     : body(body)
@@ -84,8 +85,8 @@ namespace Crevasse
     if (scene.output.elastic_comparison != "none")
       {
         ElasticComparison::Reference reference = elastic_reference(
-          body, solvers, steps, scene.output.elastic_comparison == "closed");
-        comparison = add<ElasticComparison>(std::move(reference), steps);
+          body, solvers, steps, integrator, scene.output.elastic_comparison);
+        comparison = add<ElasticComparison>(std::move(reference));
       }
     if (body.effects.field_output.on)
       fields = add<FieldWriter<dim>>(body.space,
@@ -128,7 +129,7 @@ namespace Crevasse
     summary["extremes"]["stress"] = largest_stress->value;
     if (contact_table != nullptr)
       summary["extremes"]["opening"] = contact_table->largest_opening();
-    summary["secular"]["on"] = false; // measured, not solved for
+    summary["secular"]["on"] = false; // the secular problem is not solved yet
     if (drift != nullptr)
       finish_drift(summary);
     if (comparison != nullptr)
@@ -150,13 +151,13 @@ namespace Crevasse
     const Vector &gain   = drift->last_period();
     const double  period = steps.period();
 
-    auto &secular           = summary["secular"];
-    secular["largest_rate"] = gain.linfty_norm() / period;
+    auto &rates           = summary["drift"];
+    rates["largest_rate"] = gain.linfty_norm() / period;
     for (const auto &probe : probes)
       {
-        const Tensor<1, dim> beta = probe.displacement(gain) / period;
+        const Tensor<1, dim> rate = probe.displacement(gain) / period;
         for (unsigned int d = 0; d < dim; ++d)
-          secular["beta"][probe.name()].push_back(beta[d]);
+          rates["per_probe"][probe.name()].push_back(rate[d]);
       }
   }
 
@@ -175,7 +176,7 @@ namespace Crevasse
                   "largest stress",
                   stress);
     log.line(text);
-    if (drift == nullptr || body.law.uniform_relaxation_time() == 0.)
+    if (drift == nullptr)
       return;
 
     const double difference =

@@ -64,7 +64,11 @@ namespace Crevasse
                    : nullptr)
   {
     if (scene.output.elastic_comparison != "none")
-      load_factors(body, steps); // throws if there is nothing to compare with
+      // Throws if there is nothing to compare with.
+      load_factors(body,
+                   steps,
+                   integrator.get(),
+                   scene.output.elastic_comparison);
     if (integrator != nullptr)
       steps.require_stability(integrator->stability_limit(),
                               body.law.smallest_relaxation_time());
@@ -78,7 +82,7 @@ namespace Crevasse
   {
     if (!scene.title.empty())
       log.line(scene.title);
-    describe_sizes(body, steps, log);
+    describe_sizes(body, steps, scene.output.field_times, log);
     for (const Effects::Effect &effect : body.effects.list())
       {
         char text[200];
@@ -113,8 +117,15 @@ namespace Crevasse
 
     Summary              summary;
     const PeriodicResult result = [&]() {
-      Outputs<dim> outputs(
-        scene, body, recovery, probes, solvers, steps, log, directory);
+      Outputs<dim>         outputs(scene,
+                           body,
+                           recovery,
+                           probes,
+                           solvers,
+                           steps,
+                           integrator.get(),
+                           log,
+                           directory);
       const PeriodicResult result = march(solvers, outputs.observers());
       summarise(summary, solvers);
       if (result.periods > 0)

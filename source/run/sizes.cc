@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 namespace Crevasse
 {
@@ -35,12 +36,12 @@ namespace Crevasse
 
 
     /** What the program and its libraries need for the smallest scene. */
-    constexpr double bytes_of_libraries = 150e6;
+    constexpr double bytes_of_libraries = 180e6;
 
 
 
-    /** Entries of the Cholesky factor in two dimensions: 5.3 n log₂ n measured
-     * with CHOLMOD's default ordering at 116 162 unknowns (Q1). */
+    /** Entries of the Cholesky factor in two dimensions, with CHOLMOD's default
+     * ordering: 5.3 n log₂ n measured at 116 162 unknowns (Q1); Q2 has 4.4. */
     double
     factor_entries(const Sizes &sizes)
     {
@@ -49,18 +50,53 @@ namespace Crevasse
 
 
 
+    /** Bytes of the instants that are kept for the fields of the last period,
+     * and of writing one of them. */
+    template <int dim>
+    double
+    bytes_of_field_output(const Sizes               &sizes,
+                          const Body<dim>           &body,
+                          const StepList            &steps,
+                          const std::vector<double> &field_times)
+    {
+      if (!body.effects.field_output.on)
+        return 0.;
+      std::set<unsigned int> instants = {steps.n_steps()};
+      for (const double t : field_times)
+        instants.insert(steps.nearest(t));
+
+      // Displacement, stress and, with viscosity, r of each.
+      const double fields = body.effects.viscosity.on ? 2. : 1.;
+      const double kept   = double(sizes.unknowns) + fields *
+                                                     n_stress_components<dim> *
+                                                     sizes.quadrature_points;
+      // Two tensors, displacement, principal stresses with directions, J₂ and
+      // pressure at the nodes of each cell, twice: as patches and as text.
+      const double columns =
+        2. * n_stress_components<dim> + dim * (2. + dim) + 2.;
+      const double nodes =
+        sizes.cells *
+        Utilities::fixed_power<dim>(body.space.finite_element().degree + 1.);
+      return sizeof(double) * (instants.size() * kept + 2. * columns * nodes);
+    }
+
+
+
     /** Bytes of these, and of what is stored per quadrature point and per
      * unknown while a period is computed. */
     template <int dim>
     double
-    predicted_memory(const Sizes       &sizes,
-                     const Body<dim>   &body,
-                     const unsigned int n_steps)
+    predicted_memory(const Sizes               &sizes,
+                     const Body<dim>           &body,
+                     const StepList            &steps,
+                     const std::vector<double> &field_times)
     {
       // The stress of all samples of a period is kept to compare with the
-      // next; the integrator keeps r, a stage and a rate for each stage.
-      const double fields  = n_steps + 8.;
-      const double vectors = 12.;
+      // next; the integrator keeps r, a stage and a rate for each stage. What
+      // solvers and observers need besides is measured.
+      const double fields =
+        steps.n_steps() + (body.effects.viscosity.on ? 12. : 2.);
+      const double vectors = 30.;
       const double entries =
         matrix_entries<dim>(sizes, body.space.finite_element().degree);
       constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
@@ -69,6 +105,7 @@ namespace Crevasse
                (fields * n_stress_components<dim> * sizes.quadrature_points +
                 vectors * sizes.unknowns) +
              bytes_per_entry * (entries + factor_entries(sizes)) +
+             bytes_of_field_output(sizes, body, steps, field_times) +
              body.space.mesh().memory_consumption() +
              body.space.dof_handler().memory_consumption();
     }
@@ -101,7 +138,10 @@ namespace Crevasse
 
   template <int dim>
   void
-  describe_sizes(const Body<dim> &body, const StepList &steps, Log &log)
+  describe_sizes(const Body<dim>           &body,
+                 const StepList            &steps,
+                 const std::vector<double> &field_times,
+                 Log                       &log)
   {
     const Sizes sizes(body);
     log.line("  mesh: " + std::to_string(sizes.cells) + " cells, " +
@@ -112,7 +152,7 @@ namespace Crevasse
     std::snprintf(text,
                   sizeof(text),
                   "  memory: about %.0f MB",
-                  predicted_memory(sizes, body, steps.n_steps()) * 1e-6);
+                  predicted_memory(sizes, body, steps, field_times) * 1e-6);
     log.line(text);
   }
 
@@ -120,5 +160,8 @@ namespace Crevasse
 
   template Sizes::Sizes(const Body<2> &);
   template void
-  describe_sizes<2>(const Body<2> &, const StepList &, Log &);
+  describe_sizes<2>(const Body<2> &,
+                    const StepList &,
+                    const std::vector<double> &,
+                    Log &);
 } // namespace Crevasse

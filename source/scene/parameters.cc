@@ -336,12 +336,16 @@ namespace Crevasse
                       fields,
                       "File format of the fields.",
                       Patterns::Selection("vtu|none"));
-    prm.add_parameter("Elastic comparison",
-                      elastic_comparison,
-                      "Whether the stress of the last period is compared with "
-                      "that of an elastic body whose crack is always open, or "
-                      "always closed.",
-                      Patterns::Selection("none|open|closed"));
+    prm.add_parameter(
+      "Elastic comparison",
+      elastic_comparison,
+      "Whether the stress of the last period is compared with "
+      "that of an elastic body whose crack is always open, or "
+      "always closed. For loads F(t) p(x), no gap, and a "
+      "viscosity in proportion to the stiffness or none; closed "
+      "needs an F of one sign, and so does either without "
+      "viscosity.",
+      Patterns::Selection("none|open|closed"));
     prm.add_parameter("Contact problems",
                       contact_problems,
                       "Steps whose contact problem is written to files in the "

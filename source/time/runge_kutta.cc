@@ -60,6 +60,14 @@ namespace Crevasse
 
 
 
+  TimeQuadrature
+  RungeKutta::quadrature() const
+  {
+    return {tableau.nodes, tableau.weights};
+  }
+
+
+
   std::string
   RungeKutta::description() const
   {

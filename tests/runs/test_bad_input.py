@@ -222,6 +222,15 @@ CASES = [
           "Boundary/Clamped=1", "Boundary/Symmetry=none"],
          scene=MESH_SCENE),
 
+    Case("lips_of_a_full_model", 2,
+         [r"\[Boundary\] Contact: at \(0\.5,? 0\) two faces with opposite "
+          "normals share a node", "not the half model", "as Symmetry"],
+         [mesh("slit"), "Boundary/Clamped=1", "Boundary/Symmetry=none",
+          "Boundary/Fixed points=none"], scene=MESH_SCENE),
+    Case("lips_of_a_full_model_held", 2,
+         [r"\[Boundary\] Contact: at \(0\.5,? 0\) two faces with opposite"],
+         [mesh("slit"), "Boundary/Clamped=1", "Boundary/Symmetry=none",
+          "Boundary/Fixed points=0.5, 0"], scene=MESH_SCENE),
     Case("lip_tied_to_inclined_symmetry", 2,
          [r"\[Boundary\] Contact: .* at \(.*, 0\)",
           "tied to another one by an inclined plane of symmetry"],
@@ -241,10 +250,27 @@ CASES = [
          [r"\[Output\] Elastic comparison", "without initial opening"],
          ["Boundary/Gap=-1e-4", "Output/Elastic comparison=closed"]),
     Case("comparison_of_moving_loads", 2,
-         [r"\[Output\] Elastic comparison: the loads at t = ",
+         [r"\[Output\] Elastic comparison = open: the loads at t = ",
           r"loads F\(t\) p\(x\) only"],
          ["Loads/Traction=0; 10*sin(2*pi*t/600)*x + cos(2*pi*t/600)",
           "Output/Elastic comparison=open"]),
+    Case("comparison_with_another_flow", 2,
+         [r"\[Output\] Elastic comparison = open: .* viscosity in proportion "
+          r"to the stiffness \(\[Material\] Viscosity = relaxation time\)"],
+         ["Material/Viscosity=isotropic", "Material/Viscous modulus=60",
+          "Output/Elastic comparison=open"]),
+    Case("comparison_of_a_lip_that_opens", 2,
+         [r"\[Output\] Elastic comparison = closed: the loads F\(t\) p\(x\) "
+          "change their sign"],
+         ["Output/Elastic comparison=closed"]),
+    Case("comparison_without_memory", 2,
+         [r"\[Output\] Elastic comparison = open: .* change their sign .* "
+          "without viscosity"],
+         ["Material/Viscosity=none", "Output/Elastic comparison=open"]),
+    Case("comparison_tells_of_the_gap_first", 2,
+         ["without initial opening"],
+         ["Boundary/Gap=-1e-4", "Output/Elastic comparison=open",
+          "Loads/Traction=0; 10*sin(2*pi*t/600)*x + cos(2*pi*t/600)"]),
     Case("gap_without_value", 2,
          [r"\[Boundary\] Gap: "], ["Boundary/Gap=-sqrt(x - 2)"]),
     Case("crack_without_length", 2,
@@ -355,6 +381,22 @@ def test_output_directory():
                    [rf"\[Output directory\] {scene}: cannot be"])
 
 
+def test_what_is_in_the_way():
+    """A directory where a file is to be written is found before computing."""
+    scene = pathlib.Path("in_the_way.prm")
+    scene.write_text(SCENE)
+    directory = pathlib.Path("results/in_the_way")
+    shutil.rmtree(directory, ignore_errors=True)
+    (directory / "solution.pvd").mkdir(parents=True)
+    for _ in range(2):  # without and with an earlier run's used.prm
+        check_messages("in the way", *execute(scene, "--output", directory), 4,
+                       [r"results/in_the_way: solution\.pvd is a directory",
+                        "--output DIR"])
+        check((directory / "solution.pvd").is_dir(), "it was removed")
+        check(not (directory / "log.txt").exists(), "something was computed")
+        (directory / "used.prm").write_text(SCENE)
+
+
 def test_stability_bound():
     """The number of steps in the message is the smallest that will do."""
     scene = pathlib.Path("stability_bound.prm")
@@ -415,5 +457,6 @@ def test_not_yet_periodic():
 test_cases()
 test_missing_scene()
 test_output_directory()
+test_what_is_in_the_way()
 test_stability_bound()
 test_not_yet_periodic()

@@ -6,7 +6,7 @@ import pathlib
 import re
 import shutil
 
-from crevasse_run import check, execute, run
+from crevasse_run import SOURCE, check, execute, run
 
 SCENE = """\
 set Title = A = b, c
@@ -113,6 +113,19 @@ def test_check():
         check(re.search(pattern, output), f"--check does not print {pattern}")
 
 
+def test_predicted_memory():
+    """21 instants of 57344 points (two tensors of 4) and 29250 unknowns."""
+    scene = SOURCE / "prm/raous1980.prm"
+    sizes = []
+    for times in ("", ", ".join(str(30 * k) for k in range(20))):
+        output = succeed("--check", scene, "--set", "Geometry/Refinements=4",
+                         "--set", f"Output/Field times={times}")
+        sizes.append(float(re.search(r"about (\d+) MB", output)[1]))
+    print(f"memory without and with field times: {sizes} MB")
+    expected = 20 * 8e-6 * (2 * 4 * 57344 + 29250)
+    check(abs(sizes[1] - sizes[0] - expected) <= 1.01, f"not {expected} MB more")
+
+
 def test_quiet_and_output():
     scene = write_scene("quiet.prm")
     elsewhere = remove("deep/in/elsewhere")
@@ -138,6 +151,28 @@ def test_directories():
     succeed(scene, *arguments, "--set", "Output directory=chosen")
     check((pathlib.Path("chosen") / "summary.json").exists(),
           "Output directory has no effect")
+
+
+def test_earlier_results():
+    """Of an earlier run nothing is left, of other people's files everything."""
+    scene = write_scene("earlier.prm")
+    directory = remove("results/earlier")
+    directory.mkdir(parents=True)
+    arguments = ("--quiet", scene, "--output", directory, "--set",
+                 "Periodic state/Maximum periods=1")
+    notes = directory / "notes.txt"
+    theirs = directory / "probe_measured.csv"
+    for path in (notes, theirs):
+        path.write_text("1, 2, 3\n")
+    succeed(*arguments)
+    check(theirs.exists(), "removed a table where no run had been")
+
+    succeed(*arguments, "--set", "Output/Probes=other: 0.3, 0.6")
+    for name in ("probe_A.csv", "probe_measured.csv"):
+        check(not (directory / name).exists(),
+              f"{name} could be taken for this run's")
+    check((directory / "probe_other.csv").exists() and notes.exists(),
+          "a file is missing")
 
 
 def test_set():
@@ -197,8 +232,10 @@ def test_round_trips():
 test_questions()
 test_mistakes()
 test_check()
+test_predicted_memory()
 test_quiet_and_output()
 test_directories()
+test_earlier_results()
 test_set()
 test_print_parameters()
 test_round_trips()

@@ -33,8 +33,8 @@ namespace
 {
   using PointOrder = std::pair<std::pair<long, long>, unsigned int>;
 
-  /** The locally owned entries by place and component: numberings differ
-   * between ranks. */
+  /** The locally owned entries without constraints, by place and component:
+   * numberings differ between ranks. */
   std::map<PointOrder, double>
   by_place(const PlateOnPlane &plate, const Vector &q)
   {
@@ -49,9 +49,10 @@ namespace
         dealii::ComponentMask mask(2, false);
         mask.set(component, true);
         for (const auto dof : dealii::DoFTools::extract_dofs(dofs, mask))
-          entries[{{std::lround(1e6 * points[dof][0]),
-                    std::lround(1e6 * points[dof][1])},
-                   component}] = q(dof);
+          if (!plate.space.constraints().is_constrained(dof))
+            entries[{{std::lround(1e6 * points[dof][0]),
+                      std::lround(1e6 * points[dof][1])},
+                     component}] = q(dof);
       }
     return entries;
   }

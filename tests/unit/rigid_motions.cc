@@ -46,6 +46,19 @@ namespace
     mesh->copy_triangulation(both);
     return mesh;
   }
+
+  /** A clamped square and another one that touches it in the vertex (1,1). */
+  std::shared_ptr<const Mesh<2>>
+  hinged_squares()
+  {
+    dealii::Triangulation<2> left, right, both;
+    dealii::GridGenerator::subdivided_hyper_cube(left, 2, 0., 1.);
+    dealii::GridGenerator::subdivided_hyper_cube(right, 2, 1., 2.);
+    dealii::GridGenerator::merge_triangulations(left, right, both);
+    auto mesh = std::make_shared<Mesh<2>>(MPI_COMM_WORLD);
+    mesh->copy_triangulation(both);
+    return mesh;
+  }
 } // namespace
 
 int
@@ -65,5 +78,13 @@ main(int argc, char **argv)
     show("a point and a slide along the line", square, {}, {corner, slide});
     show("statically determinate", square, {}, {corner, hold});
     show("two parts, one held", two_squares(), {}, {corner, hold});
+
+    const auto          hinged = hinged_squares();
+    const FixedPoint<2> far{dealii::Point<2>(2., 2.), {{true, false}}};
+    const FixedPoint<2> far_away{dealii::Point<2>(2., 2.), {{true, true}}};
+    show("a hinge, one square free", hinged, {}, {corner, hold});
+    show("a hinge, statically determinate", hinged, {}, {corner, hold, far});
+    show("three hinges in line", hinged, {}, {corner, far_away});
+    show("a hinge, nothing held", hinged, {}, {});
   });
 }

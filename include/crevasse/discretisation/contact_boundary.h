@@ -28,7 +28,17 @@ namespace Crevasse
     double                          sign      = 1.; ///< u_N = sign × u[dof]
     double                          gap       = 0.; ///< u_N ≥ gap
     double                          weight    = 0.; ///< ∫φ over the lip
-    dealii::Point<dim>              point;
+    /** ∫φ of the held nodes that take their pressure from this one. */
+    double             held_weight = 0.;
+    dealii::Point<dim> point;
+
+    /** The force on the part of the lip that this node speaks for, from its
+     * contact force g: g and the share of the held nodes around. */
+    double
+    force(const double g) const
+    {
+      return g * (1. + held_weight / weight);
+    }
   };
 
   /**
@@ -36,20 +46,30 @@ namespace Crevasse
    * The lip must be parallel to the coordinate axes, which lets u_N be a
    * degree of freedom. Nodes whose normal displacement is held by a support or
    * interpolated from hanging nodes are not contact nodes.
+   *
+   * A held node, as the crack tip that belongs to the ligament's plane of
+   * symmetry, has no contact force of its own: the support bears it. What the
+   * lip bears there is told by its neighbours: a held node takes the pressure
+   * of the nearest free node on a face that it belongs to (0 if there is
+   * none). The error is of the order of the mesh size, and none if the
+   * pressure is uniform; an open crack has no pressure at its tip.
    */
   template <int dim>
   class ContactBoundary
   {
   public:
     /**
+     * Collective.
+     *
      * @param gap_formula The least u_N, at most 0 (an initial opening is
      * negative).
-     * @throw SceneError if a face of the lip is not parallel to an axis or the
-     * gap is positive somewhere, with the place.
+     * @throw SceneError if a face of the lip is not parallel to an axis, two
+     * faces with opposite normals share a node, or the gap is positive
+     * somewhere, with the place.
      */
     ContactBoundary(const Space<dim> &space, Expression &&gap_formula);
 
-    /** In the order of their dofs. */
+    /** The free nodes, in the order of their dofs. */
     const std::vector<LipNode<dim>> &
     nodes() const;
 
@@ -58,9 +78,39 @@ namespace Crevasse
     double
     gap_at(const dealii::Point<dim> &point) const;
 
+    /**
+     * Gives each held node the value of the free one that speaks for it.
+     * Collective.
+     *
+     * @param values at the dofs of the lip, with the layout of
+     * Space::ghosted_vector(); ghost values are set at the end.
+     */
+    void
+    spread_to_held_nodes(Vector &values) const;
+
+    /** The transpose of spread_to_held_nodes(): adds the values of the held
+     * nodes to those of the free ones that speak for them. Collective. */
+    void
+    gather_from_held_nodes(Vector &values) const;
+
   private:
+    /** A node without contact force of its own, and the free one that speaks
+     * for it (invalid if there is none). */
+    struct HeldNode
+    {
+      dealii::types::global_dof_index dof;
+      dealii::types::global_dof_index neighbour;
+      double                          weight; ///< ∫φ over the lip
+    };
+
+    void
+    find_nodes(const Space<dim> &space);
+    void
+    share_weights(const Space<dim> &space);
+
     const Expression          gap;
     std::vector<LipNode<dim>> lip_nodes;
+    std::vector<HeldNode>     held_nodes;
   };
 } // namespace Crevasse
 

@@ -36,7 +36,8 @@ namespace Crevasse
                   const StrainOperator<dim> &strain_operator,
                   const LoadParameters      &parameters);
 
-    /** @param t instant within the period, 0 ≤ t < Period. */
+    /** Collective. @param t instant within the period, 0 ≤ t < Period.
+     * @throw NumericalError if a formula has no finite value. */
     void
     evaluate(const double t, Vector &loads) const;
 
@@ -75,6 +76,9 @@ namespace Crevasse
         const Support              support,
         const Space<dim>          &space,
         const StrainOperator<dim> &strain_operator);
+
+    void
+    add_densities(const double t, Vector &loads) const;
 
     std::vector<Amplitude> amplitudes;
     std::vector<Density>   densities;

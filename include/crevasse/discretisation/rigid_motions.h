@@ -20,10 +20,13 @@
 namespace Crevasse
 {
   /**
-   * Names the rigid motions that the supports leave free, for each connected
-   * part of the mesh; empty if there are none, in which case the stiffness is
-   * positive definite. Contact does not count: it can hold a body in one
-   * direction only.
+   * Names the rigid motions that the supports leave free; empty if there are
+   * none, in which case the stiffness is positive definite. Parts of the mesh
+   * that share no face move each on their own, but where they touch in a vertex
+   * it hinges them together. Contact does not count: it can hold a body in one
+   * direction only. Collective.
+   *
+   * @throw SceneError if the mesh falls into more than 300 parts.
    */
   template <int dim>
   std::vector<std::string>

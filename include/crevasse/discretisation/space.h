@@ -69,6 +69,11 @@ namespace Crevasse
     MPI_Comm
     communicator() const;
 
+    /** A vector of zeros for values at the degrees of freedom, with ghosts for
+     * those of the cells that this rank sees. */
+    Vector
+    ghosted_vector() const;
+
     /** The rule that integrates the stiffness, and at whose points the viscous
      * strain lives: Gauss with degree + 1 points a direction. */
     const dealii::Quadrature<dim> &
@@ -83,6 +88,10 @@ namespace Crevasse
     make_constraints(const std::vector<FixedPoint<dim>> &fixed_points);
     void
     constrain(const FixedPoint<dim> &fixed_point);
+    void
+    constrain(const dealii::types::global_dof_index dof,
+              const unsigned int                    component,
+              const dealii::Point<dim>             &place);
 
     const std::shared_ptr<const Mesh<dim>> triangulation;
     const dealii::MappingQ1<dim>           q1_mapping;

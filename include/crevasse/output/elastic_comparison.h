@@ -13,7 +13,6 @@
 #define crevasse_output_elastic_comparison_h
 
 #include <crevasse/periodic/observer.h>
-#include <crevasse/time/step_list.h>
 
 #include <vector>
 
@@ -32,13 +31,15 @@ namespace Crevasse
   public:
     struct Reference
     {
-      Vector              displacement;    ///< u_el at the reference loads
-      Vector              stress;          ///< s_el at the reference loads
-      std::vector<double> factor;          ///< F at each step of the period
-      double              relaxation_time; ///< τ, or 0 if not uniform
+      Vector              displacement; ///< u_el at the reference loads
+      Vector              stress;       ///< s_el at the reference loads
+      std::vector<double> factor;       ///< F at each step of the period
+      /** T F̄/τ, with the integral of F by the rule of the time integrator:
+       * what the discrete solution gains is then exactly this times u_el. */
+      double drift_factor;
     };
 
-    ElasticComparison(Reference &&reference, const StepList &steps);
+    explicit ElasticComparison(Reference &&reference);
 
     void
     observe(const Sample &sample) override;
@@ -60,7 +61,6 @@ namespace Crevasse
 
   private:
     const Reference reference;
-    const StepList &steps;
 
     Vector difference;
     double largest_difference = 0., largest_stress = 0.;

@@ -28,6 +28,12 @@ namespace Crevasse
    * Fields for ParaView at chosen instants of the last period and at the end
    * of the run. Which period is the last is known only after it, so that the
    * states are kept in memory and written by write().
+   *
+   * Point data, named as here: displacement; stress_11, …, the components of
+   * the recovered stress; viscous_strain_11, …, those of the tensor r (the
+   * shear component r_12 is half the engineering shear strain 2 r_12);
+   * principal_stress_<i> and principal_direction_<i> in the plane of the mesh,
+   * the largest first; second_deviator_invariant; contact_pressure.
    */
   template <int dim>
   class FieldWriter : public Observer

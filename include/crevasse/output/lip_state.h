@@ -20,8 +20,8 @@ namespace Crevasse
   /** The crack lip at one instant, over all ranks. */
   struct LipState
   {
-    unsigned int closed_nodes     = 0;
-    double       force            = 0.; ///< Σ g
+    unsigned int closed_nodes     = 0;  ///< of the free ones
+    double       force            = 0.; ///< ∫ pressure, held nodes included
     double       largest_pressure = 0.; ///< g / weight
     double       largest_opening  = 0.; ///< u_N − gap
   };

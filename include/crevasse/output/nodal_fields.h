@@ -39,7 +39,8 @@ namespace Crevasse
                     const StressRecovery<dim> &recovery,
                     const std::vector<Vector> &nodal_stress);
 
-  /** Nodal contact pressure g / weight, zero off the lip. */
+  /** Nodal contact pressure: g / weight, that of a neighbour at held nodes
+   * (see ContactBoundary), zero off the lip. */
   template <int dim>
   Vector
   contact_pressure(const Space<dim>           &space,

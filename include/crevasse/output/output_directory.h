@@ -21,8 +21,14 @@ namespace Crevasse
   void
   require_writable_directory(const std::string &directory);
 
-  /** Removes what an earlier run has written there, so that nothing of it is
-   * taken for a result of this one. Other files stay. */
+  /**
+   * Removes what an earlier run has written there, so that nothing of it is
+   * taken for a result of this one. Other files stay, and so does everything
+   * where no used.prm tells that there was a run.
+   *
+   * @throw FileError if something cannot be removed, or a directory has the
+   * name of a file that is to be written.
+   */
   void
   remove_earlier_results(const std::string &directory);
 } // namespace Crevasse

@@ -28,13 +28,16 @@ namespace Crevasse
   /**
    * Displacement, recovered stress and, on the lip, opening and pressure at one
    * point, as weighted sums found once: following a point through time costs
-   * next to nothing. Collective, whichever rank owns the point.
+   * next to nothing. Each rank sums over what it owns, so that no ghost values
+   * are read, and the sums over the ranks are the values on each of them.
+   *
+   * A point is on the lip if one of the cells around it has a lip face there.
    */
   template <int dim>
   class ProbeEvaluator
   {
   public:
-    /** @throw SceneError if the point lies outside the mesh. */
+    /** Collective. @throw SceneError if the point lies outside the mesh. */
     ProbeEvaluator(const Probe<dim>           &probe,
                    const Space<dim>           &space,
                    const StressRecovery<dim>  &recovery,
@@ -53,43 +56,51 @@ namespace Crevasse
     VoigtVector<dim>
     stress(const Vector &stress) const;
 
-    /** Opening u_N − gap and contact pressure; both 0 off the lip. */
+    /** Opening u_N − gap and contact pressure, interpolated from the nodes of
+     * the lip; both 0 off the lip. */
     std::array<double, 2>
     opening_and_pressure(const State &state) const;
 
   private:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
     using DofWeights =
       std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
-    void
-    find_displacement_weights(
-      const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
-      const dealii::Point<dim>                                     &unit_point,
-      const Space<dim>                                             &space);
+    /** A point in one of the cells around it. */
+    struct Place
+    {
+      Cell               cell;
+      dealii::Point<dim> unit_point;
+      bool               found    = false;
+      unsigned int       lip_face = dealii::numbers::invalid_unsigned_int;
+    };
 
-    DofWeights
-    nodal_weights(
-      const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
-      const dealii::Point<dim>                                     &unit_point,
-      const StressRecovery<dim> &recovery) const;
+    Place
+    find_place(const Space<dim> &space) const;
+
+    /** Whether the place of this rank is the one to take; one rank has it. */
+    bool
+    is_chosen(const Place &place) const;
 
     void
-    find_lip_weights(
-      const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
-      const dealii::Point<dim>                                     &unit_point,
-      const Space<dim>                                             &space);
+    find_displacement_weights(const Place &place, const Space<dim> &space);
+    void
+    find_stress_weights(const Place &place);
+    void
+    find_lip_weights(const Place &place, const Space<dim> &space);
 
     const Probe<dim>            probe;
     const MPI_Comm              communicator;
     const StressRecovery<dim>  &recovery;
     const ContactBoundary<dim> &lip;
 
+    /** Of the dofs and lip nodes that this rank owns. */
     std::array<DofWeights, dim>                  displacement_weights;
     typename StressRecovery<dim>::PointWeights   stress_weights;
-    std::vector<std::pair<unsigned int, double>> lip_weights;
-    bool                                         is_on_lip  = false;
-    bool                                         owns_point = false;
-    dealii::Tensor<1, dim> normal; ///< inward, of the lip; on the owner
+    std::vector<std::pair<unsigned int, double>> pressure_weights;
+
+    bool                   is_on_lip = false;
+    dealii::Tensor<1, dim> normal; ///< inward, of the lip; 0 off it
     double                 gap = 0.;
   };
 

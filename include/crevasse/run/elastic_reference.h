@@ -15,28 +15,45 @@
 #include <crevasse/output/elastic_comparison.h>
 #include <crevasse/run/body.h>
 #include <crevasse/run/solvers.h>
+#include <crevasse/time/integrator.h>
+
+#include <string>
+#include <vector>
 
 namespace Crevasse
 {
+  /** F, for loads F(t) p(x), relative to the loads at step_of_largest_load().
+   */
+  struct LoadFactors
+  {
+    std::vector<double> at_steps; ///< at the beginning of each step
+    double              integral; ///< over a period, by the integrator's rule
+  };
+
   /**
-   * F at each step, for loads F(t) p(x), relative to the loads at
-   * step_of_largest_load().
+   * @param integrator None without viscosity; the integral is then 0.
+   * @param comparison [Output] Elastic comparison: open or closed.
    *
-   * @throw SceneError if the loads are not of this form: then there is no
-   * closed form to compare with.
+   * @throw SceneError if there is no closed form to compare with: the lip has
+   * a gap, the viscosity is not proportional to the stiffness, the loads are
+   * not of this form, or F changes its sign where it must not.
    */
   template <int dim>
-  std::vector<double>
-  load_factors(const Body<dim> &body, const StepList &steps);
+  LoadFactors
+  load_factors(const Body<dim>   &body,
+               const StepList    &steps,
+               const Integrator  *integrator,
+               const std::string &comparison);
 
   /** What ElasticComparison compares with: u_el and s_el at the instant of the
-   * largest load, by the direct solver, and F at each step. */
+   * largest load, by the direct solver, and F. */
   template <int dim>
   ElasticComparison::Reference
-  elastic_reference(const Body<dim> &body,
-                    Solvers<dim>    &solvers,
-                    const StepList  &steps,
-                    const bool       lip_closed);
+  elastic_reference(const Body<dim>   &body,
+                    Solvers<dim>      &solvers,
+                    const StepList    &steps,
+                    const Integrator  *integrator,
+                    const std::string &comparison);
 } // namespace Crevasse
 
 #endif

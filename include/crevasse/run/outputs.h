@@ -23,6 +23,7 @@
 #include <crevasse/output/tables.h>
 #include <crevasse/run/body.h>
 #include <crevasse/run/solvers.h>
+#include <crevasse/time/integrator.h>
 
 #include <memory>
 #include <string>
@@ -43,6 +44,7 @@ namespace Crevasse
             const std::vector<ProbeEvaluator<dim>> &probes,
             Solvers<dim>                           &solvers,
             const StepList                         &steps,
+            const Integrator                       *integrator,
             Log                                    &log,
             const std::string                      &directory);
 
@@ -50,7 +52,7 @@ namespace Crevasse
     observers() const;
 
     /** Writes the fields, prints what was found, and adds it to the summary:
-     * extremes, secular, elastic_comparison. */
+     * extremes, drift, elastic_comparison. */
     void
     finish(Summary &summary);
 
@@ -62,6 +64,11 @@ namespace Crevasse
     Derived *
     add(Arguments &&...arguments);
 
+    /** summary.json "drift": what the displacement has gained over the last
+     * period, divided by its length T (length/time): the largest component of
+     * any node, and the vector at each probe. This is measured, whether the
+     * stress is periodic yet or not; the rate β of the secular problem is its
+     * limit. */
     void
     finish_drift(Summary &summary) const;
     void

@@ -17,6 +17,8 @@
 #include <crevasse/run/body.h>
 #include <crevasse/time/step_list.h>
 
+#include <vector>
+
 namespace Crevasse
 {
   /** How large a discretised body is. */
@@ -34,10 +36,16 @@ namespace Crevasse
     add_to(Summary &summary) const;
   };
 
-  /** Prints sizes and the memory that the run is going to need. Collective. */
+  /** Prints sizes and the memory that the run is going to need, within about a
+   * tenth. Collective.
+   *
+   * @param field_times [Output] Field times. */
   template <int dim>
   void
-  describe_sizes(const Body<dim> &body, const StepList &steps, Log &log);
+  describe_sizes(const Body<dim>           &body,
+                 const StepList            &steps,
+                 const std::vector<double> &field_times,
+                 Log                       &log);
 } // namespace Crevasse
 
 #endif

@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace Crevasse
 {
@@ -24,6 +25,13 @@ namespace Crevasse
   /** ṙ = f(r,t): writes f into the last argument. */
   using RateFunction =
     std::function<void(const double t, const Vector &r, Vector &rate)>;
+
+  /** A rule on [0,1]: Σ weight × f(node), the weights sum up to 1. */
+  struct TimeQuadrature
+  {
+    std::vector<double> nodes;
+    std::vector<double> weights;
+  };
 
   /** Advances the ODE ṙ = f(r,t) step by step. */
   class Integrator
@@ -47,6 +55,10 @@ namespace Crevasse
     /** Largest Δt / τ_min for which decaying solutions decay. */
     virtual double
     stability_limit() const = 0;
+
+    /** The rule by which a step integrates an f that does not depend on r. */
+    virtual TimeQuadrature
+    quadrature() const = 0;
 
     virtual std::string
     description() const = 0;

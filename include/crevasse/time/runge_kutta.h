@@ -35,6 +35,9 @@ namespace Crevasse
     double
     stability_limit() const override;
 
+    TimeQuadrature
+    quadrature() const override;
+
     std::string
     description() const override;
 

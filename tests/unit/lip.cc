@@ -1,0 +1,169 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+// The lip on several ranks. Eight cells in a row put the crack tip, whose node
+// a support holds, where the cells of two ranks meet: its neighbour on the lip
+// belongs to the other rank.
+
+#include <crevasse/output/lip_state.h>
+#include <crevasse/output/nodal_fields.h>
+#include <crevasse/output/probe.h>
+#include <crevasse/scene/collectively.h>
+#include <crevasse/scene/geometry.h>
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <crevasse_tests/tests.h>
+
+using namespace Crevasse;
+
+namespace
+{
+  constexpr unsigned int dim = 2;
+
+  std::shared_ptr<const Mesh<dim>>
+  make_mesh(const GeometryParameters &geometry)
+  {
+    auto mesh = std::make_shared<Mesh<dim>>(MPI_COMM_WORLD);
+    Crevasse::make_mesh(geometry, *mesh);
+    return mesh;
+  }
+
+
+
+  /** u = (x, 2 + x) with no regard to supports: the opening is 2 + x − gap. */
+  void
+  set_displacement(const Space<dim> &space, Vector &displacement)
+  {
+    std::map<dealii::types::global_dof_index, dealii::Point<dim>> points;
+    dealii::DoFTools::map_dofs_to_support_points(space.mapping(),
+                                                 space.dof_handler(),
+                                                 points);
+    const auto                                  &fe = space.finite_element();
+    std::vector<dealii::types::global_dof_index> indices(fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(indices);
+          for (unsigned int i = 0; i < indices.size(); ++i)
+            if (displacement.in_local_range(indices[i]))
+              displacement(indices[i]) =
+                points[indices[i]][0] +
+                2. * fe.system_to_component_index(i).first;
+        }
+    space.constraints().set_zero(displacement);
+    displacement.update_ghost_values();
+    displacement.zero_out_ghost_values(); // as after a sweep of D
+  }
+
+
+
+  /** Under the pressure 10, with an opening u_N − gap = 2 + x + 1 + x where the
+   * lip is free. */
+  void
+  show_lip(const unsigned int degree)
+  {
+    GeometryParameters geometry;
+    geometry.subdivisions = {8, 1};
+    const Space<dim>           space(make_mesh(geometry),
+                           degree,
+                           built_in_roles(geometry),
+                           built_in_fixed_points<dim>(geometry));
+    const QuadratureField<dim> points(space);
+    const StressRecovery<dim>  recovery(space, points);
+    const ContactBoundary<dim> lip(space, Expression("-1-x"));
+
+    State state;
+    state.displacement = space.ghosted_vector();
+    set_displacement(space, state.displacement);
+    for (const LipNode<dim> &node : lip.nodes())
+      state.contact_forces.push_back(10. * node.weight);
+    const LipState now = lip_state(lip, state);
+    std::cout << "Q" << degree << ": force " << now.force
+              << ", largest pressure " << now.largest_pressure << std::endl;
+
+    const Vector field =
+      contact_pressure(space, recovery, lip, state.contact_forces);
+    std::cout << "  sum of the nodal pressures: " << field.l1_norm()
+              << std::endl;
+
+    for (const char *place : {"tip: 0.5, 0",
+                              "near: 0.53125, 0",
+                              "mid: 0.78125, 0",
+                              "mouth: 1, 0",
+                              "ligament: 0.46875, 0",
+                              "inside: 0.5, 0.3"})
+      {
+        const auto  probes = make_probes(place, space, recovery, lip);
+        const auto &probe  = probes.front();
+        const auto  u      = probe.displacement(state.displacement);
+        const auto  values = probe.opening_and_pressure(state);
+        std::cout << "  " << place << (probe.on_lip() ? " on the lip" : "")
+                  << ": u_1 " << u[0] << ", opening " << values[0]
+                  << ", pressure " << values[1] << std::endl;
+      }
+  }
+
+
+
+  /** What one rank alone finds is thrown on all. */
+  void
+  show_errors()
+  {
+    const auto rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    const auto last =
+      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) - 1;
+    bool thrown = false;
+    try
+      {
+        collectively(MPI_COMM_WORLD, [&]() {
+          if (rank == last)
+            throw SceneError("the last rank says so");
+        });
+      }
+    catch (const SceneError &error)
+      {
+        thrown = (std::string(error.what()) == "the last rank says so");
+      }
+    check("thrown on all ranks",
+          dealii::Utilities::MPI::min(thrown ? 1 : 0, MPI_COMM_WORLD) == 1);
+
+    GeometryParameters geometry;
+    geometry.subdivisions = {8, 1};
+    const Space<dim> space(make_mesh(geometry),
+                           1,
+                           built_in_roles(geometry),
+                           {});
+    try
+      {
+        // Positive at the mouth only.
+        const ContactBoundary<dim> lip(space, Expression("x-0.9"));
+        check("a positive gap is refused", false);
+      }
+    catch (const SceneError &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  return run_test(argc, argv, []() {
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+      std::cout.setstate(std::ios::failbit);
+    show_lip(1);
+    show_lip(2);
+    show_errors();
+  });
+}
