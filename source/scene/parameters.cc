@@ -81,37 +81,36 @@ namespace Crevasse
   void
   BoundaryParameters::add_parameters(ParameterHandler &prm)
   {
-    const auto ids = [](const char *automatic) {
-      return std::string(
-               " The built-in shapes have the ids 0 on the left, 1 on "
-               "the right, 2 below but for the crack lip, 3 above, "
-               "and 4 on the crack lip; a mesh file has its own. "
-               "\"automatic\" is ") +
-             automatic +
-             " for a built-in shape, except for ids that another role names, "
-             "and none for a mesh file. Allowed: automatic, none, or boundary "
-             "ids separated by commas";
-    };
+    const std::string ids =
+      " The built-in shapes have the ids 0 on the left, 1 on the right, 2 "
+      "below but for the crack lip, 3 above, and 4 on the crack lip; a mesh "
+      "file has its own. \"automatic\" is ";
+    const std::string others =
+      " for a built-in shape, but for ids that another role names, and none "
+      "for a mesh file";
+    const std::string allowed =
+      ". Allowed: automatic, none, or boundary ids separated by commas";
 
     prm.add_parameter("Clamped",
                       clamped,
-                      "Boundary ids where the displacement is zero." +
-                        ids("none"));
+                      "Boundary ids where the displacement is zero." + ids +
+                        "none" + allowed);
     prm.add_parameter("Symmetry",
                       symmetry,
                       "Boundary ids of symmetry planes: the normal "
                       "displacement and the tangential traction are zero." +
-                        ids("2 (and 0 with a centre crack)"));
+                        ids + "2 (and 0 with a centre crack)" + others +
+                        allowed);
     prm.add_parameter("Loaded",
                       loaded,
                       "Boundary ids that carry the traction of the section "
                       "Loads." +
-                        ids("3"));
+                        ids + "3" + others + allowed);
     prm.add_parameter("Contact",
                       contact,
                       "Boundary ids of crack lips, which may open but not go "
                       "through the crack plane." +
-                        ids("4 (none in a rectangle)"));
+                        ids + "4 (none in a rectangle)" + others + allowed);
     prm.add_parameter(
       "Fixed points",
       fixed_points,
