@@ -45,9 +45,10 @@ namespace
   prepare(const OutputChoice &output, const std::string &used, Log &log)
   {
     const std::string &directory = output.directory();
-    if (output.holds_other_results(used))
-      log.line("  results of an earlier run in " + directory + " are replaced");
+    const bool         replaces  = output.holds_other_results(used);
     output.prepare();
+    if (replaces)
+      log.line("  results of an earlier run in " + directory + " are replaced");
 
     const std::string file_name = directory + "/used.prm";
     std::ofstream     file(file_name);
