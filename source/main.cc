@@ -10,8 +10,8 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/output/log.h>
-#include <crevasse/output/output_directory.h>
 #include <crevasse/run/command_line.h>
+#include <crevasse/run/output_choice.h>
 #include <crevasse/run/simulation.h>
 #include <crevasse/run/version.h>
 #include <crevasse/scene/problems.h>
@@ -31,26 +31,28 @@ namespace
   using namespace Crevasse;
 
   std::string
-  output_directory(const Command &command, const Scene &scene)
+  used_parameters(dealii::ParameterHandler &prm)
   {
-    if (!command.output_directory.empty())
-      return command.output_directory;
-    if (!scene.output_directory.empty())
-      return scene.output_directory;
-    return "results/" +
-           std::filesystem::path(command.scene_file).stem().string();
+    std::ostringstream text;
+    prm.print_parameters(text, dealii::ParameterHandler::PRM);
+    return text.str();
   }
 
 
 
+  /** Makes the output directory ready for this run's results. */
   void
-  write_used_parameters(dealii::ParameterHandler &prm,
-                        const std::string        &file_name)
+  prepare(const OutputChoice &output, const std::string &used, Log &log)
   {
-    std::ostringstream text;
-    prm.print_parameters(text, dealii::ParameterHandler::PRM);
-    std::ofstream file(file_name);
-    file << text.str() << std::flush;
+    const std::string &directory = output.directory();
+    const bool         replaces  = output.holds_other_results(used);
+    output.prepare();
+    if (replaces)
+      log.line("  results of an earlier run in " + directory + " are replaced");
+
+    const std::string file_name = directory + "/used.prm";
+    std::ofstream     file(file_name);
+    file << used << std::flush;
     if (!file)
       throw FileError("Cannot write " + file_name + ".");
   }
@@ -58,7 +60,7 @@ namespace
 
 
   void
-  run_scene(const Command &command)
+  run_scene(const Command &command, Log &log)
   {
     const MPI_Comm communicator = MPI_COMM_WORLD;
     dealii::ParameterHandler prm;
@@ -68,24 +70,22 @@ namespace
     scene.check(problems);
     problems.throw_if_any();
 
-    Log log(communicator, command.quiet);
     log.line("Crevasse " CREVASSE_VERSION ": " +
              std::filesystem::path(command.scene_file).filename().string());
     Simulation<2> simulation(scene, communicator, log);
     simulation.describe();
+    const OutputChoice output(command, scene);
     if (command.check)
       {
+        log.line("  output directory: " + output.directory());
+        output.require_usable();
         log.line("The scene is in order; nothing was computed.");
         return;
       }
 
-    const std::string directory = output_directory(command, scene);
+    const std::string &directory = output.directory();
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        require_writable_directory(directory);
-        remove_earlier_results(directory);
-        write_used_parameters(prm, directory + "/used.prm");
-      }
+      prepare(output, used_parameters(prm), log);
     log.open_file(directory + "/log.txt");
     simulation.run(directory);
     log.line("  results in " + directory);
@@ -97,9 +97,9 @@ namespace
   int
   run_guarded(const Command &command)
   {
-    const auto report = [](const std::exception &error, const int status) {
-      if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-        std::cerr << "crevasse: " << error.what() << std::endl;
+    Log        log(MPI_COMM_WORLD, command.quiet);
+    const auto report = [&log](const std::exception &error, const int status) {
+      log.error(std::string("crevasse: ") + error.what());
       return status;
     };
     try
@@ -107,7 +107,7 @@ namespace
         if (!command.print_format.empty())
           print_parameters(std::cout, command.print_format);
         else
-          run_scene(command);
+          run_scene(command, log);
         return done;
       }
     catch (const SceneError &error)

@@ -61,12 +61,12 @@ def built_in_shape(results):
 
 def stress_levels(fields, magnify, caption):
     """4: level curves of the three components of the stress."""
-    figure, panels = pyplot.subplots(1, 3, figsize=(12, 4.4),
+    figure, panels = pyplot.subplots(1, 3, figsize=(12, 5),
                                      constrained_layout=True)
     stress = [fields[f"stress_{name}"] for name in COMPONENTS]
     scale = numpy.abs(stress).max()
     for axes, name, values in zip(panels, COMPONENTS, stress):
-        draw_level_curves(axes, fields, values, scale, magnify)
+        draw_level_curves(axes, fields, values, scale, magnify, "stress")
         axes.set_title(f"$s_{{{name}}}$   ({span(values, scale)})")
     figure.supxlabel(caption, fontsize=9)
     return figure
@@ -116,10 +116,10 @@ def principal_stresses(fields, magnify, caption):
 
 def deviator_invariant(fields, magnify, caption):
     """6: level curves of the second invariant of the deviator."""
-    figure, axes = pyplot.subplots(figsize=(5.6, 5.6))
+    figure, axes = pyplot.subplots(figsize=(5.6, 6.2), constrained_layout=True)
     values = fields["second_deviator_invariant"]
-    draw_level_curves(axes, fields, values, values.max(), magnify)
+    draw_level_curves(axes, fields, values, values.max(), magnify,
+                      "stress squared")
     axes.set_title(f"$J_2$   ({span(values, values.max())})")
-    axes.text(0.5, -0.02, caption, transform=axes.transAxes, ha="center",
-              va="top")
+    figure.supxlabel(caption, fontsize=9)
     return figure

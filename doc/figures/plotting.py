@@ -43,6 +43,13 @@ def round_number(value):
     return max(m * power for m in (1, 2, 5) if m * power <= value * (1 + 1e-9))
 
 
+def round_up(value):
+    """The smallest of 1, 2, 5, 10, ... not below the value."""
+    power = 10.0 ** numpy.floor(numpy.log10(value))
+    return min(m * power for m in (1, 2, 5, 10)
+               if m * power >= value * (1 - 1e-9))
+
+
 def ladder(low, high, mantissas=(1, 2, 5)):
     """The numbers m times 10^k between two positive ones."""
     powers = range(int(numpy.floor(numpy.log10(low))),
@@ -51,7 +58,7 @@ def ladder(low, high, mantissas=(1, 2, 5)):
             if low <= m * 10.0 ** k <= high]
 
 
-def choose_levels(values, scale, count=8):
+def choose_levels(values, scale, count=14):
     """Round levels: equally spaced over most of the values, wider apart in the
     peaks; 1-2-3-5 where a field without sign covers several orders. None where
     the values differ by rounding alone, measured by the scale."""
@@ -64,7 +71,7 @@ def choose_levels(values, scale, count=8):
                                   (1, 2, 3, 5)))
     if high - low <= 1e-6 * (largest - least):
         low, high = least, largest
-    step = round_number((high - low) / count * 1.2)
+    step = round_up((high - low) / count)
     levels = step * numpy.arange(numpy.ceil(low / step - 1e-9),
                                  numpy.floor(high / step + 1e-9) + 1)
     peaks = (1, 1.5, 2, 3, 4, 5, 6, 8)
@@ -83,7 +90,8 @@ def level_colours(levels):
     negative, orange where positive, white about zero."""
     bounds = numpy.concatenate([[-numpy.inf], levels, [numpy.inf]])
     middle = (bounds[1:] + bounds[:-1]) / 2
-    middle[0], middle[-1] = levels[0], levels[-1]
+    middle[0] = numpy.nextafter(levels[0], -numpy.inf)  # below 0 if that is 0
+    middle[-1] = levels[-1]
     below = LinearSegmentedColormap.from_list("", ["#f3f8fc", "#7fb5da"])
     above = LinearSegmentedColormap.from_list("", ["#fef8f1", "#f0a35e"])
     negative = int((middle < 0).sum())
@@ -92,16 +100,23 @@ def level_colours(levels):
             [above((i + 1) / max(positive, 1)) for i in range(positive)])
 
 
-def draw_level_curves(axes, fields, values, scale, magnify):
-    """Labelled level curves over a pale ground on the deformed body."""
+def draw_level_curves(axes, fields, values, scale, magnify, quantity):
+    """Labelled level curves over a pale ground on the deformed body, and a bar
+    that names all levels: in the peaks they are wider apart."""
     triangles, carry = fields.triangulation()
     place = deformed(fields, magnify)
     body = Triangulation(carry(place[:, 0]), carry(place[:, 1]), triangles)
     z = carry(values)
     levels = choose_levels(values, scale)
     if len(levels) > 1:
-        axes.tricontourf(body, z, levels, extend="both",
-                         colors=level_colours(levels))
+        ground = axes.tricontourf(body, z, levels, extend="both",
+                                  colors=level_colours(levels))
+        bar = axes.figure.colorbar(ground, ax=axes, orientation="horizontal",
+                                   spacing="uniform", ticks=levels, aspect=45,
+                                   shrink=0.92, pad=0.02, label=quantity)
+        bar.ax.set_xticklabels([signed(level, 3) for level in levels],
+                               fontsize=7)
+        bar.outline.set_linewidth(0.5)
     if len(levels):
         lines = axes.tricontour(body, z, levels=levels, colors=INK,
                                 linewidths=0.7, linestyles="solid")

@@ -70,7 +70,7 @@ def time_axis(axes, period):
     axes.set_xlim(period.begin, period.end)
     axes.xaxis.set_major_locator(MultipleLocator((period.end - period.begin) / 4))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda t, _: f"{t:g}"))
-    axes.set_xlabel("$t$")
+    axes.set_xlabel("time $t$ (units of the scene)")
 
 
 def shade_closed(axes, states):
@@ -104,9 +104,18 @@ def stress_history(results, probe, wanted):
         shade_closed(axes, states)
         label_states(axes, states, period)
     time_axis(axes, period)
-    axes.set_ylabel(f"stress at {probe}")
+    axes.set_ylabel(f"stress at {probe} (units of the scene)")
     axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return figure
+
+
+def letters_in_words(count, states):
+    """What the letters of figure 3 stand for."""
+    ends = [f"{letter}: the lip {'closes' if after[2] else 'opens'}"
+            for letter, after in zip(string.ascii_lowercase[1:], states[1:])]
+    last = string.ascii_lowercase[count - 1]
+    return ";  ".join(["a: the period begins", *ends,
+                       f"{last}: the period ends"])
 
 
 def opening_history(results, probe, wanted):
@@ -143,8 +152,10 @@ def opening_history(results, probe, wanted):
         if top <= 1e-6 * scale:
             top = scale or 1  # zero but for rounding: a straight line
         panel.set_ylim(-below_zero * top, 1.08 * top)
-    axes.set_ylabel(f"$u_N$ at {probe}")
-    below.set_ylabel("$g$")
+    axes.set_ylabel(f"opening $u_N$ at {probe} (length)")
+    below.set_ylabel("pressure $g$\n(stress)")
     time_axis(below, period)
     figure.align_ylabels()
+    figure.text(0.5, -0.01, letters_in_words(len(ends), states), ha="center",
+                va="top", fontsize=9)
     return figure

@@ -11,10 +11,9 @@
 
 #include <crevasse/output/csv_table.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 #include <deal.II/base/exceptions.h>
-
-#include <limits>
 
 namespace Crevasse
 {
@@ -24,7 +23,6 @@ namespace Crevasse
     , n_columns(header.size())
     , file(file_name)
   {
-    file.precision(std::numeric_limits<double>::max_digits10);
     for (std::size_t i = 0; i < n_columns; ++i)
       file << (i > 0 ? "," : "") << header[i];
     file << std::endl;
@@ -39,7 +37,7 @@ namespace Crevasse
   {
     AssertDimension(values.size(), n_columns);
     for (std::size_t i = 0; i < n_columns; ++i)
-      file << (i > 0 ? "," : "") << values[i];
+      file << (i > 0 ? "," : "") << Text::from_number(values[i]);
     file << std::endl;
     if (!file)
       throw FileError("Cannot write " + file_name +

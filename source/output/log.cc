@@ -60,6 +60,19 @@ namespace Crevasse
 
 
   void
+  Log::error(const std::string &text)
+  {
+    if (!first_rank)
+      return;
+    clear_progress();
+    std::cerr << text << std::endl;
+    if (file.is_open())
+      file << text << std::endl;
+  }
+
+
+
+  void
   Log::require_written() const
   {
     if (!name.empty() && !file)

@@ -91,10 +91,13 @@ namespace Crevasse
   void
   Progress<dim>::end_of_period(const PeriodReport &report)
   {
-    log.line(format("  %6u %8g  %16.6e %4zu",
+    // The first period has none before it from which its stress could change.
+    const std::string change =
+      report.period == 1 ? "-" : format("%.6e", report.stress_change);
+    log.line(format("  %6u %8g  %16s %4zu",
                     report.period,
                     report.end_time,
-                    report.stress_change,
+                    change.c_str(),
                     report.vi_solves));
   }
 

@@ -13,6 +13,10 @@
 #include <crevasse/run/body.h>
 #include <crevasse/scene/geometry.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
+
+#include <array>
+#include <utility>
 
 namespace Crevasse
 {
@@ -40,6 +44,65 @@ namespace Crevasse
       require_no_rigid_motion(space);
       return space;
     }
+
+
+
+    /** The parameters that name boundary ids, each with its own name. */
+    std::array<std::pair<const char *, const std::string *>, 3>
+    roles_besides_loaded(const BoundaryParameters &parameters)
+    {
+      return {{{"Clamped", &parameters.clamped},
+               {"Symmetry", &parameters.symmetry},
+               {"Contact", &parameters.contact}}};
+    }
+
+
+
+    /** Which parameter took the loaded boundary of the built-in shape for
+     * itself, as a sentence, or nothing if none did. */
+    std::string
+    who_took_the_loaded_boundary(const Scene &scene)
+    {
+      if (parse_boundary_ids(scene.boundary.loaded))
+        return "";
+      for (const auto id : built_in_roles(scene.geometry).loaded)
+        for (const auto &[name, value] : roles_besides_loaded(scene.boundary))
+          {
+            const auto ids = parse_boundary_ids(*value);
+            if (ids && ids->count(id) > 0)
+              return " The loaded boundary of this shape is the boundary id " +
+                     std::to_string(id) + ", which [Boundary] " + name + " = " +
+                     *value + " takes away from it.";
+          }
+      return "";
+    }
+
+
+
+    std::string
+    list_ids(const char *role, const std::set<types::boundary_id> &ids)
+    {
+      std::vector<std::string> numbers;
+      for (const types::boundary_id id : ids)
+        numbers.push_back(std::to_string(id));
+      return role + (" " + Text::join(numbers, ", "));
+    }
+
+
+
+    /** As in a scene: components follow a colon unless all are fixed. */
+    template <int dim>
+    std::string
+    describe_fixed_point(const FixedPoint<dim> &fixed_point)
+    {
+      std::vector<std::string> components;
+      for (unsigned int d = 0; d < dim; ++d)
+        if (fixed_point.components[d])
+          components.push_back(std::to_string(d + 1));
+      return "fixed " + Text::from_point(fixed_point.point) +
+             (components.size() < dim ? ": " + Text::join(components, ", ")
+                                      : "");
+    }
   } // namespace
 
 
@@ -54,7 +117,8 @@ namespace Crevasse
       if (!component.is_zero() && roles.loaded.empty())
         throw SceneError("[Loads] Traction = " + scene.loads.traction +
                          ": no boundary has the role Loaded that could bear "
-                         "it; set [Boundary] Loaded, or the traction to 0.");
+                         "it; set [Boundary] Loaded, or the traction to 0." +
+                         who_took_the_loaded_boundary(scene));
     return roles;
   }
 
@@ -67,6 +131,25 @@ namespace Crevasse
     return scene.boundary.fixed_points == "automatic"
              ? built_in_fixed_points<dim>(scene.geometry)
              : parse_fixed_points<dim>(scene.boundary.fixed_points);
+  }
+
+
+
+  template <int dim>
+  std::string
+  describe_boundaries(const Scene &scene)
+  {
+    const BoundaryRoles      roles = boundary_roles(scene);
+    std::vector<std::string> parts;
+    for (const auto &[role, ids] : {std::make_pair("clamped", &roles.clamped),
+                                    std::make_pair("symmetry", &roles.symmetry),
+                                    std::make_pair("loaded", &roles.loaded),
+                                    std::make_pair("contact", &roles.contact)})
+      if (!ids->empty())
+        parts.push_back(list_ids(role, *ids));
+    for (const FixedPoint<dim> &fixed_point : fixed_points<dim>(scene))
+      parts.push_back(describe_fixed_point(fixed_point));
+    return Text::join(parts, "; ");
   }
 
 
@@ -109,4 +192,6 @@ namespace Crevasse
   unilateral_bounds<2>(const ContactBoundary<2> &);
   template std::vector<FixedPoint<2>>
   fixed_points<2>(const Scene &);
+  template std::string
+  describe_boundaries<2>(const Scene &);
 } // namespace Crevasse

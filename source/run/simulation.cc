@@ -22,6 +22,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -40,6 +41,28 @@ namespace Crevasse
       if (parameters.scheme == "rk4")
         return std::make_unique<RungeKutta>(rk4_tableau());
       return std::make_unique<RungeKutta>(heun_tableau(parameters.heun_weight));
+    }
+
+
+
+    /** How many periods more it takes until the change of stress is below the
+     * tolerance if it goes on to fall as from the last but one period to the
+     * last, in brackets; nothing as long as this cannot be told. The first
+     * change, from no stress at all, says nothing. */
+    std::string
+    periods_to_go(const std::vector<double> &changes, const double tolerance)
+    {
+      if (changes.size() < 3)
+        return "";
+      const double last  = changes.back();
+      const double ratio = last / changes[changes.size() - 2];
+      if (!(ratio < 1.))
+        return " (the change does not fall at present)";
+      std::ostringstream text;
+      text << " (about "
+           << std::ceil(std::log(tolerance / last) / std::log(ratio))
+           << " more at the present rate)";
+      return text.str();
     }
   } // namespace
 
@@ -83,6 +106,7 @@ namespace Crevasse
     if (!scene.title.empty())
       log.line(scene.title);
     describe_sizes(body, steps, scene.output.field_times, log);
+    log.line("  boundaries: " + describe_boundaries<dim>(scene));
     for (const Effects::Effect &effect : body.effects.list())
       {
         char text[200];
@@ -115,8 +139,14 @@ namespace Crevasse
     if (!scene.contact.relaxation_table.empty())
       write_relaxation_table(scene, body, solvers, steps, log, directory);
 
+    // Where nothing is marched, no tables are begun either.
     Summary              summary;
     const PeriodicResult result = [&]() {
+      if (scene.periodic_state.maximum_periods == 0)
+        {
+          summarise(summary, solvers);
+          return PeriodicResult();
+        }
       Outputs<dim>         outputs(scene,
                            body,
                            recovery,
@@ -128,14 +158,14 @@ namespace Crevasse
                            directory);
       const PeriodicResult result = march(solvers, outputs.observers());
       summarise(summary, solvers);
-      if (result.periods > 0)
-        outputs.finish(summary);
+      outputs.finish(summary);
       return result;
     }();
 
     summary["stress_change"] = result.stress_change;
     summary["periods"]       = result.periods;
-    summary["converged"]     = result.converged;
+    summary["converged"]     = // null: nothing was marched
+      result.periods > 0 ? Summary(result.converged) : Summary();
     for (const auto &[name, seconds] :
          phases.get_summary_data(TimerOutput::total_wall_time))
       summary["seconds"][name] = seconds;
@@ -197,6 +227,8 @@ namespace Crevasse
     summary["counters"]["rate_evaluations"] = rate_evaluations;
 
     const ContactSolver &contact = solvers.contact_solver();
+    if (contact.n_solves() == 0)
+      return; // nothing to certify
     log.line("");
     log.line("  certificate of " + std::to_string(contact.n_solves()) +
              " solves: " + contact.worst_certificate().describe());
@@ -217,9 +249,11 @@ namespace Crevasse
             << " it still changes by " << result.stress_change.back()
             << " of its maximum, more than [Periodic state] Tolerance = "
             << scene.periodic_state.tolerance
-            << ". All results so far are written. Raise \"Maximum periods\" or "
-               "\"Tolerance\", or set Tolerance = 0 to compute a fixed number "
-               "of periods.";
+            << ". All results so far are written. Raise \"Maximum periods\""
+            << periods_to_go(result.stress_change,
+                             scene.periodic_state.tolerance)
+            << " or \"Tolerance\", or set Tolerance = 0 to compute a fixed "
+               "number of periods.";
     throw NumericalError(message.str());
   }
 

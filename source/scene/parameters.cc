@@ -82,34 +82,43 @@ namespace Crevasse
   BoundaryParameters::add_parameters(ParameterHandler &prm)
   {
     const std::string ids =
-      " \"automatic\" takes what the built-in shape has, which is nothing for "
-      "a mesh file. Allowed: automatic, none, or boundary ids separated by "
-      "commas";
+      " The built-in shapes have the ids 0 on the left, 1 on the right, 2 "
+      "below but for the crack lip, 3 above, and 4 on the crack lip; a mesh "
+      "file has its own. \"automatic\" is ";
+    const std::string others =
+      " for a built-in shape, but for ids that another role names, and none "
+      "for a mesh file";
+    const std::string allowed =
+      ". Allowed: automatic, none, or boundary ids separated by commas";
 
     prm.add_parameter("Clamped",
                       clamped,
-                      "Boundary ids where the displacement is zero." + ids);
+                      "Boundary ids where the displacement is zero." + ids +
+                        "none" + allowed);
     prm.add_parameter("Symmetry",
                       symmetry,
                       "Boundary ids of symmetry planes: the normal "
                       "displacement and the tangential traction are zero." +
-                        ids);
+                        ids + "2 (and 0 with a centre crack)" + others +
+                        allowed);
     prm.add_parameter("Loaded",
                       loaded,
                       "Boundary ids that carry the traction of the section "
                       "Loads." +
-                        ids);
+                        ids + "3" + others + allowed);
     prm.add_parameter("Contact",
                       contact,
                       "Boundary ids of crack lips, which may open but not go "
                       "through the crack plane." +
-                        ids);
+                        ids + "4 (none in a rectangle)" + others + allowed);
     prm.add_parameter(
       "Fixed points",
       fixed_points,
       "Mesh vertices that are held so that no rigid motion is left. A point "
       "is fixed in all directions, or in the components, counted from 1, that "
-      "follow a colon. \"automatic\" takes what the built-in shape needs. "
+      "follow a colon. \"automatic\" holds what the roles that are automatic "
+      "leave free: component 1 of the crack tip with an edge crack, component "
+      "1 of 0, 0 in a rectangle, nothing else. "
       "Allowed: automatic, none, or a list such as 0, 0; 1, 0: 2");
     prm.add_parameter("Gap",
                       gap,

@@ -82,6 +82,38 @@ namespace Crevasse
     {
       return value > 0. && value < 2.;
     }
+
+
+
+    /** Blames Subdivisions only where they are too many by themselves. */
+    void
+    check_number_of_cells(const GeometryParameters &geometry,
+                          const Checker            &checker)
+    {
+      constexpr double  most = 2e7;
+      const std::string why =
+        "; more than 2e7 are more than a direct solver can take";
+
+      double                   n_cells = 1.;
+      std::vector<std::string> factors;
+      for (const unsigned int n : geometry.subdivisions)
+        {
+          n_cells *= n;
+          factors.push_back(std::to_string(n));
+        }
+      const std::string subdivisions = Text::join(factors, ", ");
+      checker.demand(n_cells <= most,
+                     "Subdivisions",
+                     subdivisions,
+                     "makes " + Text::from_number(n_cells) + " cells" + why);
+
+      const double n_refined = n_cells * std::pow(4., geometry.refinements);
+      checker.demand(n_cells > most || n_refined <= most,
+                     "Refinements",
+                     std::to_string(geometry.refinements),
+                     "makes " + Text::from_number(n_refined) +
+                       " cells of Subdivisions = " + subdivisions + why);
+    }
   } // namespace
 
 
@@ -130,14 +162,8 @@ namespace Crevasse
                    refinements,
                    "must be at most 12");
 
-    double n_cells = std::pow(4., refinements);
-    for (const unsigned int n : subdivisions)
-      n_cells *= n;
-    checker.demand(shape == "mesh file" || n_cells <= 2e7,
-                   "Subdivisions",
-                   n_cells,
-                   "cells after the Refinements are more than 2e7, which no "
-                   "direct solver can take");
+    if (shape != "mesh file" && !problems.concern(section, "Refinements"))
+      check_number_of_cells(*this, checker);
 
     if (shape == "mesh file")
       // A directory can be opened, but nothing can be read from it.

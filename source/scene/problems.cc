@@ -13,6 +13,8 @@
 #include <crevasse/scene/text.h>
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 namespace Crevasse
 {
@@ -27,6 +29,57 @@ namespace Crevasse
         if (character != '\n' && Text::is_control(character))
           character = '?';
       return message;
+    }
+
+
+
+    struct Place
+    {
+      std::string  file;
+      unsigned int line = 0; ///< 0: none
+    };
+
+
+
+    /** The place that a message begins with, as in "scene.prm:12: ...". */
+    Place
+    place_of(const std::string &message)
+    {
+      for (std::size_t colon = message.find(':'); colon != std::string::npos;
+           colon             = message.find(':', colon + 1))
+        {
+                      const std::size_t end =
+                        message.find_first_not_of("0123456789", colon + 1);
+                      if (end != std::string::npos && message.compare(end, 2, ": ") == 0)
+            if (const auto line =
+                  Text::to_unsigned(message.substr(colon + 1, end - colon - 1)))
+              return {message.substr(0, colon), *line};
+        }
+      return {};
+    }
+
+
+
+    /** File by file in the order in which they appear, the lines of each one
+     * after the other; at the end what has no line, such as an option of the
+     * command line. */
+    std::vector<std::string>
+    in_order_of_lines(std::vector<std::string> messages)
+    {
+      std::map<std::string, std::size_t> rank;
+      for (const std::string &message : messages)
+        rank.emplace(place_of(message).file, rank.size());
+
+      const auto key = [&rank](const std::string &message) {
+        const Place place = place_of(message);
+        return std::make_tuple(place.line == 0, rank[place.file], place.line);
+      };
+      std::stable_sort(messages.begin(),
+                       messages.end(),
+                       [&key](const std::string &a, const std::string &b) {
+                         return key(a) < key(b);
+                       });
+      return messages;
     }
   } // namespace
 
@@ -98,7 +151,10 @@ namespace Crevasse
   void
   Problems::throw_if_any() const
   {
+    if (messages.size() == 1)
+      throw SceneError(messages[0]);
     if (!messages.empty())
-      throw SceneError(Text::join(messages, "\n"));
+      throw SceneError(std::to_string(messages.size()) + " problems:\n" +
+                       Text::join(in_order_of_lines(messages), "\n"));
   }
 } // namespace Crevasse

@@ -145,7 +145,8 @@ namespace Crevasse
     prm.add_parameter("Output directory",
                       output_directory,
                       "Where the results are written; nothing: results/ and "
-                      "the name of the scene file. Allowed: a path");
+                      "the name of the scene file. A relative path begins at "
+                      "the working directory. Allowed: a path");
 
     for_each_section(*this, [&prm](auto &parameters) {
       prm.enter_subsection(parameters.section);

@@ -164,9 +164,10 @@ CASES = [
          [r"\[Output\] Probes: far at \(3,? 0\) lies outside the mesh"],
          ["Output/Probes=near: 1, 0; far: 3, 0"]),
     Case("several_errors", 2,
-         [r'several_errors\.prm:2: \[Geometry\] unknown parameter "Depth"',
+         [r'^crevasse: 5 problems:\n'
+          r'several_errors\.prm:2: \[Geometry\] unknown parameter "Depth".*\n'
           r"several_errors\.prm:3: \[Geometry\] Height = 0: must be greater "
-          r"than 0",
+          r"than 0\n"
           r'several_errors\.prm:5: unknown section "Load"',
           r'--set "Material/Poisson ratio=0.6": \[Material\] Poisson ratio = '
           r"0.6: must be greater than -1 and less than 0.5",
@@ -246,6 +247,10 @@ CASES = [
     Case("nothing_to_load", 2,
          [r"\[Loads\] Traction = .*: no boundary has the role Loaded"],
          ["Boundary/Loaded=none"]),
+    Case("load_taken_away", 2,
+         [r"\[Loads\] Traction = .*: no boundary has the role Loaded",
+          r"is the boundary id 3, which \[Boundary\] Clamped = 3 takes away"],
+         ["Boundary/Clamped=3"]),
     Case("comparison_with_a_gap", 2,
          [r"\[Output\] Elastic comparison", "without initial opening"],
          ["Boundary/Gap=-1e-4", "Output/Elastic comparison=closed"]),
@@ -276,8 +281,14 @@ CASES = [
     Case("crack_without_length", 2,
          [r"\[Geometry\] Crack length = 1e-17: .*Width = 1"],
          ["Geometry/Crack length=1e-17"]),
-    Case("too_many_cells", 2, ["more than 2e7"],
+    Case("too_many_cells", 2,
+         [r'^crevasse: --set "Geometry/Refinements=12": \[Geometry\] Refinements '
+          "= 12: makes 134217728 cells of Subdivisions = 4, 2; more than 2e7"],
          ["Geometry/Refinements=12"]),
+    Case("too_many_subdivisions", 2,
+         [r"^crevasse: --set .*: \[Geometry\] Subdivisions = 5000, 5000: makes "
+          r"2\.5e\+07 cells; more than 2e7"],
+         ["Geometry/Subdivisions=5000, 5000"]),
     Case("table_without_load", 2,
          [r"\[Contact\] Relaxation table: nothing is loaded"],
          ["Contact/Relaxation table=1.5", "Loads/Traction=0; 0"],
@@ -374,8 +385,12 @@ def test_output_directory():
     for directory in (scene / "below", "/proc/nonexistent"):
         check_messages(str(directory),
                        *execute(scene, "--quiet", "--output", directory), 4,
-                       [rf"\[Output directory\] {directory}: cannot be created",
+                       [rf"^crevasse: --output {directory}: cannot be created",
                         "--output DIR"])
+    check_messages("check",
+                   *execute(scene, "--check", "--output", scene / "below"), 4,
+                   [rf"^crevasse: --output {scene}/below: results cannot be "
+                    rf"written there, because /.*{scene} is not a directory"])
     check_messages("parameter",
                    *execute(scene, "--set", f"Output directory={scene}"), 4,
                    [rf"\[Output directory\] {scene}: cannot be"])
@@ -443,7 +458,9 @@ def test_not_yet_periodic():
                    [r"not yet periodic: after 2 periods it still changes by "
                     r"\S+ of its maximum", "results so far are written",
                     r"\[Periodic state\] Tolerance = 1e-0?8",
-                    '"Maximum periods"'])
+                    '"Maximum periods" or'])
+    log = (directory / "log.txt").read_text()
+    check(log.endswith(result[2]), "log.txt does not end with the message")
     for name in ("used.prm", "log.txt", "contact.csv", "periods.csv",
                  "solution.pvd", "summary.json"):
         check((directory / name).stat().st_size > 0, f"{name} is empty")
@@ -452,6 +469,12 @@ def test_not_yet_periodic():
     summary = json.loads((directory / "summary.json").read_text())
     check(summary["converged"] is False, "summary.json says converged")
     check(summary["periods"] == 2, "summary.json has another number of periods")
+
+    result = execute(scene, "--output", directory, "--set",
+                     "Periodic state/Tolerance=1e-8", "--set",
+                     "Periodic state/Maximum periods=3")
+    check_messages("periods to go", *result, 3,
+                   [r'"Maximum periods" \(about \d+ more at the present rate\)'])
 
 
 test_cases()

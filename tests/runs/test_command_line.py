@@ -76,7 +76,9 @@ def check_same_tables(results, others, what):
 def test_questions():
     output = succeed("--help")
     for text in ("scene", "--set", "--output", "--check", "--quiet",
-                 "--print-parameters", "--version"):
+                 "--print-parameters", "--version", "--set ASSIGNMENT",
+                 "--output DIR", "crevasse prm/raous1980.prm",
+                 "4  cannot read or write a file"):
         check(text in output, f"--help does not speak of {text}")
     check(re.fullmatch(r"crevasse \d+\.\d+\.\d+\n", succeed("--version")),
           "--version")
@@ -89,7 +91,8 @@ def test_mistakes():
             (("a.prm", "b.prm"), "b.prm"),
             (("a.prm", "--set"), "--set"),
             (("a.prm", "--output"), "--output"),
-            (("--print-parameters", "xml"), "prm,json,markdown")):
+            (("--print-parameters", "xml"), "as prm, json or markdown"),
+            (("--print-parameters", "a.prm"), "reads no scene")):
         status, output, error = execute(*arguments)
         check(status == 2, f"{arguments}: exit status {status}")
         check(output == "", f"{arguments}: standard output:\n{output}")
@@ -109,6 +112,8 @@ def test_check():
                     "contact nodes", r"memory: about \d+ MB",
                     r"contact +on +\(", r"viscosity +on +\(",
                     r"body force +off +\(", r"field output +on +\(",
+                    "boundaries: symmetry 2; loaded 3; contact 4; fixed "
+                    r"\(0.5, 0\): 1\n", "output directory: results/checked\n",
                     "10 steps a period", "nothing was computed"):
         check(re.search(pattern, output), f"--check does not print {pattern}")
 
@@ -191,6 +196,57 @@ def test_set():
     check(results.summary["cells"] == 18, "Subdivisions has no effect")
 
 
+def test_set_anywhere():
+    """Each --set takes one value, so that the scene may stand anywhere."""
+    scene = write_scene("anywhere.prm")
+    one = ("--set", "Geometry/Subdivisions=6, 3")
+    two = ("--set", "Material/Poisson ratio=0.1")
+    for arguments in ((*one, *two, scene), (*one, scene, *two),
+                      (scene, *one, *two), ("--check", *one, scene, *two)):
+        output = succeed(*arguments, "--check")
+        check("18 cells" in output, f"{arguments}: --set has no effect")
+    status, _, error = execute(*one, "Material/Poisson ratio=0.1", scene)
+    check(status == 2, f"two assignments after one --set: {status}\n{error}")
+
+
+def test_other_results():
+    """Another variant of a scene says that it replaces the results, the same
+    one does not."""
+    scene = write_scene("replaced.prm")
+    directory = remove("results/replaced")
+    arguments = (scene, "--set", "Periodic state/Maximum periods=1")
+    other = "results of an earlier run in results/replaced are replaced"
+    check(other not in succeed(*arguments), "nothing was there to replace")
+    check(other not in succeed(*arguments), "the same results are replaced")
+    check(other in succeed(scene), "other results are replaced in silence")
+    check(other in (directory / "log.txt").read_text(), "log.txt lacks it")
+
+
+def test_nothing_marched():
+    """What is not computed is not reported."""
+    settings = ["Periodic state/Maximum periods=0",
+                "Contact/Relaxation table=1.5"]
+    results = run(SCENE, "table_only", settings)
+    log = (results.directory / "log.txt").read_text()
+    for text in ("certificate", "change of stress"):
+        check(text not in log, f"nothing was marched, but log.txt has {text}")
+    tables = sorted(path.name for path in results.directory.glob("*.csv"))
+    check(tables == ["relaxation.csv"], f"tables: {tables}")
+    check(results.summary["converged"] is None, "summary.json: converged")
+
+
+def test_tables():
+    """Numbers are as short as they can be without losing a digit."""
+    results = run(SCENE, "tables", ["Periodic state/Maximum periods=1"])
+    check(results.table("contact.csv")["t"] == [60. * k for k in range(11)],
+          "the instants")
+    for path in results.directory.glob("*.csv"):
+        for line in path.read_text().splitlines()[1:]:
+            for text in line.split(","):
+                check(len(text) <= len(repr(float(text))),
+                      f"{path.name}: {text} is longer than need be")
+
+
 def test_print_parameters():
     prm = succeed("--print-parameters")
     check(prm == succeed("--print-parameters", "prm"), "prm is the default")
@@ -204,6 +260,9 @@ def test_print_parameters():
         check(f"subsection {section}\n" in prm, f"prm lacks {section}")
         check(f"\n## {section}\n" in markdown, f"markdown lacks {section}")
     check("| Crack length | `0.5` |" in markdown, "markdown lacks a parameter")
+    check("3 above, and 4 on the crack lip" in markdown
+          and '"automatic" is 3 for a built-in shape' in markdown,
+          "markdown does not tell boundary ids")
     for line in markdown.splitlines():
         check(not line.startswith("|")
               or len(re.findall(r"(?<!\\)\|", line)) == 5,
@@ -237,5 +296,9 @@ test_quiet_and_output()
 test_directories()
 test_earlier_results()
 test_set()
+test_set_anywhere()
+test_other_results()
+test_nothing_marched()
+test_tables()
 test_print_parameters()
 test_round_trips()

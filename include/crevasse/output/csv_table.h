@@ -19,7 +19,8 @@
 namespace Crevasse
 {
   /** A table written row by row, so that what was computed survives whatever
-   * happens next. Numbers keep all their digits. */
+   * happens next. A number has the fewest digits that read back as the same
+   * one. */
   class CsvTable
   {
   public:

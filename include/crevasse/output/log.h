@@ -34,6 +34,11 @@ namespace Crevasse
     void
     line(const std::string &text);
 
+    /** On standard error, even if quiet, and in the file if there is one.
+     * Throws nothing: this is the last word of a run. */
+    void
+    error(const std::string &text);
+
     /** Overwrites the progress line; nothing unless on a terminal. */
     void
     progress(const std::string &text);

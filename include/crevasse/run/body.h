@@ -61,6 +61,12 @@ namespace Crevasse
   template <int dim>
   std::vector<FixedPoint<dim>>
   fixed_points(const Scene &scene);
+
+  /** Roles, boundary ids and supports in one line: "symmetry 2; loaded 3;
+   * contact 4; fixed (0.5, 0): 1". */
+  template <int dim>
+  std::string
+  describe_boundaries(const Scene &scene);
 } // namespace Crevasse
 
 #endif

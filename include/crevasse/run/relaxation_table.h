@@ -26,9 +26,9 @@ namespace Crevasse
    * solver, for each factor that the scene lists and for the best one, found
    * by dichotomy. Printed, and written to relaxation.csv in @p directory.
    *
-   * The paper's machine had 27 bits of mantissa; its direct solver's residual
-   * is that of a solution rounded to them, so the table has a second column
-   * with this target.
+   * The single precision of the paper's machine is assumed to have had 27 bits
+   * of mantissa: its direct solver's residual then is that of a solution
+   * rounded to them, so the table has a second column with this target.
    */
   template <int dim>
   void

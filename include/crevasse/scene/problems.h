@@ -79,8 +79,8 @@ namespace Crevasse
     bool
     concern(const std::string &section, const std::string &name) const;
 
-    /** Throws one SceneError with all messages, one a line, if there are any.
-     */
+    /** Throws one SceneError with all messages, one a line in the order of the
+     * lines that they are about, if there are any. */
     void
     throw_if_any() const;
 

@@ -1,0 +1,54 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_output_choice_h
+#define crevasse_run_output_choice_h
+
+#include <crevasse/run/command_line.h>
+#include <crevasse/scene/scene.h>
+
+#include <string>
+
+namespace Crevasse
+{
+  /** Where a run writes to, and who says so: messages name it. */
+  class OutputChoice
+  {
+  public:
+    /** --output, else the scene's output directory, else results/NAME for the
+     * scene NAME.prm. */
+    OutputChoice(const Command &command, const Scene &scene);
+
+    const std::string &
+    directory() const;
+
+    /** Finds without creating anything what would hinder a run: something on
+     * the way that is no directory, or that forbids to write. What else a
+     * file system refuses only prepare() finds. @throw FileError */
+    void
+    require_usable() const;
+
+    /** Whether there are results of a run whose used.prm was another text. */
+    bool
+    holds_other_results(const std::string &used_parameters) const;
+
+    /** Creates the directory where needed and removes the results of an
+     * earlier run. @throw FileError */
+    void
+    prepare() const;
+
+  private:
+    bool        from_command_line;
+    std::string path;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,115 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/output/output_directory.h>
+#include <crevasse/run/output_choice.h>
+#include <crevasse/scene/problems.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <unistd.h>
+
+namespace Crevasse
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    constexpr const char *parameter = "[Output directory] ";
+    constexpr const char *option    = "--output ";
+
+
+
+    /** The part of a path that is there already. */
+    fs::path
+    existing_part(const std::string &path)
+    {
+      fs::path        part = fs::absolute(path).lexically_normal();
+      std::error_code unknown;
+      while (!fs::exists(part, unknown) && part.has_relative_path())
+        part = part.parent_path();
+      return part;
+    }
+  } // namespace
+
+
+
+  OutputChoice::OutputChoice(const Command &command, const Scene &scene)
+    : from_command_line(!command.output_directory.empty())
+    , path(from_command_line ? command.output_directory
+           : !scene.output_directory.empty()
+             ? scene.output_directory
+             : "results/" + fs::path(command.scene_file).stem().string())
+  {
+  }
+
+
+
+  const std::string &
+  OutputChoice::directory() const
+  {
+    return path;
+  }
+
+
+
+  void
+  OutputChoice::require_usable() const
+  {
+    const fs::path  part = existing_part(path);
+    std::error_code unknown;
+    std::string     reason;
+    if (!fs::is_directory(part, unknown))
+      reason = "is not a directory";
+    else if (access(part.c_str(), W_OK | X_OK) != 0)
+      reason =
+        std::string("cannot be written to (") + std::strerror(errno) + ")";
+    if (!reason.empty())
+      throw FileError((from_command_line ? option : parameter) + path +
+                      ": results cannot be written there, because " +
+                      part.string() + ' ' + reason +
+                      ". Choose another one by --output DIR.");
+  }
+
+
+
+  bool
+  OutputChoice::holds_other_results(const std::string &used_parameters) const
+  {
+    std::ifstream file(path + "/used.prm");
+    using Characters = std::istreambuf_iterator<char>;
+    return file.is_open() &&
+           std::string(Characters(file), Characters()) != used_parameters;
+  }
+
+
+
+  void
+  OutputChoice::prepare() const
+  {
+    try
+      {
+        require_writable_directory(path);
+        remove_earlier_results(path);
+      }
+    catch (const FileError &error)
+      {
+        // Whoever looks after directories does not know who chose this one.
+        std::string message = error.what();
+        if (from_command_line && message.rfind(parameter, 0) == 0)
+          message.replace(0, std::strlen(parameter), option);
+        throw FileError(message);
+      }
+  }
+} // namespace Crevasse
