@@ -11,9 +11,11 @@
 
 #include <crevasse/output/log.h>
 #include <crevasse/run/command_line.h>
+#include <crevasse/run/failure.h>
 #include <crevasse/run/output_choice.h>
 #include <crevasse/run/simulation.h>
 #include <crevasse/run/version.h>
+#include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/scene_file.h>
 
@@ -62,7 +64,7 @@ namespace
   void
   run_scene(const Command &command, Log &log)
   {
-    const MPI_Comm communicator = MPI_COMM_WORLD;
+    const MPI_Comm           communicator = MPI_COMM_WORLD;
     dealii::ParameterHandler prm;
     Problems                 problems;
     const Scene              scene =
@@ -84,8 +86,10 @@ namespace
       }
 
     const std::string &directory = output.directory();
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      prepare(output, used_parameters(prm), log);
+    collectively(communicator, [&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+        prepare(output, used_parameters(prm), log);
+    });
     log.open_file(directory + "/log.txt");
     simulation.run(directory);
     log.line("  results in " + directory);
@@ -97,31 +101,24 @@ namespace
   int
   run_guarded(const Command &command)
   {
-    Log        log(MPI_COMM_WORLD, command.quiet);
-    const auto report = [&log](const std::exception &error, const int status) {
-      log.error(std::string("crevasse: ") + error.what());
-      return status;
-    };
+    // Failures speak of themselves on a line of their own.
+    MPI_Comm for_failures;
+    MPI_Comm_dup(MPI_COMM_WORLD, &for_failures);
+    Log log(MPI_COMM_WORLD, command.quiet);
+    int status = done;
     try
       {
-        if (!command.print_format.empty())
-          print_parameters(std::cout, command.print_format);
-        else
+        if (command.print_format.empty())
           run_scene(command, log);
-        return done;
-      }
-    catch (const SceneError &error)
-      {
-        return report(error, bad_input);
-      }
-    catch (const FileError &error)
-      {
-        return report(error, file_failure);
+        else if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+          print_parameters(std::cout, command.print_format);
       }
     catch (const std::exception &error)
       {
-        return report(error, numerical_failure);
+        status = report_failure(error, for_failures, log);
       }
+    MPI_Comm_free(&for_failures);
+    return status;
   }
 } // namespace
 

@@ -138,8 +138,17 @@ namespace Crevasse
         "program without mpirun, or choose automatic, mumps or amg.");
 
     cholmod_common &common = factor->common;
-    cholmod_sparse *upper  = upper_triangle(matrix, common);
-    factor->L              = cholmod_analyze(upper, &common);
+    // CHOLMOD's own choice, approximate minimum degree, is the quickest to
+    // find; on larger matrices nested dissection leaves a smaller factor
+    // (measured: doc/contact_solvers.md).
+    constexpr unsigned int large = 300000;
+    if (matrix.m() > large)
+      {
+        common.nmethods           = 1;
+        common.method[0].ordering = CHOLMOD_NESDIS;
+      }
+    cholmod_sparse *upper = upper_triangle(matrix, common);
+    factor->L             = cholmod_analyze(upper, &common);
     if (factor->L != nullptr)
       cholmod_factorize(upper, factor->L, &common);
     cholmod_free_sparse(&upper, &common);

@@ -48,7 +48,9 @@ namespace Crevasse
     // What is in the way is told now, not when the run comes to write it.
     static const std::regex ours(
       "summary\\.json|used\\.prm|log\\.txt|solution\\.pvd|"
-      "solution_[0-9.]+\\.p?vtu|(probe_.*|contact|periods|relaxation)\\.csv");
+      "solution_[0-9.]+\\.p?vtu|(probe_.*|contact|periods|relaxation|load_work)"
+      "\\.csv|"
+      "contact_problem_[0-9_]+([a-z_]+\\.mtx|\\.petsc|\\.petsc\\.info)");
     const fs::path         used = fs::path(directory) / "used.prm";
     std::error_code        error;
     const bool             earlier_run = fs::is_regular_file(used, error);

@@ -9,7 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/output/problem_export.h>
+#include <crevasse/output/load_work.h>
 #include <crevasse/run/elastic_reference.h>
 #include <crevasse/run/outputs.h>
 
@@ -95,6 +95,8 @@ namespace Crevasse
                                      steps,
                                      scene.output.field_times,
                                      directory);
+    if (scene.output.load_work)
+      add<LoadWork<dim>>(body.loads, steps, file("load_work.csv"));
     const RecordedSteps problems =
       parse_recorded_steps(scene.output.contact_problems);
     if (!problems.empty())

@@ -39,6 +39,7 @@ namespace Crevasse
                         dealii::TimerOutput &phases)
     : scene(scene)
     , body(body)
+    , log(log)
     , phases(phases)
     , linear_choice(choose_linear_solver(scene.linear_solver,
                                          dim,
@@ -119,6 +120,7 @@ namespace Crevasse
     if (scene.contact.relaxation_factor != "automatic")
       return Utilities::string_to_double(scene.contact.relaxation_factor);
 
+    log.line("  searching for the relaxation factor of projected SOR");
     // As the paper does, without constraints; eight digits show the asymptotic
     // contraction.
     TimerOutput::Scope phase(phases, "relaxation factor");

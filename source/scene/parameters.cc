@@ -355,6 +355,11 @@ namespace Crevasse
       "needs an F of one sign, and so does either without "
       "viscosity.",
       Patterns::Selection("none|open|closed"));
+    prm.add_parameter("Load work",
+                      load_work,
+                      "Whether the work of the loads in the displacement is "
+                      "recorded at every step, for studies of convergence in "
+                      "the energy norm.");
     prm.add_parameter("Contact problems",
                       contact_problems,
                       "Steps whose contact problem is written to files in the "

@@ -47,8 +47,9 @@ def test_readme():
 def test_scenes_named():
     """Each scene file that the pages speak of is there, and each one that is
     there is spoken of."""
-    named = set(re.findall(r"prm/\w+\.prm", README))
-    there = {f"prm/{path.name}" for path in (SOURCE / "prm").glob("*.prm")}
+    named = set(re.findall(r"prm/[\w/]+\.prm", README))
+    there = {str(path.relative_to(SOURCE))
+             for path in (SOURCE / "prm").rglob("*.prm")}
     check(named == there, f"README.md and prm/ differ: {named ^ there}")
 
 

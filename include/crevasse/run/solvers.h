@@ -101,6 +101,7 @@ namespace Crevasse
 
     const Scene              &scene;
     const Body<dim>          &body;
+    Log                      &log;
     dealii::TimerOutput      &phases;
     const LinearSolverChoice  linear_choice;
     const ContactSolverChoice contact_choice;

@@ -1,0 +1,37 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_failure_h
+#define crevasse_run_failure_h
+
+#include <crevasse/output/log.h>
+
+#include <exception>
+
+namespace Crevasse
+{
+  /**
+   * The end of a run by an exception: writes its message and returns the exit
+   * status of its kind (see interface: 2 for SceneError, 4 for FileError, 3 for
+   * the rest).
+   *
+   * Most errors are thrown on all ranks at once. If this rank alone has one, as
+   * when the first one cannot write a table, the others wait for it in some
+   * communication for ever: after some seconds it ends all of them by
+   * MPI_Abort, with the same status.
+   */
+  int
+  report_failure(const std::exception &error,
+                 const MPI_Comm        communicator,
+                 Log                  &log);
+} // namespace Crevasse
+
+#endif

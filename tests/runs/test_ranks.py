@@ -1,0 +1,121 @@
+"""The whole program on one, two and four ranks: the same tables and fields."""
+
+import os
+import subprocess
+
+import meshio
+
+from crevasse_run import PROGRAM, SOURCE, Results, check, check_below, run
+
+# More ranks than cores, which must not spin while they wait; perhaps as root.
+ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1",
+                   OMPI_ALLOW_RUN_AS_ROOT="1",
+                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_rmaps_base_oversubscribe="1",
+                   OMPI_MCA_mpi_yield_when_idle="1")
+
+SCENE = SOURCE / "prm/raous1980.prm"
+COMMON = ["Contact/Solver=automatic", "Time integration/Steps per period=20",
+          "Periodic state/Maximum periods=1", "Periodic state/Tolerance=0",
+          "Output/Field times=150"]
+
+
+def execute(n_ranks, *arguments):
+    process = subprocess.run(
+        ["mpirun", "-np", str(n_ranks), PROGRAM, *map(str, arguments)],
+        text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=300,
+        env=ENVIRONMENT)
+    return process.returncode, process.stdout, process.stderr
+
+
+def run_on(n_ranks, name, settings):
+    directory = f"results/{name}"
+    arguments = [SCENE, "--output", directory, "--quiet"]
+    for setting in settings:
+        arguments += ["--set", setting]
+    code, _, error = execute(n_ranks, *arguments)
+    check(code == 0, f"{name}: exit status {code}\n{error}")
+    return Results(directory)
+
+
+def compare_tables(results, reference, name):
+    columns, expected = results.table(name), reference.table(name)
+    check(list(columns) == list(expected), f"columns of {name}")
+    worst = 0.
+    for column in expected:
+        check(len(columns[column]) == len(expected[column]), "rows")
+        size = max(map(abs, expected[column])) or 1.
+        worst = max(worst, max(abs(a - b) for a, b in
+                               zip(columns[column], expected[column])) / size)
+    check_below(worst, 1e-9, name)
+
+
+def largest_field_values(results):
+    """The largest |value| of each field over the pieces of all ranks."""
+    largest = {}
+    for piece in results.directory.glob("**/*.vtu"):
+        for name, values in meshio.read(piece).point_data.items():
+            here = float(abs(values).max())
+            largest[name] = max(largest.get(name, 0.), here)
+    check("displacement" in largest, "fields")
+    return largest
+
+
+def compare(n_ranks, settings, reference, label):
+    print(f"{label} on {n_ranks} ranks")
+    results = run_on(n_ranks, f"{label}_{n_ranks}".replace(" ", "_"), settings)
+    for table in ("probe_C.csv", "contact.csv"):
+        compare_tables(results, reference, table)
+    expected = largest_field_values(reference)
+    for name, value in largest_field_values(results).items():
+        # Where nothing touches, the pressure is rounding of stresses of size 10.
+        size = max(expected[name], 10. if name == "contact_pressure" else 0.)
+        # Files hold single precision; directions have no sign, and none at all
+        # where the principal stresses are equal.
+        check(abs(value - expected[name]) <= 1e-6 * size
+              or "direction" in name,
+              f"field {name}: {value} instead of {expected[name]}")
+
+
+def test_same_results():
+    for label, settings in {
+            "condensed": ["Linear solver/Type=mumps"],
+            "multigrid": ["Linear solver/Type=amg"],
+            "second order": ["Discretisation/Degree=2"]}.items():
+        reference = run(SCENE, label.replace(" ", "_"), COMMON + settings)
+        for n_ranks in (2, 4):
+            compare(n_ranks, COMMON + settings, reference, label)
+
+
+def test_refusals():
+    for settings, alternative in {
+            ("Contact/Solver=projected sor",): "active set",
+            ("Contact/Solver=automatic", "Linear solver/Type=cholesky"):
+            "mumps"}.items():
+        arguments = [SCENE, "--output", "results/refused"]
+        for setting in settings:
+            arguments += ["--set", setting]
+        code, _, error = execute(2, *arguments)
+        check(code == 2, f"{settings}: exit status {code}")
+        check(alternative in error and error.count("crevasse:") == 1, error)
+        print(error.splitlines()[0])
+
+
+def test_lone_failure():
+    # Only the first rank writes the tables: the others must not wait for ever.
+    if not os.path.exists("/dev/full"):
+        return
+    os.makedirs("results/full", exist_ok=True)
+    link = "results/full/log.txt"
+    if os.path.lexists(link):
+        os.remove(link)
+    os.symlink("/dev/full", link)
+    code, _, error = execute(2, SCENE, "--output", "results/full")
+    os.remove(link)
+    check(code == 4, f"a full disk: exit status {code}\n{error}")
+    check("log.txt" in error, error)
+
+
+test_same_results()
+test_refusals()
+test_lone_failure()
