@@ -11,9 +11,10 @@
 
 // Solvers of contact problems on the same matrices, in one process and one run:
 // a plate whose lower edge lifts off a plane in parts, Q1 and Q2, from 10³ to
-// 10⁶ unknowns, from zero (cold) and from the solution under a slightly
-// different load (warm). Prints one table as Markdown; doc/contact_solvers.md
-// has one with the machine that it was run on.
+// 10⁶ unknowns, from zero (cold), from the solution under a slightly different
+// load (warm), and where a pull opens the whole lip (open, warm too). Prints
+// one table as Markdown; doc/contact_solvers.md has one with the machine that
+// it was run on.
 //
 //     contact_duel [largest number of unknowns [seconds after which a solver
 //     does not go on to larger problems [what the solver's name contains]]]
@@ -110,6 +111,8 @@ namespace
     const std::vector<Vector> modes    = rigid_modes(plate.space);
     const Vector              b        = plate.loads();
     const Vector              b_before = plate.loads("0; 10*cos(5*pi*x) + 0.2");
+    const Vector              b_pull   = plate.loads("0; 10");
+    const Vector              b_open   = plate.loads("0; 10.1");
 
     double back_solve, factor_seconds;
     {
@@ -130,7 +133,8 @@ namespace
       "| solver | start | seconds | iterations | certificate | "
       "difference | back-solves |\n|---|---|---|---|---|---|---|\n");
 
-    Vector reference_cold, reference_warm, reference_before;
+    Vector reference_cold, reference_warm, reference_before, reference_pull,
+      reference_open;
     for (const auto &competitor : competitors)
       {
         if (competitor->has_given_up)
@@ -153,6 +157,12 @@ namespace
             print(*competitor,
                   "warm",
                   measure(*competitor, problem, b, q, reference_warm),
+                  back_solve);
+            // A step of time in which the whole lip is open.
+            measure(*competitor, problem, b_pull, q, reference_pull);
+            print(*competitor,
+                  "open",
+                  measure(*competitor, problem, b_open, q, reference_open),
                   back_solve);
           }
         catch (const std::exception &error)
