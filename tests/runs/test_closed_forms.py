@@ -44,6 +44,22 @@ for scheme in ("euler", "heun", "rk4"):
     check_below(comparison["drift_difference"], 1e-10,
                 scheme + ": drift per period against T beta")
 
+# The default solver works with one matrix and one factor, one back-solve for a
+# problem with an open lip and two with a closed one, besides one for each node
+# that has ever closed.
+for case, offset in (("closed", -1.5), ("open", 1.5)):
+    summary = run(SOURCE / "prm/raous1980.prm", f"counters_{case}", [
+        "Contact/Solver=automatic", "Output/Fields=none",
+        "Periodic state/Tolerance=0",
+        f"Loads/Traction=0; 10*(sin(2*pi*t/600) + {offset})"]).summary
+    counters, n = summary["counters"], summary["counters"]["vi_solves"]
+    check(counters["assemblies"] == counters["factorisations"] == 1,
+          f"{case}: one matrix, one factor")
+    expected = n if case == "open" else 2 * n + summary["contact_nodes"]
+    print(f"{case}: {n} problems, {counters['linear_solves']} back-solves")
+    check(n == 241 and counters["linear_solves"] == expected,
+          f"{case}: {expected} back-solves")
+
 # Many periods of drift: the viscous strain, and with it A q and b, grow on and
 # on, but the errors of a rough iterative solver stay those of the load.
 summary = run(SOURCE / "prm/raous1980.prm", "long_drift", [
