@@ -14,6 +14,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace Crevasse
@@ -30,7 +31,7 @@ namespace Crevasse
     , face(problem, linear_solver)
     , newton(problem, face)
     , linear_tolerance(linear_tolerance)
-    , maximum_iterations(maximum_iterations)
+    , maximum_iterations(std::min(maximum_iterations, most_sets))
     , active(problem.bounds.dofs.size(), false)
     , residual(problem.diagonal())
     , correction(problem.diagonal())
@@ -48,6 +49,14 @@ namespace Crevasse
       text += ", " + std::to_string(rescues) +
               " cycles ended by a projected Newton method";
     return text;
+  }
+
+
+
+  std::size_t
+  ActiveSet::n_linear_solves() const
+  {
+    return face.n_solves();
   }
 
 
@@ -93,8 +102,9 @@ namespace Crevasse
     const UnilateralBounds &bounds = problem.bounds;
     // What the certificate grants is no reason to change the set: a node with
     // neither force nor opening stays where it is.
-    const double least_force   = -0.5 * accuracy() * scales.force();
-    const double least_opening = -0.5 * accuracy() * scales.displacement();
+    const double least_force = -0.5 * force_accuracy() * scales.force();
+    const double least_opening =
+      -0.5 * displacement_accuracy() * scales.displacement();
 
     std::vector<bool> next(active.size());
     for (std::size_t k = 0; k < active.size(); ++k)
@@ -199,7 +209,7 @@ namespace Crevasse
   {
     seen.clear();
     set_sizes.clear();
-    scales.include(problem, right_hand_side, solution);
+    scale_by(right_hand_side, solution);
     is_new_set();
     hold_and_compute_residual(right_hand_side, solution);
 
@@ -211,20 +221,23 @@ namespace Crevasse
         const double norm   = correction.l2_norm();
         const double target = residual_target();
         const bool   last   = exactly || linear_tolerance * norm <= target;
+        if (!std::isfinite(norm))
+          return n;
+        bool reached = true;
         if (norm > target)
           {
-            face.solve(active,
-                       residual,
-                       last ? target : linear_tolerance * norm,
-                       correction);
+            reached = face.solve(active,
+                                 residual,
+                                 last ? target : linear_tolerance * norm,
+                                 correction);
             solution += correction;
-            scales.include(problem, right_hand_side, solution);
+            scale_by(right_hand_side, solution);
             hold_and_compute_residual(right_hand_side, solution);
           }
 
         std::vector<bool> next    = next_set(solution);
         const bool        changed = is_other(next);
-        if ((!changed && last) || n >= maximum_iterations)
+        if ((!changed && (last || !reached)) || n >= maximum_iterations)
           return n;
         if (!changed)
           continue;

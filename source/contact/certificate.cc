@@ -83,11 +83,23 @@ namespace Crevasse
 
 
 
+  namespace
+  {
+    constexpr double some_roundings =
+      100. * std::numeric_limits<double>::epsilon();
+  }
+
+
+
   double
   Scales::force() const
   {
+    // However long the drift, a load that is so much smaller than what it has
+    // added up to is no load.
+    constexpr double least_load = 1e-6;
+    const double     largest    = std::max(load, least_load * largest_force);
     if (load > 0.)
-      return load;
+      return largest;
     return largest_force > 0. ? largest_force : 1.;
   }
 
@@ -102,12 +114,17 @@ namespace Crevasse
 
 
   double
-  Scales::rounding() const
+  Scales::force_rounding() const
   {
-    constexpr double some_roundings =
-      100. * std::numeric_limits<double>::epsilon();
-    return some_roundings * std::max(force_to_round / force(),
-                                     displacement_to_round / displacement());
+    return some_roundings * force_to_round / force();
+  }
+
+
+
+  double
+  Scales::displacement_rounding() const
+  {
+    return some_roundings * displacement_to_round / displacement();
   }
 
 

@@ -254,13 +254,25 @@ namespace Crevasse
                   limiting = i;
                   step     = forces(i) / (forces(i) - trial(i));
                 }
-            moved = moved || step > 0.;
+            // With the entering node gone again, and nothing moved, the step to
+            // the old solution would be no movement either.
+            const bool in_vain = step == 0. && limiting == entering;
+            moved              = moved || step > 0.;
             forces.sadd(1. - step, step, trial);
-            if (limiting < 0)
+            if (limiting >= 0)
+              {
+                forces(limiting) = 0.;
+                active.erase(std::find(active.begin(), active.end(), limiting));
+              }
+            if (limiting < 0 || in_vain)
               break;
-            forces(limiting) = 0.;
-            active.erase(std::find(active.begin(), active.end(), limiting));
           }
+        if (n_solves > 100 * (n + 10))
+          throw NumericalError(
+            "The contact problem of " + std::to_string(n) +
+            " lip nodes did not end in " + std::to_string(n_solves) +
+            " sets: its compliance is too ill-conditioned. Check the moduli of "
+            "[Material] and the mesh, or try [Contact] Solver = active set.");
         if (moved)
           waiting.clear();
         else

@@ -13,6 +13,7 @@
 #include <crevasse/scene/problems.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace Crevasse
@@ -32,6 +33,7 @@ namespace Crevasse
   Certificate
   ContactSolver::certify(const Vector &right_hand_side, const Vector &solution)
   {
+    scales = scales_of_solutions;
     return Crevasse::certify(
       problem, right_hand_side, solution, scales, residual, forces);
   }
@@ -45,6 +47,7 @@ namespace Crevasse
                        const double         stiffness_factor)
   {
     timer.start();
+    scales_of_solutions.judge_by_load(load / stiffness_factor);
     if (stiffness_factor == 1.)
       solve_and_certify(right_hand_side, solution);
     else
@@ -71,8 +74,9 @@ namespace Crevasse
   {
     const std::size_t n_new     = iterate(right_hand_side, solution);
     const Certificate certified = certify(right_hand_side, solution);
-    if (!(certified.worst() <= accuracy()))
+    if (!accepts(certified))
       fail(certified, n_new);
+    scales_of_solutions = scales;
     ++solves;
     iterations += n_new;
     maxima.merge(certified);
@@ -86,7 +90,9 @@ namespace Crevasse
   {
     std::ostringstream message;
     message << "The contact problem was not solved to the accuracy "
-            << accuracy() << " by " << description() << " in " << n_iterations
+            << force_accuracy() << " of forces and " << displacement_accuracy()
+            << " of displacements"
+            << " by " << description() << " in " << n_iterations
             << " iterations. Reached: " << certified.describe() << '.';
     const std::string sets = last_sets();
     if (!sets.empty())
@@ -109,15 +115,45 @@ namespace Crevasse
   void
   ContactSolver::judge_by_load(const double largest_nodal_force)
   {
-    scales.judge_by_load(largest_nodal_force);
+    load = largest_nodal_force;
   }
 
 
 
   double
-  ContactSolver::accuracy() const
+  ContactSolver::force_accuracy() const
   {
-    return std::max(tolerance, scales.rounding());
+    return std::max(tolerance, scales.force_rounding());
+  }
+
+
+
+  double
+  ContactSolver::displacement_accuracy() const
+  {
+    return std::max(tolerance, scales.displacement_rounding());
+  }
+
+
+
+  void
+  ContactSolver::scale_by(const Vector &right_hand_side,
+                          const Vector &candidate)
+  {
+    scales = scales_of_solutions;
+    scales.include(problem, right_hand_side, candidate);
+  }
+
+
+
+  bool
+  ContactSolver::accepts(const Certificate &certificate) const
+  {
+    const double forces = force_accuracy(), lengths = displacement_accuracy();
+    return std::isfinite(certificate.worst()) &&
+           certificate.penetration <= lengths &&
+           certificate.tension <= forces && certificate.residual <= forces &&
+           certificate.complementarity <= std::max(forces, lengths);
   }
 
 
@@ -126,7 +162,7 @@ namespace Crevasse
   ContactSolver::is_solved(const Vector &right_hand_side,
                            const Vector &candidate)
   {
-    return certify(right_hand_side, candidate).worst() <= accuracy();
+    return accepts(certify(right_hand_side, candidate));
   }
 
 
@@ -135,7 +171,7 @@ namespace Crevasse
   ContactSolver::residual_target() const
   {
     // The l₂ norm is never below the maximum norm of the certificate.
-    return 0.5 * accuracy() * scales.force();
+    return 0.5 * force_accuracy() * scales.force();
   }
 
 
@@ -149,12 +185,12 @@ namespace Crevasse
       {
         // The size of the solution belongs to the scales: a rough one tells.
         constexpr double rough = 1e-2;
-        scales.include(problem, right_hand_side, solution);
+        scale_by(right_hand_side, solution);
         linear_solver.solve(solution,
                             right_hand_side,
                             std::max(residual_target(),
                                      rough * right_hand_side.l2_norm()));
-        scales.include(problem, right_hand_side, solution);
+        scale_by(right_hand_side, solution);
       }
     linear_solver.solve(solution, right_hand_side, residual_target());
   }
@@ -181,6 +217,14 @@ namespace Crevasse
   ContactSolver::n_iterations() const
   {
     return iterations;
+  }
+
+
+
+  std::size_t
+  ContactSolver::n_linear_solves() const
+  {
+    return 0;
   }
 
 

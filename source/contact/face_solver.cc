@@ -77,7 +77,7 @@ namespace Crevasse
 
 
 
-  void
+  bool
   FaceSolver::solve(const std::vector<bool> &held,
                     const Vector            &residual,
                     const double             residual_norm,
@@ -99,9 +99,19 @@ namespace Crevasse
       }
     catch (const SolverControl::NoConvergence &)
       {
-        // What was reached is judged by the certificate.
+        // What was reached is judged by the caller.
       }
+    ++solves;
     iterations += control.last_step();
+    return control.last_check() == SolverControl::success;
+  }
+
+
+
+  std::size_t
+  FaceSolver::n_solves() const
+  {
+    return solves;
   }
 
 

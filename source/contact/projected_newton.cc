@@ -89,24 +89,60 @@ namespace Crevasse
 
 
 
+  void
+  ProjectedNewton::relax_held_bounds()
+  {
+    // Newton's direction leaves them out; the diagonal of A presses them on, so
+    // that those which are near but not met come to rest on their bounds.
+    for (std::size_t k = 0; k < held.size(); ++k)
+      if (held[k])
+        {
+          const auto i  = problem.bounds.dofs[k];
+          correction(i) = residual(i) / problem.diagonal()(i);
+        }
+  }
+
+
+
+  double
+  ProjectedNewton::promised_decrease(const double step) const
+  {
+    // To first order: of the free unknowns along the direction, of the held
+    // ones along what is left of the way after bending (Bertsekas, (32)).
+    double promise = step * (residual * correction);
+    double of_held = 0.;
+    for (std::size_t k = 0; k < held.size(); ++k)
+      if (held[k])
+        {
+          const auto i = problem.bounds.dofs[k];
+          of_held += residual(i) * (trial(i) - step * correction(i));
+        }
+    return promise +
+           Utilities::MPI::sum(of_held, problem.matrix.get_mpi_communicator());
+  }
+
+
+
   bool
   ProjectedNewton::search_along_correction(Vector &solution)
   {
     // With v the movement, the energy changes by ½vᵀAv − rᵀv. Armijo's rule
-    // compares with the decrease that the slope promises.
+    // compares with what the slope promises.
     constexpr double sufficient = 1e-4, shortest = 1e-12;
-    const double     slope = residual * correction;
     for (double step = 1.; step > shortest; step *= 0.5)
       {
         trial = solution;
         trial.add(step, correction);
         project(trial);
         trial -= solution;
+        if (trial.linfty_norm() == 0.)
+          return false;
         problem.matrix.vmult(product, trial);
         const double change = 0.5 * (trial * product) - residual * trial;
-        if (change <= -sufficient * step * slope)
+        if (change <= -sufficient * promised_decrease(step))
           {
             solution += trial;
+            project(solution); // no rounding in a gap
             return true;
           }
       }
@@ -135,6 +171,7 @@ namespace Crevasse
         compute_residual(right_hand_side, solution);
         find_face(solution);
         face.solve(held, residual, residual_norm, correction);
+        relax_held_bounds();
         if (!search_along_correction(solution))
           return n;
       }

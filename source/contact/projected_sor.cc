@@ -48,14 +48,14 @@ namespace Crevasse
     // costs a matrix-vector product, is worth asking for.
     constexpr unsigned int sweeps_between_certificates = 10;
     unsigned int           next_certificate            = 0;
-    scales.include(problem, right_hand_side, solution);
+    scale_by(right_hand_side, solution);
     for (unsigned int n = 1; n <= maximum_iterations; ++n)
       {
         const double seen =
           (*sweep)(right_hand_side, solution, relaxation_factor);
         if (!std::isfinite(seen))
           return n;
-        if (seen <= accuracy() * scales.force() && n >= next_certificate)
+        if (seen <= force_accuracy() * scales.force() && n >= next_certificate)
           {
             if (is_solved(right_hand_side, solution))
               return n;

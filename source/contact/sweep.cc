@@ -18,15 +18,22 @@
 
 namespace Crevasse
 {
-  std::unique_ptr<const Sweep>
-  make_sweep(const SignoriniProblem &problem, const UnknownBlocks &blocks)
+  void
+  require_one_rank(const MPI_Comm communicator)
   {
-    if (dealii::Utilities::MPI::n_mpi_processes(
-          problem.matrix.get_mpi_communicator()) > 1)
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
       throw SceneError(
         "[Contact] Solver = projected sor: it sweeps through all unknowns in "
         "order and works on one process only. Start the program without "
         "mpirun, or choose automatic, active set or condensed active set.");
+  }
+
+
+
+  std::unique_ptr<const Sweep>
+  make_sweep(const SignoriniProblem &problem, const UnknownBlocks &blocks)
+  {
+    require_one_rank(problem.matrix.get_mpi_communicator());
     if (blocks.empty())
       return std::make_unique<PointSweep>(problem);
     return std::make_unique<BlockSweep>(problem, blocks);

@@ -11,6 +11,8 @@
 
 #include <crevasse/discretisation/node_blocks.h>
 
+#include <deal.II/base/mpi.h>
+
 namespace Crevasse
 {
   using namespace dealii;
@@ -19,6 +21,8 @@ namespace Crevasse
   std::vector<std::vector<types::global_dof_index>>
   node_blocks(const Space<dim> &space)
   {
+    Assert(Utilities::MPI::n_mpi_processes(space.communicator()) == 1,
+           ExcMessage("Cells of other ranks are not in sight."));
     const FESystem<dim> &fe = space.finite_element();
 
     // The dof of component 0 stands for the node.

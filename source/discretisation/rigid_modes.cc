@@ -72,7 +72,11 @@ namespace Crevasse
   rigid_modes(const Space<dim> &space)
   {
     // Every rank knows the coarse mesh, so that all have the same box.
-    const BoundingBox<dim> box(space.mesh().get_vertices());
+    std::vector<Point<dim>> vertices;
+    for (const auto &cell : space.mesh().cell_iterators_on_level(0))
+      for (const unsigned int v : cell->vertex_indices())
+        vertices.push_back(cell->vertex(v));
+    const BoundingBox<dim> box(vertices);
     IndexSet               relevant;
     DoFTools::extract_locally_relevant_dofs(space.dof_handler(), relevant);
     std::vector<Vector> modes(n_rigid_modes<dim>,

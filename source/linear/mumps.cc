@@ -20,6 +20,7 @@
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
+#include <exception>
 
 namespace Crevasse
 {
@@ -40,6 +41,7 @@ namespace Crevasse
       parameters.set("PrintTiming", false);
       parameters.set("PrintStatus", false);
       parameters.set("OutputLevel", 0);
+      parameters.set("MaxProcs", -3); // all ranks, also on small matrices
       solver.SetParameters(parameters);
       require(solver.SymbolicFactorization());
       require(solver.NumericFactorization());
@@ -84,7 +86,14 @@ namespace Crevasse
 
 
 
-  Mumps::~Mumps() = default;
+  Mumps::~Mumps()
+  {
+    // MUMPS frees its factor by communication. While an exception is on its way
+    // the other ranks may be elsewhere: then the memory is left alone, and the
+    // end of the process frees it.
+    if (factor->n_ranks > 1 && std::uncaught_exceptions() > 0)
+      (void)factor.release();
+  }
 
 
 

@@ -19,6 +19,7 @@
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Map.h>
 #include <Epetra_MultiVector.h>
+#include <algorithm>
 
 namespace Crevasse
 {

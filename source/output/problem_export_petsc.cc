@@ -18,9 +18,11 @@
 #include <deal.II/lac/exceptions.h>
 
 #include <Epetra_CrsMatrix.h>
+#include <algorithm>
 #include <petscmat.h>
 #include <petscvec.h>
 #include <petscviewer.h>
+#include <utility>
 #include <vector>
 
 namespace Crevasse
@@ -49,10 +51,14 @@ namespace Crevasse
           int    *indices;
           double *entries;
           epetra.ExtractMyRowView(row, n_entries, entries, indices);
+          std::vector<std::pair<PetscInt, double>> sorted;
           for (int k = 0; k < n_entries; ++k)
+            sorted.emplace_back(epetra.GCID(indices[k]), entries[k]);
+          std::sort(sorted.begin(), sorted.end());
+          for (const auto &[column, value] : sorted)
             {
-              columns.push_back(epetra.GCID(indices[k]));
-              values.push_back(entries[k]);
+              columns.push_back(column);
+              values.push_back(value);
             }
           starts.push_back(columns.size());
         }

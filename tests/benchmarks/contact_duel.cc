@@ -152,7 +152,12 @@ namespace
           continue;
         try
           {
+            const dealii::Timer timer;
             competitor->prepare(problem, modes, degree);
+            std::printf("| %-36s | set-up | %.4f | | | | %.1f |\n",
+                        competitor->name.c_str(),
+                        timer.wall_time(),
+                        timer.wall_time() / back_solve);
             Vector q(b);
             q = 0.;
             const Measurement cold =

@@ -38,8 +38,7 @@ namespace
    * derivatives as its callbacks. */
   struct Problem
   {
-    Problem(const SignoriniProblem    &problem,
-            const std::vector<Vector> &rigid_modes)
+    explicit Problem(const SignoriniProblem &problem)
     {
       const Epetra_CrsMatrix &epetra = problem.matrix.trilinos_matrix();
       int                    *starts, *columns;
@@ -71,7 +70,6 @@ namespace
                               problem.bounds.dofs[k],
                               -problem.bounds.gap[k],
                               INSERT_VALUES));
-      set_near_null_space(rigid_modes);
     }
 
     ~Problem()
@@ -80,31 +78,6 @@ namespace
       MatDestroy(&J);
       for (Vec *vector : {&b, &lower, &upper, &residual})
         VecDestroy(vector);
-    }
-
-    void
-    set_near_null_space(const std::vector<Vector> &rigid_modes)
-    {
-      std::vector<Vec> modes(rigid_modes.size());
-      for (std::size_t m = 0; m < modes.size(); ++m)
-        {
-          require(VecDuplicate(b, &modes[m]));
-          copy(rigid_modes[m], modes[m]);
-          for (std::size_t k = 0; k < m; ++k)
-            {
-              PetscScalar product;
-              require(VecDot(modes[m], modes[k], &product));
-              require(VecAXPY(modes[m], -product, modes[k]));
-            }
-          require(VecNormalize(modes[m], nullptr));
-        }
-      MatNullSpace space;
-      require(MatNullSpaceCreate(
-        PETSC_COMM_SELF, PETSC_FALSE, modes.size(), modes.data(), &space));
-      require(MatSetNearNullSpace(A, space));
-      require(MatNullSpaceDestroy(&space));
-      for (Vec &mode : modes)
-        require(VecDestroy(&mode));
     }
 
     static void
@@ -180,12 +153,12 @@ namespace
     }
 
     void
-    prepare(const SignoriniProblem    &contact_problem,
-            const std::vector<Vector> &rigid_modes,
+    prepare(const SignoriniProblem &contact_problem,
+            const std::vector<Vector> &,
             const unsigned int) override
     {
       SNESDestroy(&snes);
-      problem = std::make_unique<Problem>(contact_problem, rigid_modes);
+      problem = std::make_unique<Problem>(contact_problem);
       require(SNESCreate(PETSC_COMM_SELF, &snes));
       require(SNESSetType(snes, type));
       require(SNESSetFunction(
@@ -265,12 +238,12 @@ namespace
     }
 
     void
-    prepare(const SignoriniProblem    &contact_problem,
-            const std::vector<Vector> &rigid_modes,
+    prepare(const SignoriniProblem &contact_problem,
+            const std::vector<Vector> &,
             const unsigned int) override
     {
       TaoDestroy(&tao);
-      problem = std::make_unique<Problem>(contact_problem, rigid_modes);
+      problem = std::make_unique<Problem>(contact_problem);
       require(TaoCreate(PETSC_COMM_SELF, &tao));
       require(TaoSetType(tao, type));
       require(TaoSetObjectiveAndGradient(

@@ -37,7 +37,8 @@ namespace Crevasse
     /**
      * @param linear_tolerance the factor by which the residual is reduced
      * before the set is looked at again.
-     * @param maximum_iterations the largest number of sets for one problem.
+     * @param maximum_iterations the largest number of sets for one problem,
+     * and steps of the projected Newton method; more than 200 are in vain.
      */
     ActiveSet(const SignoriniProblem &problem,
               LinearSolver           &linear_solver,
@@ -47,6 +48,9 @@ namespace Crevasse
 
     std::string
     description() const override;
+
+    std::size_t
+    n_linear_solves() const override;
 
     std::size_t
     n_linear_iterations() const override;
@@ -59,6 +63,8 @@ namespace Crevasse
     last_sets() const override;
 
   private:
+    static constexpr unsigned int most_sets = 200;
+
     /** b − Aq, with the bounds of the set as equations. */
     void
     hold_and_compute_residual(const Vector &right_hand_side, Vector &solution);

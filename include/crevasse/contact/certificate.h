@@ -48,10 +48,14 @@ namespace Crevasse
     double
     displacement() const;
 
-    /** The relative accuracy that rounding allows: sums of Aᵢⱼqⱼ cancel, all
-     * the more the finer the mesh and the longer the drift. */
+    /** The accuracy that rounding allows, relative to force(): sums of Aᵢⱼqⱼ
+     * cancel, all the more the finer the mesh and the longer the drift. */
     double
-    rounding() const;
+    force_rounding() const;
+
+    /** The same, relative to displacement(). */
+    double
+    displacement_rounding() const;
 
   private:
     double load                  = 0.; ///< the largest nodal force, if known

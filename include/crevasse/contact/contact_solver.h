@@ -40,7 +40,7 @@ namespace Crevasse
      * @param stiffness_factor k > 0, if the problem is that of k A: with b / k
      * for b it is that of A, whose forces are g / k.
      * @throw NumericalError with certificate and advice if no solution within
-     * tolerance was found.
+     * tolerance was found, or if the factor is not positive.
      */
     void
     solve(const Vector        &right_hand_side,
@@ -61,6 +61,11 @@ namespace Crevasse
 
     std::size_t
     n_iterations() const;
+
+    /** Linear solves that are the method's own, besides those of its linear
+     * solver. */
+    virtual std::size_t
+    n_linear_solves() const;
 
     /** Iterations of conjugate gradients that are the method's own, besides
      * those of its linear solver. */
@@ -86,11 +91,19 @@ namespace Crevasse
     virtual std::string
     last_sets() const;
 
-    /** The tolerance, or what rounding leaves of it. */
+    /** The tolerance of forces, or what rounding leaves of it. */
     double
-    accuracy() const;
+    force_accuracy() const;
 
-    /** Whether the certificate of a candidate is within accuracy(). */
+    /** The same of displacements. */
+    double
+    displacement_accuracy() const;
+
+    /** Makes the scales those of all solutions so far and a candidate. */
+    void
+    scale_by(const Vector &right_hand_side, const Vector &candidate);
+
+    /** Whether the certificate of a candidate is within these. */
     bool
     is_solved(const Vector &right_hand_side, const Vector &candidate);
 
@@ -106,7 +119,7 @@ namespace Crevasse
 
     const SignoriniProblem &problem;
     const double            tolerance;
-    Scales                  scales; ///< of all solves so far
+    Scales                  scales; ///< of all solutions and the candidate
 
   private:
     /** Certifies into this object's own work space. */
@@ -116,9 +129,14 @@ namespace Crevasse
     void
     solve_and_certify(const Vector &right_hand_side, Vector &solution);
 
+    bool
+    accepts(const Certificate &certificate) const;
+
     [[noreturn]] void
     fail(const Certificate &certified, const std::size_t n_iterations) const;
 
+    double              load = 0.; ///< see judge_by_load()
+    Scales              scales_of_solutions;
     Vector              scaled_right_hand_side; ///< empty until one is scaled
     Vector              residual;
     std::vector<double> forces;

@@ -37,8 +37,10 @@ namespace Crevasse
      * @param residual b − Aq; its held entries do not count.
      * @param residual_norm at which l₂ norm of the new residual to end.
      * @param[out] correction to be added to q; zero in the held entries.
+     * @return whether that was reached within 1000 iterations; if not, the
+     * correction is the best there is.
      */
-    void
+    bool
     solve(const std::vector<bool> &held,
           const Vector            &residual,
           const double             residual_norm,
@@ -47,6 +49,9 @@ namespace Crevasse
     /** Sets the held entries of a vector to zero. */
     void
     project(const std::vector<bool> &held, Vector &vector) const;
+
+    std::size_t
+    n_solves() const;
 
     /** Of the conjugate gradients, over all solves. */
     std::size_t
@@ -59,6 +64,7 @@ namespace Crevasse
     const SignoriniProblem &problem;
     LinearSolver           &solver;
     Vector                  projected_residual;
+    std::size_t             solves     = 0;
     std::size_t             iterations = 0;
   };
 } // namespace Crevasse

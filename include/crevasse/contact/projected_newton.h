@@ -21,11 +21,12 @@ namespace Crevasse
 {
   /**
    * Bertsekas' projected Newton method (SIAM J. Control Optim. 20, 1982):
-   * Newton steps on the face of the bounds that are met and pressed, bent back
-   * into the cone, and shortened until the energy ½qᵀAq − bᵀq decreases enough.
-   * The energy falls with every step, so that nothing can repeat: it converges
-   * for every symmetric positive definite A, if slower than an active set that
-   * does not cycle.
+   * Newton steps on the face of the bounds that are met, or nearly, and
+   * pressed, which themselves are pressed on by the diagonal; bent back into
+   * the cone, and shortened until the energy ½qᵀAq − bᵀq decreases enough. The
+   * energy falls with every step, so that nothing can repeat: it converges for
+   * every symmetric positive definite A, if slower than an active set that does
+   * not cycle.
    */
   class ProjectedNewton
   {
@@ -61,6 +62,15 @@ namespace Crevasse
     /** The bounds that are met, or nearly, and pressed. */
     void
     find_face(const Vector &solution);
+
+    /** Completes the correction by a step of the held unknowns. */
+    void
+    relax_held_bounds();
+
+    /** By how much the energy should fall to first order with a step whose
+     * bent movement is the trial. */
+    double
+    promised_decrease(const double step) const;
 
     /** Moves along the correction, bent at the bounds, by one step or the
      * fraction of it that decreases the energy enough. False if none does. */

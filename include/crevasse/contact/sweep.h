@@ -43,6 +43,10 @@ namespace Crevasse
                const double  relaxation_factor) const = 0;
   };
 
+  /** @throw SceneError on several ranks, where no sweep works. */
+  void
+  require_one_rank(const MPI_Comm communicator);
+
   /** Unknown by unknown, or block by block if there are any.
    * @throw SceneError on several ranks. */
   std::unique_ptr<const Sweep>

@@ -19,7 +19,8 @@
 namespace Crevasse
 {
   /** Sparse factorisation by MUMPS through Trilinos' Amesos, on any number of
-   * ranks. */
+   * ranks. Amesos has MUMPS compute LU factors: unlike Cholesky's they exist
+   * for an indefinite matrix too. */
   class Mumps : public LinearSolver
   {
   public:

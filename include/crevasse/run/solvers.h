@@ -113,6 +113,7 @@ namespace Crevasse
     std::unique_ptr<LinearSolver>           open_solver;
     std::unique_ptr<ContactSolver>          contact;
     Counters                                count;
+    SparseMatrix                            closed_matrix;
     std::unique_ptr<LinearSolver>           closed_solver;
   };
 

@@ -199,7 +199,7 @@ namespace Crevasse
     /** none | open | closed: compare the last period's stress with the
      * elastic one of an open or closed lip. */
     std::string elastic_comparison = "none";
-    bool load_work = false;
+    bool        load_work          = false;
     /** "period: step; ...": contact problems that are written to files. */
     std::string contact_problems;
 
