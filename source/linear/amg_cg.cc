@@ -41,7 +41,8 @@ namespace Crevasse
     // deal.II passes on piecewise constant modes only; rotations are not.
     const std::size_t   n = matrix.local_size();
     std::vector<double> modes;
-    modes.reserve(n * near_null_space.size());
+    // At least one, so that a rank without unknowns has a pointer to give too.
+    modes.reserve(std::max<std::size_t>(1, n * near_null_space.size()));
     for (const Vector &mode : near_null_space)
       modes.insert(modes.end(), mode.begin(), mode.end());
     parameters.set("PDE equations", static_cast<int>(block_size));
