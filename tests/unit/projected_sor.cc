@@ -19,83 +19,15 @@
 #include <crevasse/scene/problems.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
 
+#include <crevasse_tests/random_problem.h>
 #include <crevasse_tests/tests.h>
-#include <random>
 
 using namespace Crevasse;
 
 namespace
 {
   constexpr unsigned int n = 9, n_bounds = 6;
-
-  struct RandomProblem
-  {
-    dealii::FullMatrix<double> dense{n, n};
-    SparseMatrix               matrix;
-    UnilateralBounds           bounds;
-    Vector                     b;
-
-    explicit RandomProblem(const unsigned int seed, const double scale)
-      : b(n)
-    {
-      std::mt19937                           generator(seed);
-      std::uniform_real_distribution<double> uniform(-1., 1.);
-      dealii::FullMatrix<double>             root(n, n);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          b(i) = uniform(generator) * scale;
-          for (unsigned int j = 0; j < n; ++j)
-            root(i, j) = uniform(generator);
-        }
-      root.Tmmult(dense, root);
-      for (unsigned int i = 0; i < n; ++i)
-        dense(i, i) += 0.1;
-      dense *= scale;
-      for (unsigned int k = 0; k < n_bounds; ++k)
-        {
-          bounds.dofs.push_back(k + 2);
-          bounds.sign.push_back(k % 2 == 0 ? 1. : -1.);
-          bounds.gap.push_back(k < 3 ? 0.
-                                     : -0.1 * std::abs(uniform(generator)));
-        }
-
-      dealii::DynamicSparsityPattern pattern(n, n);
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          pattern.add(i, j);
-      matrix.reinit(pattern);
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          matrix.set(i, j, dense(i, j));
-      matrix.compress(dealii::VectorOperation::insert);
-    }
-
-    /** Solves with the bounds in @p active as equations, the others ignored. */
-    Vector
-    solve_with(const unsigned int active) const
-    {
-      dealii::FullMatrix<double> system(dense);
-      dealii::Vector<double>     right(n), x(n);
-      for (unsigned int i = 0; i < n; ++i)
-        right(i) = b(i);
-      for (unsigned int k = 0; k < n_bounds; ++k)
-        if ((active >> k) & 1)
-          {
-            const auto i = bounds.dofs[k];
-            for (unsigned int j = 0; j < n; ++j)
-              system(i, j) = (i == j ? 1. : 0.);
-            right(i) = bounds.sign[k] * bounds.gap[k];
-          }
-      system.gauss_jordan();
-      system.vmult(x, right);
-      Vector solution(n);
-      for (unsigned int i = 0; i < n; ++i)
-        solution(i) = x(i);
-      return solution;
-    }
-  };
 
   Certificate
   certify_alone(const SignoriniProblem &problem,
@@ -115,7 +47,7 @@ namespace
     unsigned int unsolved = 0;
     for (unsigned int seed = 0; seed < 100; ++seed)
       {
-        const RandomProblem    random(seed, scale);
+        const RandomProblem    random(seed, n, n_bounds, scale);
         const SignoriniProblem problem(random.matrix, random.bounds);
         Vector                 exact(n);
         std::vector<double>    forces;
@@ -153,7 +85,7 @@ namespace
   void
   certificate_sees_errors()
   {
-    const RandomProblem    random(7, 1.);
+    const RandomProblem    random(7, n, n_bounds, 1.);
     const SignoriniProblem problem(random.matrix, random.bounds);
     ProjectedSor solver(problem, make_sweep(problem, {}), 1.3, 1e-13, 100000);
     Vector       q(n);
@@ -193,7 +125,7 @@ namespace
   void
   zero_load_after_load()
   {
-    const RandomProblem    random(3, 1.);
+    const RandomProblem    random(3, n, n_bounds, 1.);
     const SignoriniProblem problem(random.matrix, random.bounds);
     ProjectedSor solver(problem, make_sweep(problem, {}), 1.3, 1e-12, 10000);
     Vector       q(n), zero(n);
