@@ -103,26 +103,63 @@ namespace Crevasse
 
 
 
+  bool
+  CondensedActiveSet::can_refine() const
+  {
+    return linear_solver.is_direct();
+  }
+
+
+
+  void
+  CondensedActiveSet::add_to_loads(const dealii::Vector<double> &forces)
+  {
+    const UnilateralBounds &bounds = problem.bounds;
+    for (const unsigned int node : lip_problem.active_set())
+      if (const unsigned int k = node - lip.first(); k < bounds.dofs.size())
+        loads(bounds.dofs[k]) += bounds.sign[k] * forces(node);
+  }
+
+
+
+  void
+  CondensedActiveSet::refine_on_set(Vector &solution)
+  {
+    refine(linear_solver, loads, solution);
+    if (lip_problem.active_set().empty())
+      return;
+    restrict_to_lip(solution, opening);
+    opening -= gap;
+    lip_problem.forces_that_close(opening, forces);
+    add_to_loads(forces);
+    refine(linear_solver, loads, solution);
+  }
+
+
+
   std::size_t
   CondensedActiveSet::iterate(const Vector &right_hand_side, Vector &solution)
   {
     const UnilateralBounds &bounds = problem.bounds;
 
     solve_linear(linear_solver, right_hand_side, solution);
-    if (problem.n_bounds() == 0)
-      return 1;
-    restrict_to_lip(solution, opening);
-    opening -= gap;
-
-    const unsigned int n_sets = lip_problem.solve(opening, forces);
-    if (lip_problem.active_set().empty())
+    unsigned int n_sets = 1;
+    if (problem.n_bounds() > 0)
+      {
+        restrict_to_lip(solution, opening);
+        opening -= gap;
+        n_sets = lip_problem.solve(opening, forces);
+      }
+    const bool is_open = lip_problem.active_set().empty();
+    if (is_open && !asks_for_refinement())
       return n_sets;
 
     loads = right_hand_side;
-    for (const unsigned int node : lip_problem.active_set())
-      if (const unsigned int k = node - lip.first(); k < bounds.dofs.size())
-        loads(bounds.dofs[k]) += bounds.sign[k] * forces(node);
-    solve_linear(linear_solver, loads, solution);
+    add_to_loads(forces);
+    if (!is_open)
+      solve_linear(linear_solver, loads, solution);
+    if (asks_for_refinement())
+      refine_on_set(solution);
     // Closed is closed: no rounding of a back-solve in the gap.
     for (const unsigned int node : lip_problem.active_set())
       if (const unsigned int k = node - lip.first(); k < bounds.dofs.size())

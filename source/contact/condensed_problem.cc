@@ -79,6 +79,15 @@ namespace Crevasse
 
 
 
+  void
+  CondensedProblem::forces_that_close(const dealii::Vector<double> &opening,
+                                      dealii::Vector<double>       &forces)
+  {
+    solve_on(active, opening, forces);
+  }
+
+
+
   const std::vector<unsigned int> &
   CondensedProblem::active_set() const
   {

@@ -18,6 +18,15 @@
 
 namespace Crevasse
 {
+  namespace
+  {
+    /** However bad the rounding, no solution with a larger error is accepted:
+     * it is also the largest tolerance that a scene may ask for. */
+    constexpr double coarsest = 1e-2;
+  } // namespace
+
+
+
   ContactSolver::ContactSolver(const SignoriniProblem &problem,
                                const double            tolerance)
     : problem(problem)
@@ -72,14 +81,22 @@ namespace Crevasse
   ContactSolver::solve_and_certify(const Vector &right_hand_side,
                                    Vector       &solution)
   {
-    const std::size_t n_new     = iterate(right_hand_side, solution);
-    const Certificate certified = certify(right_hand_side, solution);
+    std::size_t n_new     = iterate(right_hand_side, solution);
+    Certificate certified = certify(right_hand_side, solution);
+    if (!accepts(certified) && can_refine() && !refines)
+      {
+        refines = true; // from now on: the matrix will not get better
+        n_new += iterate(right_hand_side, solution);
+        certified = certify(right_hand_side, solution);
+      }
     if (!accepts(certified))
       fail(certified, n_new);
     scales_of_solutions = scales;
     ++solves;
     iterations += n_new;
     maxima.merge(certified);
+    largest_error =
+      std::max({largest_error, force_accuracy(), displacement_accuracy()});
   }
 
 
@@ -97,8 +114,16 @@ namespace Crevasse
     const std::string sets = last_sets();
     if (!sets.empty())
       message << " Closed nodes of the last sets: " << sets << '.';
-    message << " Try a larger [Contact] Maximum iterations, another Solver or "
-               "Relaxation factor, or a Tolerance above rounding (1e-13).";
+    if (std::max(force_accuracy(), displacement_accuracy()) > coarsest)
+      message << " Rounding alone makes such errors here: the stiffness is "
+                 "badly conditioned. Look for very flat cells, a Poisson ratio "
+                 "close to its limits, and moduli or lengths that differ by "
+                 "many orders of magnitude.";
+    else
+      message << " If the iterations are as many as [Contact] Maximum "
+                 "iterations, raise it; otherwise try another [Contact] Solver "
+                 "or [Linear solver] Type (\"amg\" rounds least), or a larger "
+                 "[Contact] Tolerance.";
     throw NumericalError(message.str());
   }
 
@@ -151,6 +176,7 @@ namespace Crevasse
   {
     const double forces = force_accuracy(), lengths = displacement_accuracy();
     return std::isfinite(certificate.worst()) &&
+           std::max(forces, lengths) <= coarsest &&
            certificate.penetration <= lengths &&
            certificate.tension <= forces && certificate.residual <= forces &&
            certificate.complementarity <= std::max(forces, lengths);
@@ -193,6 +219,45 @@ namespace Crevasse
         scale_by(right_hand_side, solution);
       }
     linear_solver.solve(solution, right_hand_side, residual_target());
+  }
+
+
+
+  bool
+  ContactSolver::can_refine() const
+  {
+    return false;
+  }
+
+
+
+  bool
+  ContactSolver::asks_for_refinement() const
+  {
+    return refines;
+  }
+
+
+
+  void
+  ContactSolver::refine(LinearSolver &linear_solver,
+                        const Vector &right_hand_side,
+                        Vector       &solution)
+  {
+    defect.reinit(solution, true);
+    correction.reinit(solution, true);
+    problem.matrix.vmult(defect, solution);
+    defect.sadd(-1., 1., right_hand_side);
+    linear_solver.solve(correction, defect, residual_target());
+    solution += correction;
+  }
+
+
+
+  double
+  ContactSolver::accuracy() const
+  {
+    return largest_error;
   }
 
 

@@ -12,6 +12,7 @@
 #include <crevasse/contact/projected_sor.h>
 
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <utility>
 
@@ -35,7 +36,8 @@ namespace Crevasse
   ProjectedSor::description() const
   {
     std::ostringstream text;
-    text << "projected SOR with relaxation factor " << relaxation_factor;
+    text << std::setprecision(12) << "projected SOR with relaxation factor "
+         << relaxation_factor;
     return text.str();
   }
 

@@ -38,6 +38,16 @@ namespace Crevasse
   Unconstrained::iterate(const Vector &right_hand_side, Vector &solution)
   {
     solve_linear(linear_solver, right_hand_side, solution);
+    if (asks_for_refinement())
+      refine(linear_solver, right_hand_side, solution);
     return 1;
+  }
+
+
+
+  bool
+  Unconstrained::can_refine() const
+  {
+    return linear_solver.is_direct();
   }
 } // namespace Crevasse

@@ -40,16 +40,17 @@ namespace Crevasse
       cholmod_finish(&common);
     }
 
-    /** Solves for a dense block, column by column in memory. */
     void
-    solve(double *block, const std::size_t n_rows, const std::size_t n_columns)
+    solve(double            *solutions,
+          const double      *right_hand_sides,
+          const unsigned int n_columns)
     {
       cholmod_dense b;
-      b.nrow  = n_rows;
+      b.nrow  = L->n;
       b.ncol  = n_columns;
-      b.nzmax = n_rows * n_columns;
-      b.d     = n_rows;
-      b.x     = block;
+      b.nzmax = L->n * n_columns;
+      b.d     = L->n;
+      b.x     = const_cast<double *>(right_hand_sides); // only read
       b.z     = nullptr;
       b.xtype = CHOLMOD_REAL;
       b.dtype = CHOLMOD_DOUBLE;
@@ -66,14 +67,8 @@ namespace Crevasse
       if (success == 0)
         throw NumericalError("CHOLMOD: a solve failed with status " +
                              std::to_string(common.status) + ".");
-    }
-
-    void
-    copy_solution(const std::size_t column, Vector &vector) const
-    {
-      const auto *x =
-        static_cast<const double *>(solution->x) + column * solution->d;
-      std::copy(x, x + solution->nrow, vector.begin());
+      const auto *x = static_cast<const double *>(solution->x);
+      std::copy(x, x + L->n * n_columns, solutions);
     }
 
     cholmod_common  common;
@@ -185,50 +180,11 @@ namespace Crevasse
 
 
 
-  bool
-  Cholesky::is_direct() const
-  {
-    return true;
-  }
-
-
-
   void
-  Cholesky::precondition(Vector &solution, const Vector &right_hand_side)
+  Cholesky::back_solve(double            *solutions,
+                       const double      *right_hand_sides,
+                       const unsigned int n_columns)
   {
-    // A view of the right-hand side; CHOLMOD only reads it.
-    factor->solve(const_cast<double *>(right_hand_side.begin()),
-                  right_hand_side.locally_owned_size(),
-                  1);
-    factor->copy_solution(0, solution);
-  }
-
-
-
-  unsigned int
-  Cholesky::apply_inverse(Vector       &solution,
-                          const Vector &right_hand_side,
-                          const double)
-  {
-    precondition(solution, right_hand_side);
-    return 0;
-  }
-
-
-
-  unsigned int
-  Cholesky::apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
-                                 const double)
-  {
-    const std::size_t   n = right_hand_sides.front().locally_owned_size();
-    std::vector<double> block(n * right_hand_sides.size());
-    for (std::size_t k = 0; k < right_hand_sides.size(); ++k)
-      std::copy(right_hand_sides[k].begin(),
-                right_hand_sides[k].end(),
-                block.begin() + k * n);
-    factor->solve(block.data(), n, right_hand_sides.size());
-    for (std::size_t k = 0; k < right_hand_sides.size(); ++k)
-      factor->copy_solution(k, right_hand_sides[k]);
-    return 0;
+    factor->solve(solutions, right_hand_sides, n_columns);
   }
 } // namespace Crevasse

@@ -19,7 +19,6 @@
 #include <Epetra_LinearProblem.h>
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
-#include <algorithm>
 #include <exception>
 
 namespace Crevasse
@@ -48,11 +47,15 @@ namespace Crevasse
     }
 
     void
-    solve(double *solutions, double *right_hand_sides, const int n_columns)
+    solve(double            *solutions,
+          const double      *right_hand_sides,
+          const unsigned int n_columns)
     {
       const int          n = map.NumMyElements();
       Epetra_MultiVector x(View, map, solutions, n, n_columns);
-      Epetra_MultiVector b(View, map, right_hand_sides, n, n_columns);
+      // Amesos only reads the right-hand sides.
+      Epetra_MultiVector b(
+        View, map, const_cast<double *>(right_hand_sides), n, n_columns);
       problem.SetLHS(&x);
       problem.SetRHS(&b);
       require(solver.Solve());
@@ -97,14 +100,6 @@ namespace Crevasse
 
 
 
-  bool
-  Mumps::is_direct() const
-  {
-    return true;
-  }
-
-
-
   std::string
   Mumps::description() const
   {
@@ -115,43 +110,10 @@ namespace Crevasse
 
 
   void
-  Mumps::precondition(Vector &solution, const Vector &right_hand_side)
+  Mumps::back_solve(double            *solutions,
+                    const double      *right_hand_sides,
+                    const unsigned int n_columns)
   {
-    // Amesos only reads the right-hand side.
-    factor->solve(solution.begin(),
-                  const_cast<double *>(right_hand_side.begin()),
-                  1);
-  }
-
-
-
-  unsigned int
-  Mumps::apply_inverse(Vector       &solution,
-                       const Vector &right_hand_side,
-                       const double)
-  {
-    precondition(solution, right_hand_side);
-    return 0;
-  }
-
-
-
-  unsigned int
-  Mumps::apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
-                              const double)
-  {
-    const std::size_t   n = right_hand_sides.front().locally_owned_size();
-    std::vector<double> block(n * right_hand_sides.size());
-    for (std::size_t k = 0; k < right_hand_sides.size(); ++k)
-      std::copy(right_hand_sides[k].begin(),
-                right_hand_sides[k].end(),
-                block.begin() + k * n);
-    std::vector<double> solutions(block.size());
-    factor->solve(solutions.data(), block.data(), right_hand_sides.size());
-    for (std::size_t k = 0; k < right_hand_sides.size(); ++k)
-      std::copy(solutions.begin() + k * n,
-                solutions.begin() + (k + 1) * n,
-                right_hand_sides[k].begin());
-    return 0;
+    factor->solve(solutions, right_hand_sides, n_columns);
   }
 } // namespace Crevasse

@@ -18,6 +18,7 @@
 #include <crevasse/run/sizes.h>
 #include <crevasse/run/version.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 #include <crevasse/time/runge_kutta.h>
 
 #include <deal.II/base/utilities.h>
@@ -232,6 +233,16 @@ namespace Crevasse
     log.line("");
     log.line("  certificate of " + std::to_string(contact.n_solves()) +
              " solves: " + contact.worst_certificate().describe());
+    constexpr double poor = 1e-6;
+    if (contact.accuracy() > poor)
+      log.line(
+        "  Beware: the stiffness is badly conditioned. Rounding leaves "
+        "an accuracy of " +
+        Text::from_number(contact.accuracy()) +
+        " only, not [Contact] Tolerance = " +
+        Text::from_number(scene.contact.tolerance) +
+        ". Very flat cells or a Poisson ratio close to its limits do "
+        "this.");
   }
 
 

@@ -21,6 +21,8 @@
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/linear/mumps.h>
 #include <crevasse/run/solvers.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -121,6 +123,11 @@ namespace Crevasse
                               loads);
           largest = std::max(largest, loads.linfty_norm());
         }
+    if (largest != 0. && !(largest >= 1e-70 && largest <= 1e70))
+      throw SceneError(
+        "[Loads]: the largest force on a node over a period is " +
+        Text::from_number(largest) +
+        "; it must be from 1e-70 to 1e70. Choose other units.");
     return largest;
   }
 
@@ -303,7 +310,8 @@ namespace Crevasse
     summary["certificate"]   = {{"penetration", worst.penetration},
                                 {"tension", worst.tension},
                                 {"complementarity", worst.complementarity},
-                                {"residual", worst.residual}};
+                                {"residual", worst.residual},
+                                {"accuracy", contact->accuracy()}};
     if (contact->n_solves() > 0)
       summary["seconds"]["vi_mean"] = contact->seconds() / contact->n_solves();
     if (n_solves > 0)

@@ -144,7 +144,7 @@ namespace Crevasse
     prm.add_parameter("Poisson ratio",
                       poisson_ratio,
                       "Poisson's ratio of the elastic strain. Allowed: a "
-                      "number greater than -1 and less than 0.5");
+                      "number of at least -0.999, less than 0.5");
     prm.add_parameter(
       "Viscosity",
       viscosity,
@@ -236,8 +236,9 @@ namespace Crevasse
                       "Allowed: a number greater than 0, at most 0.01");
     prm.add_parameter("Maximum iterations",
                       maximum_iterations,
-                      "Iterations after which the solver gives up. Allowed: an "
-                      "integer of at least 1",
+                      "Iterations after which the solvers \"projected sor\" "
+                      "(sweeps) and \"active set\" (sets) give up. Allowed: "
+                      "an integer from 1 to 2147483647",
                       count);
     prm.add_parameter("Relaxation table",
                       relaxation_table,

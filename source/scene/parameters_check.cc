@@ -63,10 +63,16 @@ namespace Crevasse
 
 
 
+      /** A quantity with a unit. Products of four such, as the squares of
+       * norms hold, must be numbers that a computer has. */
       void
       demand_positive(const char *name, const double value) const
       {
         demand(value > 0., name, value, "must be greater than 0");
+        demand(!(value > 0.) || (value >= 1e-70 && value <= 1e70),
+               name,
+               value,
+               "must be from 1e-70 to 1e70; choose other units");
       }
 
     private:
@@ -243,10 +249,12 @@ namespace Crevasse
   {
     const Checker checker(section, problems);
     checker.demand_positive("Young modulus", young_modulus);
-    checker.demand(poisson_ratio > -1. && poisson_ratio < 0.5,
+    // Close to -1 the shear modulus is all there is, and rounding eats the
+    // rest.
+    checker.demand(poisson_ratio >= -0.999 && poisson_ratio < 0.5,
                    "Poisson ratio",
                    poisson_ratio,
-                   "must be greater than -1 and less than 0.5");
+                   "must be at least -0.999 and less than 0.5");
 
     if (viscosity == "relaxation time")
       checker.demand_positive("Relaxation time", relaxation_time);

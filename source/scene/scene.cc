@@ -11,6 +11,7 @@
 
 #include <crevasse/scene/boundary_roles.h>
 #include <crevasse/scene/probe_list.h>
+#include <crevasse/scene/recorded_steps.h>
 #include <crevasse/scene/scene.h>
 #include <crevasse/scene/text.h>
 
@@ -128,6 +129,29 @@ namespace Crevasse
               scene.time_integration.steps);
       check(OutputParameters::section, "Field times", scene.output.field_times);
     }
+
+
+
+    /** Contact problems can be recorded only at steps that there will be. */
+    void
+    check_recorded_steps(const Scene &scene, Problems &problems)
+    {
+      if (problems.concern(OutputParameters::section, "Contact problems") ||
+          scene.time_integration.step_control != "uniform")
+        return;
+      const unsigned int n_periods = scene.periodic_state.maximum_periods;
+      const unsigned int n_steps   = scene.time_integration.steps_per_period;
+      for (const auto &[period, step] :
+           parse_recorded_steps(scene.output.contact_problems))
+        if (period > n_periods || step > n_steps)
+          problems.add(OutputParameters::section,
+                       "Contact problems",
+                       std::to_string(period) + ": " + std::to_string(step),
+                       "must be within Periodic state/Maximum periods = " +
+                         std::to_string(n_periods) +
+                         " and Time integration/Steps per period = " +
+                         std::to_string(n_steps));
+    }
   } // namespace
 
 
@@ -172,5 +196,6 @@ namespace Crevasse
     check_components(*this, problems);
     check_points(*this, problems);
     check_instants(*this, problems);
+    check_recorded_steps(*this, problems);
   }
 } // namespace Crevasse

@@ -137,11 +137,50 @@ namespace
     Vec b, lower, upper, residual;
   };
 
-  class Snes : public Competitor
+  /** What SNES and TAO have in common: from Crevasse's vectors to PETSc's and
+   * back. */
+  class PetscCompetitor : public Competitor
+  {
+  public:
+    using Competitor::Competitor;
+
+    void
+    prepare(const SignoriniProblem &contact_problem,
+            const std::vector<Vector> &,
+            const unsigned int) override
+    {
+      problem = std::make_unique<Problem>(contact_problem);
+      set_up();
+    }
+
+    unsigned int
+    solve(const Vector &b, Vector &q) override
+    {
+      Vec x;
+      require(VecDuplicate(problem->b, &x));
+      Problem::copy(b, problem->b);
+      Problem::copy(q, x);
+      const unsigned int n = solve(x, residual_tolerance * b.l2_norm());
+      Problem::copy(x, q);
+      require(VecDestroy(&x));
+      return n;
+    }
+
+  protected:
+    virtual void
+    set_up() = 0;
+
+    virtual unsigned int
+    solve(Vec x, const double residual) = 0;
+
+    std::unique_ptr<Problem> problem;
+  };
+
+  class Snes : public PetscCompetitor
   {
   public:
     Snes(const std::string &name, const SNESType type, const bool amg)
-      : Competitor(name)
+      : PetscCompetitor(name)
       , type(type)
       , amg(amg)
     {
@@ -152,13 +191,11 @@ namespace
       SNESDestroy(&snes);
     }
 
+  protected:
     void
-    prepare(const SignoriniProblem &contact_problem,
-            const std::vector<Vector> &,
-            const unsigned int) override
+    set_up() override
     {
-      SNESDestroy(&snes);
-      problem = std::make_unique<Problem>(contact_problem);
+      require(SNESDestroy(&snes));
       require(SNESCreate(PETSC_COMM_SELF, &snes));
       require(SNESSetType(snes, type));
       require(SNESSetFunction(
@@ -195,38 +232,30 @@ namespace
     }
 
     unsigned int
-    solve(const Vector &b, Vector &q) override
+    solve(Vec x, const double residual) override
     {
-      Vec x;
-      require(VecDuplicate(problem->b, &x));
-      Problem::copy(b, problem->b);
-      Problem::copy(q, x);
       // By the residual alone, as TAO below. The semismooth method needs few
       // iterations or does not converge.
-      require(SNESSetTolerances(
-        snes, residual_tolerance * b.l2_norm(), 0., 0., 50, 100000));
+      require(SNESSetTolerances(snes, residual, 0., 0., 50, 100000));
       require(SNESSolve(snes, nullptr, x));
       PetscInt iterations;
       require(SNESGetIterationNumber(snes, &iterations));
-      Problem::copy(x, q);
-      require(VecDestroy(&x));
       return iterations;
     }
 
   private:
-    const SNESType           type;
-    const bool               amg;
-    std::unique_ptr<Problem> problem;
-    SNES                     snes = nullptr;
+    const SNESType type;
+    const bool     amg;
+    SNES           snes = nullptr;
   };
 
-  class TaoCompetitor : public Competitor
+  class TaoCompetitor : public PetscCompetitor
   {
   public:
     TaoCompetitor(const std::string &name,
                   const TaoType      type,
                   const unsigned int maximum_iterations)
-      : Competitor(name)
+      : PetscCompetitor(name)
       , type(type)
       , maximum_iterations(maximum_iterations)
     {
@@ -237,13 +266,11 @@ namespace
       TaoDestroy(&tao);
     }
 
+  protected:
     void
-    prepare(const SignoriniProblem &contact_problem,
-            const std::vector<Vector> &,
-            const unsigned int) override
+    set_up() override
     {
-      TaoDestroy(&tao);
-      problem = std::make_unique<Problem>(contact_problem);
+      require(TaoDestroy(&tao));
       require(TaoCreate(PETSC_COMM_SELF, &tao));
       require(TaoSetType(tao, type));
       require(TaoSetObjectiveAndGradient(
@@ -255,27 +282,20 @@ namespace
     }
 
     unsigned int
-    solve(const Vector &b, Vector &q) override
+    solve(Vec x, const double residual) override
     {
-      Vec x;
-      require(VecDuplicate(problem->b, &x));
-      Problem::copy(b, problem->b);
-      Problem::copy(q, x);
-      require(TaoSetTolerances(tao, residual_tolerance * b.l2_norm(), 0., 0.));
+      require(TaoSetTolerances(tao, residual, 0., 0.));
       require(TaoSetSolution(tao, x));
       require(TaoSolve(tao));
       PetscInt iterations;
       require(TaoGetIterationNumber(tao, &iterations));
-      Problem::copy(x, q);
-      require(VecDestroy(&x));
       return iterations;
     }
 
   private:
-    const TaoType            type;
-    const unsigned int       maximum_iterations;
-    std::unique_ptr<Problem> problem;
-    Tao                      tao = nullptr;
+    const TaoType      type;
+    const unsigned int maximum_iterations;
+    Tao                tao = nullptr;
   };
 } // namespace
 

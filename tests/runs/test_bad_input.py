@@ -155,6 +155,18 @@ CASES = [
          [r"\[Boundary\] Gap = x-0.8: is 0\.2 at \(1,? 0\); it must be at most "
           r"0"],
          ["Boundary/Gap=x-0.8"]),
+    Case("sizes_beyond_all_numbers", 2,
+         [r"\[Geometry\] Width = 1e-200: must be from 1e-70 to 1e70; choose "
+          "other units"],
+         ["Geometry/Width=1e-200", "Geometry/Crack length=1e-201"]),
+    Case("loads_beyond_all_numbers", 2,
+         [r"\[Loads\]: the largest force on a node over a period is \S+; it "
+          "must be from 1e-70 to 1e70. Choose other units"],
+         ["Loads/Traction=0; 1e200*sin(t)"], creates_directory=True),
+    Case("recorded_step_that_never_comes", 2,
+         [r"\[Output\] Contact problems = 1: 99: must be within Periodic "
+          "state/Maximum periods = 2 and"],
+         ["Output/Contact problems=1: 99"]),
     Case("instants_not_increasing", 2,
          [r"\[Time integration\] Steps = 200: must be later than the instant "
           r"before it, 300"],
@@ -170,7 +182,7 @@ CASES = [
           r"than 0\n"
           r'several_errors\.prm:5: unknown section "Load"',
           r'--set "Material/Poisson ratio=0.6": \[Material\] Poisson ratio = '
-          r"0.6: must be greater than -1 and less than 0.5",
+          r"0.6: must be at least -0.999 and less than 0.5",
           r'--set "Loads/Traction=0": \[Loads\] Traction = 0: must be 2'],
          ["Material/Poisson ratio=0.6", "Loads/Traction=0"],
          scene="subsection Geometry\n  set Depth = 1\n  set Height = 0\nend\n"
@@ -325,6 +337,10 @@ CASES = [
           r"\[Contact\] Maximum iterations"],
          ["Contact/Solver=projected sor", "Contact/Maximum iterations=2",
           "Contact/Relaxation factor=1"],
+         creates_directory=True),
+    Case("rounding_beyond_all_accuracy", 3,
+         ["Rounding alone makes such errors here", "very flat cells"],
+         ["Geometry/Height=1e-6", "Contact/Solver=active set"],
          creates_directory=True),
 ]
 

@@ -43,6 +43,9 @@ namespace Crevasse
     std::size_t
     iterate(const Vector &right_hand_side, Vector &solution) override;
 
+    bool
+    can_refine() const override;
+
   private:
     std::vector<dealii::Vector<double>>
     compliance_columns(const std::vector<unsigned int> &nodes);
@@ -50,6 +53,14 @@ namespace Crevasse
     /** L v at the nodes of all ranks. */
     void
     restrict_to_lip(const Vector &v, dealii::Vector<double> &on_lip) const;
+
+    /** Adds the forces on the closed nodes to the loads. */
+    void
+    add_to_loads(const dealii::Vector<double> &forces);
+
+    /** One step of iterative refinement with the set as it is. */
+    void
+    refine_on_set(Vector &solution);
 
     LinearSolver &linear_solver;
 

@@ -59,6 +59,12 @@ namespace Crevasse
     solve(const dealii::Vector<double> &opening_without_contact,
           dealii::Vector<double>       &forces);
 
+    /** The forces that bring the nodes of the active set from the given
+     * opening to none, whatever their sign. */
+    void
+    forces_that_close(const dealii::Vector<double> &opening,
+                      dealii::Vector<double>       &forces);
+
     /** Nodes closed in the last solution. */
     const std::vector<unsigned int> &
     active_set() const;

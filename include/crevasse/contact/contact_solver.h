@@ -56,6 +56,11 @@ namespace Crevasse
     const Certificate &
     worst_certificate() const;
 
+    /** The largest error that was accepted so far: the tolerance, or what
+     * rounding leaves of it. */
+    double
+    accuracy() const;
+
     std::size_t
     n_solves() const;
 
@@ -90,6 +95,21 @@ namespace Crevasse
      * the method has none. */
     virtual std::string
     last_sets() const;
+
+    /** Whether iterate() could do better if asks_for_refinement(). */
+    virtual bool
+    can_refine() const;
+
+    /** Whether a certificate has shown that the rounding of direct solvers is
+     * too large on this matrix, so that solutions must be refined. */
+    bool
+    asks_for_refinement() const;
+
+    /** x += A⁻¹ (b − A x) */
+    void
+    refine(LinearSolver &linear_solver,
+           const Vector &right_hand_side,
+           Vector       &solution);
 
     /** The tolerance of forces, or what rounding leaves of it. */
     double
@@ -138,11 +158,15 @@ namespace Crevasse
     double              load = 0.; ///< see judge_by_load()
     Scales              scales_of_solutions;
     Vector              scaled_right_hand_side; ///< empty until one is scaled
+    Vector              defect;     ///< empty until a solution is refined
+    Vector              correction; ///< likewise
     Vector              residual;
     std::vector<double> forces;
+    bool                refines = false;
     Certificate         maxima;
-    std::size_t         solves     = 0;
-    std::size_t         iterations = 0;
+    double              largest_error = 0.;
+    std::size_t         solves        = 0;
+    std::size_t         iterations    = 0;
     dealii::Timer       timer;
   };
 } // namespace Crevasse

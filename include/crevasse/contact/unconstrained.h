@@ -32,6 +32,9 @@ namespace Crevasse
     std::size_t
     iterate(const Vector &right_hand_side, Vector &solution) override;
 
+    bool
+    can_refine() const override;
+
   private:
     LinearSolver &linear_solver;
   };

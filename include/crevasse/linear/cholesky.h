@@ -12,14 +12,14 @@
 #ifndef crevasse_linear_cholesky_h
 #define crevasse_linear_cholesky_h
 
-#include <crevasse/linear/linear_solver.h>
+#include <crevasse/linear/direct_solver.h>
 
 #include <memory>
 
 namespace Crevasse
 {
   /** Sparse Cholesky factorisation by CHOLMOD (SuiteSparse), on one rank. */
-  class Cholesky : public LinearSolver
+  class Cholesky : public DirectSolver
   {
   public:
     /** Factorises. @throw NumericalError if the matrix is not positive
@@ -27,24 +27,14 @@ namespace Crevasse
     explicit Cholesky(const Matrix &matrix);
     ~Cholesky() override;
 
-    void
-    precondition(Vector &solution, const Vector &right_hand_side) override;
-
-    bool
-    is_direct() const override;
-
     std::string
     description() const override;
 
   protected:
-    unsigned int
-    apply_inverse(Vector       &solution,
-                  const Vector &right_hand_side,
-                  const double  residual_norm) override;
-
-    unsigned int
-    apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
-                         const double         residual_norm) override;
+    void
+    back_solve(double            *solutions,
+               const double      *right_hand_sides,
+               const unsigned int n_columns) override;
 
   private:
     struct Factor; // keeps cholmod.h out of every includer

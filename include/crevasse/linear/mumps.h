@@ -12,7 +12,7 @@
 #ifndef crevasse_linear_mumps_h
 #define crevasse_linear_mumps_h
 
-#include <crevasse/linear/linear_solver.h>
+#include <crevasse/linear/direct_solver.h>
 
 #include <memory>
 
@@ -21,31 +21,21 @@ namespace Crevasse
   /** Sparse factorisation by MUMPS through Trilinos' Amesos, on any number of
    * ranks. Amesos has MUMPS compute LU factors: unlike Cholesky's they exist
    * for an indefinite matrix too. */
-  class Mumps : public LinearSolver
+  class Mumps : public DirectSolver
   {
   public:
     /** Factorises. @throw NumericalError if MUMPS fails. */
     explicit Mumps(const Matrix &matrix);
     ~Mumps() override;
 
-    void
-    precondition(Vector &solution, const Vector &right_hand_side) override;
-
-    bool
-    is_direct() const override;
-
     std::string
     description() const override;
 
   protected:
-    unsigned int
-    apply_inverse(Vector       &solution,
-                  const Vector &right_hand_side,
-                  const double  residual_norm) override;
-
-    unsigned int
-    apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
-                         const double         residual_norm) override;
+    void
+    back_solve(double            *solutions,
+               const double      *right_hand_sides,
+               const unsigned int n_columns) override;
 
   private:
     struct Factor; // keeps Amesos out of every includer

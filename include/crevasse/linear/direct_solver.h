@@ -1,0 +1,49 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_linear_direct_solver_h
+#define crevasse_linear_direct_solver_h
+
+#include <crevasse/linear/linear_solver.h>
+
+namespace Crevasse
+{
+  /** What all solvers by a factorisation have in common: a solve is exact and
+   * costs a back-solve, which derived classes do for a block of columns. */
+  class DirectSolver : public LinearSolver
+  {
+  public:
+    bool
+    is_direct() const override;
+
+    void
+    precondition(Vector &solution, const Vector &right_hand_side) override;
+
+  protected:
+    unsigned int
+    apply_inverse(Vector       &solution,
+                  const Vector &right_hand_side,
+                  const double  residual_norm) override;
+
+    unsigned int
+    apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
+                         const double         residual_norm) override;
+
+    /** Both blocks lie column by column in memory, with the locally owned
+     * entries of @p n_columns vectors. */
+    virtual void
+    back_solve(double            *solutions,
+               const double      *right_hand_sides,
+               const unsigned int n_columns) = 0;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,65 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/linear/direct_solver.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  bool
+  DirectSolver::is_direct() const
+  {
+    return true;
+  }
+
+
+
+  void
+  DirectSolver::precondition(Vector &solution, const Vector &right_hand_side)
+  {
+    back_solve(solution.begin(), right_hand_side.begin(), 1);
+  }
+
+
+
+  unsigned int
+  DirectSolver::apply_inverse(Vector       &solution,
+                              const Vector &right_hand_side,
+                              const double)
+  {
+    precondition(solution, right_hand_side);
+    return 0;
+  }
+
+
+
+  unsigned int
+  DirectSolver::apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
+                                     const double)
+  {
+    if (right_hand_sides.empty())
+      return 0;
+    const std::size_t   n = right_hand_sides.front().locally_owned_size();
+    std::vector<double> block(n * right_hand_sides.size());
+    for (std::size_t k = 0; k < right_hand_sides.size(); ++k)
+      std::copy(right_hand_sides[k].begin(),
+                right_hand_sides[k].end(),
+                block.begin() + k * n);
+    std::vector<double> solutions(block.size());
+    back_solve(solutions.data(), block.data(), right_hand_sides.size());
+    for (std::size_t k = 0; k < right_hand_sides.size(); ++k)
+      std::copy(solutions.begin() + k * n,
+                solutions.begin() + (k + 1) * n,
+                right_hand_sides[k].begin());
+    return 0;
+  }
+} // namespace Crevasse
