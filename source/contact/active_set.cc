@@ -69,6 +69,15 @@ namespace Crevasse
 
 
 
+  void
+  ActiveSet::start_from(const std::vector<double> &contact_forces)
+  {
+    for (std::size_t k = 0; k < contact_forces.size(); ++k)
+      active[k] = contact_forces[k] > 0.;
+  }
+
+
+
   std::string
   ActiveSet::last_sets() const
   {

@@ -262,6 +262,21 @@ namespace Crevasse
 
 
 
+  const std::vector<double> &
+  ContactSolver::contact_forces() const
+  {
+    return forces;
+  }
+
+
+
+  void
+  ContactSolver::start_from(const std::vector<double> &)
+  {
+  }
+
+
+
   const Certificate &
   ContactSolver::worst_certificate() const
   {

@@ -19,6 +19,7 @@ namespace Crevasse
   QuadratureField<dim>::QuadratureField(const Space<dim> &space)
     : offsets(space.mesh().n_active_cells(), numbers::invalid_unsigned_int)
     , n_local(0)
+    , communicator(space.communicator())
   {
     for (const auto &cell : space.mesh().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -36,9 +37,14 @@ namespace Crevasse
 
   template <int dim>
   void
-  QuadratureField<dim>::initialize(Vector &field) const
+  QuadratureField<dim>::initialize(Vector            &field,
+                                   const unsigned int n_branches) const
   {
-    field.reinit(partitioner);
+    if (n_branches == 1)
+      field.reinit(partitioner);
+    else
+      field.reinit(std::make_shared<Utilities::MPI::Partitioner>(
+        n_local * n_components * n_branches, 0, communicator));
   }
 
 

@@ -61,11 +61,15 @@ namespace Crevasse
 
   template <int dim>
   void
-  assemble_stiffness(const Space<dim>       &space,
-                     const VoigtMatrix<dim> &stiffness,
-                     SparseMatrix           &matrix)
+  assemble_stiffness(const Space<dim>                    &space,
+                     const QuadratureField<dim>          &points,
+                     const PointValues<VoigtMatrix<dim>> &stiffness,
+                     SparseMatrix                        &matrix)
   {
-    initialize_matrix(space, matrix);
+    if (matrix.m() == 0)
+      initialize_matrix(space, matrix);
+    else
+      matrix = 0.;
 
     const FESystem<dim> &fe = space.finite_element();
     const unsigned int   n  = fe.n_dofs_per_cell();
@@ -82,6 +86,8 @@ namespace Crevasse
         {
           values.reinit(cell);
           cell_matrix = 0.;
+          const std::size_t first =
+            points.offset(cell) / n_stress_components<dim>;
           for (const unsigned int q : values.quadrature_point_indices())
             {
               for (unsigned int i = 0; i < n; ++i)
@@ -93,7 +99,7 @@ namespace Crevasse
               for (unsigned int i = 0; i < n; ++i)
                 {
                   const VoigtVector<dim> stress =
-                    stiffness * strains[i] * values.JxW(q);
+                    stiffness[first + q] * strains[i] * values.JxW(q);
                   for (unsigned int j = 0; j < n; ++j)
                     cell_matrix(i, j) += stress * strains[j];
                 }
@@ -110,6 +116,7 @@ namespace Crevasse
 
   template void
   assemble_stiffness<2>(const Space<2> &,
-                        const VoigtMatrix<2> &,
+                        const QuadratureField<2> &,
+                        const PointValues<VoigtMatrix<2>> &,
                         SparseMatrix &);
 } // namespace Crevasse

@@ -64,6 +64,14 @@ namespace Crevasse
 
 
 
+  std::size_t
+  AmgCg::memory_consumption() const
+  {
+    return multigrid.memory_consumption();
+  }
+
+
+
   std::string
   AmgCg::description() const
   {

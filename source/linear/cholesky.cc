@@ -168,6 +168,14 @@ namespace Crevasse
 
 
 
+  std::size_t
+  Cholesky::memory_consumption() const
+  {
+    return factor->common.memory_inuse;
+  }
+
+
+
   std::string
   Cholesky::description() const
   {

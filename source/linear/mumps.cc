@@ -100,6 +100,15 @@ namespace Crevasse
 
 
 
+  std::size_t
+  Mumps::memory_consumption() const
+  {
+    // INFO(16): the space that the factorisation was given, in 10⁶ bytes.
+    return std::size_t(1000000) * factor->solver.GetINFO()[15];
+  }
+
+
+
   std::string
   Mumps::description() const
   {

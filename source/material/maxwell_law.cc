@@ -10,100 +10,64 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/material/maxwell_law.h>
-
-#include <deal.II/lac/lapack_full_matrix.h>
-
-#include <algorithm>
-#include <limits>
+#include <crevasse/material/properties.h>
+#include <crevasse/scene/chain.h>
 
 namespace Crevasse
 {
-  using namespace dealii;
-
-  template <int dim>
-  VoigtMatrix<dim>
-  isotropic_stiffness(const double young_modulus,
-                      const double poisson_ratio,
-                      const bool   plane_stress)
+  namespace
   {
-    const double E = young_modulus, nu = poisson_ratio;
-    const double mu = E / (2. * (1. + nu));
-    const double lambda =
-      plane_stress ? E * nu / (1. - nu * nu) : 2. * mu * nu / (1. - 2. * nu);
-
-    VoigtMatrix<dim>   K;
-    const unsigned int n_normal = plane_stress ? 2 : 3;
-    for (unsigned int i = 0; i < n_normal; ++i)
-      for (unsigned int j = 0; j < n_normal; ++j)
-        K[i][j] = lambda + (i == j ? 2. * mu : 0.);
-    for (unsigned int i = 3; i < n_stress_components<dim>; ++i)
-      K[i][i] = mu;
-    return K;
-  }
-
-
-
-  template <int dim>
-  VoigtMatrix<dim>
-  isotropic_compliance(const double young_modulus, const double poisson_ratio)
-  {
-    VoigtMatrix<dim> compliance;
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        compliance[i][j] = (i == j ? 1. : -poisson_ratio) / young_modulus;
-    for (unsigned int i = 3; i < n_stress_components<dim>; ++i)
-      compliance[i][i] = 2. * (1. + poisson_ratio) / young_modulus;
-    return compliance;
-  }
-
-
-
-  template <int dim>
-  double
-  largest_relaxation_rate(const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K)
-  {
-    // HK is similar to the symmetric √H K √H: its eigenvalues are real, and
-    // small enough for the general eigenvalue solver of LAPACK.
-    constexpr unsigned int   n  = n_stress_components<dim>;
-    const VoigtMatrix<dim>   HK = H * K;
-    LAPACKFullMatrix<double> matrix(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        matrix(i, j) = HK[i][j];
-    matrix.compute_eigenvalues();
-
-    double largest = 0.;
-    for (unsigned int i = 0; i < n; ++i)
-      largest = std::max(largest, matrix.eigenvalue(i).real());
-    return largest;
-  }
+    template <int dim>
+    std::vector<typename MaxwellLaw<dim>::Branch>
+    make_branches(const MaterialParameters &parameters)
+    {
+      using Branch = typename MaxwellLaw<dim>::Branch;
+      std::vector<Branch> branches;
+      if (parameters.viscosity == "relaxation time")
+        branches.push_back(
+          {1.,
+           proportional_fluidity<dim>(
+             parameters, "Relaxation time", parameters.relaxation_time, 1.)});
+      else if (parameters.viscosity == "isotropic")
+        branches.push_back({1., isotropic_fluidity<dim>(parameters)});
+      else if (parameters.viscosity == "matrix")
+        branches.push_back({1., fluidity_of_matrix<dim>(parameters)});
+      else if (parameters.viscosity == "chain")
+        for (const ChainBranch &branch : parse_chain(parameters.chain))
+          branches.push_back({branch.fraction,
+                              proportional_fluidity<dim>(parameters,
+                                                         "Chain",
+                                                         branch.relaxation_time,
+                                                         branch.fraction)});
+      return branches;
+    }
+  } // namespace
 
 
 
   template <int dim>
   MaxwellLaw<dim>::MaxwellLaw(const MaterialParameters &parameters)
-    : K(isotropic_stiffness<dim>(parameters.young_modulus,
-                                 parameters.poisson_ratio,
-                                 dim == 2 &&
-                                   parameters.plane_state == "plane stress"))
-    , uniform_tau(0.)
+    : K(stiffness_property<dim>(parameters))
+    , maxwell_branches(make_branches<dim>(parameters))
+    , expansion(thermal_expansion_property<dim>(parameters))
+    , k(parameters.stiffness_time_factor)
+    , eta_0(parameters.viscosity_time_factor)
   {
-    if (parameters.viscosity == "relaxation time")
-      {
-        uniform_tau = parameters.relaxation_time;
-        H           = isotropic_compliance<dim>(parameters.young_modulus,
-                                      parameters.poisson_ratio) /
-            uniform_tau;
-      }
-    else if (parameters.viscosity == "isotropic")
-      H = isotropic_compliance<dim>(parameters.viscous_modulus,
-                                    parameters.viscous_poisson_ratio);
+    const Expression tau(parameters.relaxation_time,
+                         Expression::Variables::space_time_and_material);
+    bool             is_one = k.is_constant() && k.value(Place<dim>()) == 1. &&
+                  eta_0.is_constant() && eta_0.value(Place<dim>()) == 1.;
+    for (const Expression &formula : K.formulas)
+      is_one = is_one && formula.is_constant();
+    if (is_one && parameters.viscosity == "relaxation time" &&
+        tau.is_constant())
+      uniform_tau = tau.value(Place<dim>());
   }
 
 
 
   template <int dim>
-  const VoigtMatrix<dim> &
+  const Property<VoigtMatrix<dim>> &
   MaxwellLaw<dim>::stiffness() const
   {
     return K;
@@ -112,26 +76,56 @@ namespace Crevasse
 
 
   template <int dim>
-  const VoigtMatrix<dim> &
-  MaxwellLaw<dim>::fluidity() const
+  const std::vector<typename MaxwellLaw<dim>::Branch> &
+  MaxwellLaw<dim>::branches() const
   {
-    return H;
+    return maxwell_branches;
   }
 
 
 
   template <int dim>
-  double
-  MaxwellLaw<dim>::smallest_relaxation_time() const
+  const Property<VoigtVector<dim>> &
+  MaxwellLaw<dim>::thermal_expansion() const
   {
-    const double rate = largest_relaxation_rate<dim>(H, K);
-    return rate > 0. ? 1. / rate : std::numeric_limits<double>::infinity();
+    return expansion;
   }
 
 
 
   template <int dim>
-  double
+  const Expression &
+  MaxwellLaw<dim>::stiffness_factor() const
+  {
+    return k;
+  }
+
+
+
+  template <int dim>
+  const Expression &
+  MaxwellLaw<dim>::viscosity_factor() const
+  {
+    return eta_0;
+  }
+
+
+
+  template <int dim>
+  bool
+  MaxwellLaw<dim>::has_spring() const
+  {
+    double creeping = 0.;
+    for (const Branch &branch : maxwell_branches)
+      creeping += branch.fraction;
+    constexpr double rounding = 1e-12;
+    return creeping < 1. - rounding;
+  }
+
+
+
+  template <int dim>
+  std::optional<double>
   MaxwellLaw<dim>::uniform_relaxation_time() const
   {
     return uniform_tau;
@@ -139,18 +133,6 @@ namespace Crevasse
 
 
 
-  template VoigtMatrix<2>
-  isotropic_stiffness<2>(const double, const double, const bool);
-  template VoigtMatrix<3>
-  isotropic_stiffness<3>(const double, const double, const bool);
-  template VoigtMatrix<2>
-  isotropic_compliance<2>(const double, const double);
-  template VoigtMatrix<3>
-  isotropic_compliance<3>(const double, const double);
-  template double
-  largest_relaxation_rate<2>(const VoigtMatrix<2> &, const VoigtMatrix<2> &);
-  template double
-  largest_relaxation_rate<3>(const VoigtMatrix<3> &, const VoigtMatrix<3> &);
   template class MaxwellLaw<2>;
   template class MaxwellLaw<3>;
 } // namespace Crevasse

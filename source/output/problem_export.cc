@@ -23,10 +23,12 @@
 
 namespace Crevasse
 {
-  ProblemExport::ProblemExport(const SignoriniProblem &problem,
-                               const RecordedSteps    &steps,
-                               Log                    &log,
-                               const std::string      &directory)
+  using namespace dealii;
+
+  ProblemExport::ProblemExport(const CurrentProblem &problem,
+                               const RecordedSteps  &steps,
+                               Log                  &log,
+                               const std::string    &directory)
     : problem(problem)
     , missing(steps)
     , log(log)
@@ -44,11 +46,15 @@ namespace Crevasse
     const std::string name = "contact_problem_" +
                              std::to_string(sample.period) + '_' +
                              std::to_string(sample.step);
-    write_matrix_market(problem,
+    TrilinosWrappers::SparseMatrix matrix;
+    matrix.copy_from(problem().matrix);
+    matrix *= sample.state.stiffness_factor;
+    const SignoriniProblem scaled(matrix, problem().bounds);
+    write_matrix_market(scaled,
                         sample.right_hand_side,
                         sample.state.displacement,
                         directory + '/' + name);
-    write_petsc_binary(problem,
+    write_petsc_binary(scaled,
                        sample.right_hand_side,
                        sample.state.displacement,
                        directory + '/' + name);

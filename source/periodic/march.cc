@@ -35,12 +35,12 @@ namespace Crevasse
 
 
   template <int dim>
-  March<dim>::March(PeriodMap<dim>      &period_map,
-                    const ContactSolver &contact_solver,
-                    const double         tolerance,
-                    const unsigned int   maximum_periods)
+  March<dim>::March(PeriodMap<dim>    &period_map,
+                    const SolveCount  &n_solves,
+                    const double       tolerance,
+                    const unsigned int maximum_periods)
     : period_map(period_map)
-    , contact_solver(contact_solver)
+    , n_solves(n_solves)
     , tolerance(tolerance)
     , maximum_periods(maximum_periods)
   {
@@ -66,7 +66,7 @@ namespace Crevasse
     while (result.periods < maximum_periods && !result.converged)
       {
         dealii::Timer     timer;
-        const std::size_t solves_before = contact_solver.n_solves();
+        const std::size_t solves_before = n_solves();
         ++result.periods;
         period_map.advance(result.periods, r, record_and_show);
 
@@ -79,7 +79,7 @@ namespace Crevasse
                                   change,
                                   aitken_estimate(result.stress_change),
                                   history.largest_stress(),
-                                  contact_solver.n_solves() - solves_before,
+                                  n_solves() - solves_before,
                                   timer.wall_time()};
         for (Observer *observer : observers)
           observer->end_of_period(report);

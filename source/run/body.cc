@@ -158,11 +158,13 @@ namespace Crevasse
   Body<dim>::Body(const Scene &scene, const MPI_Comm communicator)
     : effects(scene, boundary_roles(scene))
     , law(scene.material)
+    , temperature(scene.loads.temperature, scene.loads.period)
     , space(make_distributed_mesh<dim>(scene.geometry, communicator),
             scene.discretisation.degree,
             boundary_roles(scene),
             fixed_points<dim>(scene))
     , points(held(space))
+    , material(space, points, law, temperature)
     , strain_operator(space, points)
     , lip(space, Expression(scene.boundary.gap))
     , loads(space, strain_operator, scene.loads)

@@ -91,10 +91,16 @@ namespace Crevasse
         refuse(comparison,
                "the closed forms hold for a lip without initial opening; here "
                "[Boundary] Gap is not 0.");
-      if (body.effects.viscosity.on && body.law.uniform_relaxation_time() == 0.)
+      if (body.material.stiffness_varies() ||
+          body.material.has_thermal_strain())
+        refuse(comparison,
+               "the closed forms hold for a constant stiffness and without "
+               "thermal strain.");
+      if (body.effects.viscosity.on && !body.law.uniform_relaxation_time())
         refuse(comparison,
                "the closed forms hold for a viscosity in proportion to the "
-               "stiffness ([Material] Viscosity = relaxation time) or none.");
+               "stiffness ([Material] Viscosity = relaxation time), all "
+               "constant, or none.");
     }
 
 
@@ -174,16 +180,18 @@ namespace Crevasse
     reference.drift_factor = 0.;
     if (integrator != nullptr)
       reference.drift_factor =
-        factors.integral / body.law.uniform_relaxation_time();
+        factors.integral / *body.law.uniform_relaxation_time();
     reference.displacement =
       solvers.elastic_displacement(loads, comparison == "closed");
     body.points.initialize(reference.stress);
+    const MaterialState<dim> material = body.material.at(0.);
     body.strain_operator.for_each_strain(
       reference.displacement,
       [&](const std::size_t point, const VoigtVector<dim> &strain) {
-        QuadratureField<dim>::set(reference.stress,
-                                  point,
-                                  body.law.stiffness() * strain);
+        QuadratureField<dim>::set(
+          reference.stress,
+          point,
+          (*material.stiffness)[point / n_stress_components<dim>] * strain);
       });
     return reference;
   }

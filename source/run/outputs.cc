@@ -100,8 +100,13 @@ namespace Crevasse
     const RecordedSteps problems =
       parse_recorded_steps(scene.output.contact_problems);
     if (!problems.empty())
-      problem_export =
-        add<ProblemExport>(solvers.contact_problem(), problems, log, directory);
+      problem_export = add<ProblemExport>(
+        [&solvers]() -> const SignoriniProblem & {
+          return solvers.current().problem();
+        },
+        problems,
+        log,
+        directory);
     largest_stress = add<LargestStress>();
     add<PeriodTable>(file("periods.csv"));
     add<Progress<dim>>(log,

@@ -83,7 +83,7 @@ namespace Crevasse
                          Log               &log,
                          const std::string &directory)
   {
-    const SparseMatrix &matrix = solvers.stiffness();
+    const SparseMatrix &matrix = solvers.current().stiffness();
     const Vector        loads =
       loads_at(body, steps.instant(step_of_largest_load(body, steps)));
     if (loads.linfty_norm() == 0.)
@@ -98,8 +98,8 @@ namespace Crevasse
 
     const UnilateralBounds none;
     const SignoriniProblem problem(matrix, none);
-    const auto             sweep = make_sweep(problem, solvers.blocks());
-    const auto             count = [&](const double factor, const double goal) {
+    const auto sweep = make_sweep(problem, solvers.settings().unknown_blocks);
+    const auto count = [&](const double factor, const double goal) {
       return count_sor_iterations(
         problem, *sweep, loads, factor, goal, scene.contact.maximum_iterations);
     };

@@ -86,6 +86,8 @@ namespace Crevasse
     , integrator(body.effects.viscosity.on
                    ? make_integrator(scene.time_integration)
                    : nullptr)
+    , smallest_relaxation_time(
+        body.material.survey(steps.instants_and_middles()))
   {
     if (scene.output.elastic_comparison != "none")
       // Throws if there is nothing to compare with.
@@ -95,7 +97,7 @@ namespace Crevasse
                    scene.output.elastic_comparison);
     if (integrator != nullptr)
       steps.require_stability(integrator->stability_limit(),
-                              body.law.smallest_relaxation_time());
+                              smallest_relaxation_time);
   }
 
 
@@ -124,8 +126,7 @@ namespace Crevasse
          << steps.largest_step();
     if (integrator != nullptr)
       time << "; " << integrator->description() << ", stable below "
-           << integrator->stability_limit() *
-                body.law.smallest_relaxation_time();
+           << integrator->stability_limit() * smallest_relaxation_time;
     log.line(time.str());
   }
 
@@ -193,17 +194,19 @@ namespace Crevasse
     TimerOutput::Scope phase(phases, "time stepping");
     Evolution<dim>     evolution(body.strain_operator,
                              body.points,
-                             body.law,
                              body.loads,
-                             solvers.contact_solver());
+                             [&solvers](const double t) {
+                               return solvers.at(t);
+                             });
     PeriodMap<dim>     period_map(evolution, integrator.get(), steps);
-    March<dim>         march(period_map,
-                     solvers.contact_solver(),
-                     scene.periodic_state.tolerance,
-                     scene.periodic_state.maximum_periods);
-    Vector             viscous_strain;
+    March<dim>         march(
+      period_map,
+      [&solvers]() { return solvers.statistics().vi_solves; },
+      scene.periodic_state.tolerance,
+      scene.periodic_state.maximum_periods);
+    Vector viscous_strain;
     if (body.effects.viscosity.on)
-      body.points.initialize(viscous_strain);
+      body.points.initialize(viscous_strain, body.law.branches().size());
     const PeriodicResult result = march.run(viscous_strain, observers);
     rate_evaluations            = evolution.n_rate_evaluations();
     return result;
@@ -227,18 +230,18 @@ namespace Crevasse
     solvers.summarise(summary);
     summary["counters"]["rate_evaluations"] = rate_evaluations;
 
-    const ContactSolver &contact = solvers.contact_solver();
-    if (contact.n_solves() == 0)
+    const SolverStatistics statistics = solvers.statistics();
+    if (statistics.vi_solves == 0)
       return; // nothing to certify
     log.line("");
-    log.line("  certificate of " + std::to_string(contact.n_solves()) +
-             " solves: " + contact.worst_certificate().describe());
+    log.line("  certificate of " + std::to_string(statistics.vi_solves) +
+             " solves: " + statistics.certificate.describe());
     constexpr double poor = 1e-6;
-    if (contact.accuracy() > poor)
+    if (statistics.accuracy > poor)
       log.line(
         "  Beware: the stiffness is badly conditioned. Rounding leaves "
         "an accuracy of " +
-        Text::from_number(contact.accuracy()) +
+        Text::from_number(statistics.accuracy) +
         " only, not [Contact] Tolerance = " +
         Text::from_number(scene.contact.tolerance) +
         ". Very flat cells or a Poisson ratio close to its limits do "

@@ -9,17 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/contact/active_set.h>
-#include <crevasse/contact/condensed_active_set.h>
-#include <crevasse/contact/projected_sor.h>
 #include <crevasse/contact/relaxation_factor.h>
 #include <crevasse/contact/unconstrained.h>
 #include <crevasse/discretisation/node_blocks.h>
-#include <crevasse/discretisation/rigid_modes.h>
-#include <crevasse/discretisation/stiffness.h>
-#include <crevasse/linear/amg_cg.h>
-#include <crevasse/linear/cholesky.h>
-#include <crevasse/linear/mumps.h>
 #include <crevasse/run/solvers.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
@@ -33,6 +25,44 @@ namespace Crevasse
 {
   using namespace dealii;
 
+  namespace
+  {
+    template <int dim>
+    SolverSettings
+    make_settings(const Scene         &scene,
+                  const Body<dim>     &body,
+                  dealii::TimerOutput &phases)
+    {
+      const MPI_Comm           communicator = body.space.communicator();
+      const LinearSolverChoice linear =
+        choose_linear_solver(scene.linear_solver,
+                             dim,
+                             body.space.dof_handler().n_dofs(),
+                             Utilities::MPI::n_mpi_processes(communicator));
+      const std::size_t n_bounds =
+        Utilities::MPI::sum(body.lip.nodes().size(), communicator);
+      SolverSettings settings{
+        scene.contact,
+        scene.linear_solver,
+        linear,
+        choose_contact_solver(
+          scene.contact, linear, n_bounds, body.material.stiffness_varies()),
+        phases,
+        {},
+        {}};
+      const bool sweeps = settings.contact_choice.name == "projected sor" ||
+                          !scene.contact.relaxation_table.empty();
+      if (sweeps && scene.contact.relaxed_together == "node")
+        {
+          require_one_rank(communicator);
+          settings.unknown_blocks = node_blocks(body.space);
+        }
+      return settings;
+    }
+  } // namespace
+
+
+
   template <int dim>
   Solvers<dim>::Solvers(const Scene         &scene,
                         const Body<dim>     &body,
@@ -42,67 +72,137 @@ namespace Crevasse
     : scene(scene)
     , body(body)
     , log(log)
-    , phases(phases)
-    , linear_choice(choose_linear_solver(scene.linear_solver,
-                                         dim,
-                                         body.space.dof_handler().n_dofs(),
-                                         Utilities::MPI::n_mpi_processes(
-                                           body.space.communicator())))
-    , contact_choice(
-        choose_contact_solver(scene.contact,
-                              linear_choice,
-                              Utilities::MPI::sum(body.lip.nodes().size(),
-                                                  body.space.communicator())))
     , bounds(unilateral_bounds(body.lip))
+    , solver_settings(make_settings(scene, body, phases))
   {
-    {
-      TimerOutput::Scope phase(phases, "assembly");
-      assemble_stiffness(body.space, body.law.stiffness(), matrix);
-      ++count.assemblies;
-    }
-    problem           = std::make_unique<SignoriniProblem>(matrix, bounds);
-    const bool sweeps = contact_choice.name == "projected sor" ||
-                        !scene.contact.relaxation_table.empty();
-    if (sweeps && scene.contact.relaxed_together == "node")
+    solver_settings.relaxation_factor = [this, &steps](const SparseMatrix &A) {
+      return relaxation_factor(A, steps);
+    };
+    solver_settings.largest_load = largest_load(steps);
+    if (!body.material.stiffness_varies())
       {
-        require_one_rank(body.space.communicator());
-        unknown_blocks = node_blocks(body.space);
+        only_system =
+          std::make_unique<ContactSystem<dim>>(solver_settings,
+                                               body.space,
+                                               body.points,
+                                               *body.material.at(0.).stiffness,
+                                               bounds);
+        last_system = only_system.get();
       }
-
-    contact = make_contact_solver(steps);
-    contact->judge_by_load(largest_load(steps));
-    log.line("  solver: " + contact->description());
+    log.line("  solver: " + current().contact_solver().description());
   }
 
 
 
   template <int dim>
-  std::unique_ptr<ContactSolver>
-  Solvers<dim>::make_contact_solver(const StepList &steps)
+  typename Solvers<dim>::Entry
+  Solvers<dim>::make_entry(const double t)
   {
-    const ContactParameters &parameters = scene.contact;
-    if (problem->n_bounds() == 0)
-      return std::make_unique<Unconstrained>(*problem,
-                                             linear_solver(),
-                                             parameters.tolerance);
-    if (contact_choice.name == "projected sor")
+    Entry entry{body.material.at(t), nullptr};
+    if (only_system == nullptr)
       {
-        auto sweep = make_sweep(*problem, unknown_blocks);
-        return std::make_unique<ProjectedSor>(*problem,
-                                              std::move(sweep),
-                                              relaxation_factor(steps),
-                                              parameters.tolerance,
-                                              parameters.maximum_iterations);
+        entry.system =
+          std::make_unique<ContactSystem<dim>>(solver_settings,
+                                               body.space,
+                                               body.points,
+                                               *entry.material.stiffness,
+                                               bounds,
+                                               last_system != nullptr
+                                                 ? &last_system->stiffness()
+                                                 : nullptr);
+        if (last_system != nullptr)
+          entry.system->contact_solver().start_from(
+            last_system->contact_solver().contact_forces());
       }
-    if (contact_choice.name == "active set")
-      return std::make_unique<ActiveSet>(*problem,
-                                         linear_solver(),
-                                         parameters.tolerance,
-                                         scene.linear_solver.tolerance,
-                                         parameters.maximum_iterations);
-    return std::make_unique<CondensedActiveSet>(*problem,
-                                                linear_solver(),
-                                                parameters.tolerance);
+    return entry;
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  Solvers<dim>::memory_consumption(const Entry &entry) const
+  {
+    std::size_t bytes =
+      entry.system != nullptr ? entry.system->memory_consumption() : 0;
+    if (body.material.stiffness_varies())
+      bytes += entry.material.stiffness->memory_consumption();
+    if (body.material.fluidity_varies())
+      for (const auto &fluidity : entry.material.fluidity)
+        bytes += fluidity->memory_consumption();
+    if (body.material.thermal_strain_varies())
+      bytes += entry.material.thermal_strain->memory_consumption();
+    return bytes;
+  }
+
+
+
+  template <int dim>
+  typename Solvers<dim>::Entry &
+  Solvers<dim>::entry_at(const double t)
+  {
+    if (const auto found = kept.find(t); found != kept.end())
+      return found->second;
+    if (scratch && scratch_time == t)
+      return *scratch;
+
+    Entry             entry = make_entry(t);
+    const std::size_t bytes =
+      Utilities::MPI::sum(memory_consumption(entry), body.space.communicator());
+    constexpr double mebibyte = 1024. * 1024.;
+    if (!is_full && kept_bytes + bytes <=
+                      scene.linear_solver.memory_for_instants * mebibyte)
+      {
+        kept_bytes += bytes;
+        return kept.emplace(t, std::move(entry)).first->second;
+      }
+    if (!is_full)
+      log.line("  memory: " + std::to_string(kept.size()) +
+               " instants are kept; what varies in time is made anew for the "
+               "others ([Linear solver] Memory for instants)");
+    is_full = true;
+    if (scratch && scratch->system != nullptr)
+      of_the_past.add(scratch->system->statistics());
+    scratch      = std::move(entry);
+    scratch_time = t;
+    return *scratch;
+  }
+
+
+
+  template <int dim>
+  Instant<dim>
+  Solvers<dim>::at(const double t)
+  {
+    const bool varies = body.material.stiffness_varies() ||
+                        body.material.fluidity_varies() ||
+                        body.material.thermal_strain_varies();
+    // The only state of a material that does not vary is at t = 0.
+    Entry &entry = entry_at(varies ? t : 0.);
+    body.material.set_factors(t, entry.material);
+    if (entry.system != nullptr)
+      last_system = entry.system.get();
+    return {entry.material, last_system->contact_solver()};
+  }
+
+
+
+  template <int dim>
+  ContactSystem<dim> &
+  Solvers<dim>::current()
+  {
+    if (last_system == nullptr)
+      at(0.);
+    return *last_system;
+  }
+
+
+
+  template <int dim>
+  const SolverSettings &
+  Solvers<dim>::settings() const
+  {
+    return solver_settings;
   }
 
 
@@ -135,97 +235,35 @@ namespace Crevasse
 
   template <int dim>
   double
-  Solvers<dim>::relaxation_factor(const StepList &steps)
+  Solvers<dim>::relaxation_factor(const SparseMatrix &matrix,
+                                  const StepList     &steps)
   {
     if (scene.contact.relaxation_factor != "automatic")
       return Utilities::string_to_double(scene.contact.relaxation_factor);
+    if (sor_factor)
+      return *sor_factor;
 
     log.line("  searching for the relaxation factor of projected SOR");
     // As the paper does, without constraints; eight digits show the asymptotic
     // contraction.
-    TimerOutput::Scope phase(phases, "relaxation factor");
+    TimerOutput::Scope phase(solver_settings.phases, "relaxation factor");
     const Vector       loads =
       loads_at(body, steps.instant(step_of_largest_load(body, steps)));
     const double norm = loads.linfty_norm();
-    if (norm == 0.)
-      return 1.; // nothing is loaded: any factor solves A q = 0
-    const UnilateralBounds none;
-    const SignoriniProblem unconstrained(matrix, none);
-    return find_relaxation_factor(unconstrained,
-                                  *make_sweep(unconstrained, unknown_blocks),
-                                  loads,
-                                  1e-8 * norm,
-                                  scene.contact.maximum_iterations);
-  }
-
-
-
-  template <int dim>
-  std::unique_ptr<LinearSolver>
-  Solvers<dim>::make_linear_solver(const SparseMatrix &matrix,
-                                   const Space<dim>   &space)
-  {
-    if (linear_choice.type == LinearSolverChoice::amg)
+    sor_factor        = 1.; // nothing is loaded: any factor solves A q = 0
+    if (norm > 0.)
       {
-        TimerOutput::Scope phase(phases, "multigrid set-up");
-        ++count.multigrid_setups;
-        return std::make_unique<AmgCg>(matrix,
-                                       rigid_modes(space),
-                                       dim,
-                                       space.finite_element().degree > 1);
+        const UnilateralBounds none;
+        const SignoriniProblem unconstrained(matrix, none);
+        sor_factor =
+          find_relaxation_factor(unconstrained,
+                                 *make_sweep(unconstrained,
+                                             solver_settings.unknown_blocks),
+                                 loads,
+                                 1e-8 * norm,
+                                 scene.contact.maximum_iterations);
       }
-    TimerOutput::Scope phase(phases, "factorisation");
-    ++count.factorisations;
-    if (linear_choice.type == LinearSolverChoice::mumps)
-      return std::make_unique<Mumps>(matrix);
-    return std::make_unique<Cholesky>(matrix);
-  }
-
-
-
-  template <int dim>
-  ContactSolver &
-  Solvers<dim>::contact_solver()
-  {
-    return *contact;
-  }
-
-
-
-  template <int dim>
-  const SignoriniProblem &
-  Solvers<dim>::contact_problem() const
-  {
-    return *problem;
-  }
-
-
-
-  template <int dim>
-  const SparseMatrix &
-  Solvers<dim>::stiffness() const
-  {
-    return matrix;
-  }
-
-
-
-  template <int dim>
-  const UnknownBlocks &
-  Solvers<dim>::blocks() const
-  {
-    return unknown_blocks;
-  }
-
-
-
-  template <int dim>
-  LinearSolver &
-  Solvers<dim>::linear_solver()
-  {
-    if (open_solver == nullptr)
-      open_solver = make_linear_solver(matrix, body.space);
-    return *open_solver;
+    return *sor_factor;
   }
 
 
@@ -240,8 +278,10 @@ namespace Crevasse
     displacement = 0.;
     if (!lip_closed)
       {
-        const SignoriniProblem unconstrained(matrix, none);
-        Unconstrained(unconstrained, linear_solver(), scene.contact.tolerance)
+        const SignoriniProblem unconstrained(current().stiffness(), none);
+        Unconstrained(unconstrained,
+                      current().linear_solver(),
+                      scene.contact.tolerance)
           .solve(loads, displacement, no_forces);
         return displacement;
       }
@@ -251,31 +291,49 @@ namespace Crevasse
     BoundaryRoles roles = body.space.roles();
     roles.symmetry.insert(roles.contact.begin(), roles.contact.end());
     roles.contact.clear();
-    const Space<dim> closed_space(body.space.shared_mesh(),
+    const Space<dim>   closed_space(body.space.shared_mesh(),
                                   body.space.finite_element().degree,
                                   roles,
                                   fixed_points<dim>(scene));
-    assemble_stiffness(closed_space, body.law.stiffness(), closed_matrix);
-    ++count.assemblies;
-
-    Vector closed_loads(loads);
+    ContactSystem<dim> closed(solver_settings,
+                              closed_space,
+                              body.points,
+                              *body.material.at(0.).stiffness,
+                              none);
+    Vector             closed_loads(loads);
     closed_space.constraints().set_zero(closed_loads);
-    closed_solver = make_linear_solver(closed_matrix, closed_space);
-    const SignoriniProblem unconstrained(closed_matrix, none);
-    Unconstrained(unconstrained, *closed_solver, scene.contact.tolerance)
-      .solve(closed_loads, displacement, no_forces);
+    closed.contact_solver().solve(closed_loads, displacement, no_forces);
+    SolverStatistics statistics = closed.statistics();
+    // It is no contact problem of the run.
+    statistics.vi_solves = statistics.vi_iterations = 0;
+    of_the_past.add(statistics);
     return displacement;
   }
 
 
 
   template <int dim>
-  template <typename Number>
-  Number
-  Solvers<dim>::total(Number (LinearSolver::*number)() const) const
+  SolverStatistics
+  Solvers<dim>::statistics() const
   {
-    return (open_solver != nullptr ? (*open_solver.*number)() : Number()) +
-           (closed_solver != nullptr ? (*closed_solver.*number)() : Number());
+    SolverStatistics all = of_the_past;
+    if (only_system != nullptr)
+      all.add(only_system->statistics());
+    for (const auto &[t, entry] : kept)
+      if (entry.system != nullptr)
+        all.add(entry.system->statistics());
+    if (scratch && scratch->system != nullptr)
+      all.add(scratch->system->statistics());
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  Solvers<dim>::add(const SolverStatistics &other)
+  {
+    of_the_past.add(other);
   }
 
 
@@ -284,39 +342,9 @@ namespace Crevasse
   void
   Solvers<dim>::summarise(Summary &summary) const
   {
-    summary["contact_solver"] = {{"name", contact_choice.name},
-                                 {"why", contact_choice.why},
-                                 {"description", contact->description()}};
-    if (problem->n_bounds() == 0)
-      summary["contact_solver"] = {{"name", "none"},
-                                   {"why", "there is no contact"},
-                                   {"description", contact->description()}};
-    if (open_solver != nullptr)
-      summary["linear_solver"] = {{"why", linear_choice.why},
-                                  {"description", open_solver->description()}};
-
-    const std::size_t n_solves   = total(&LinearSolver::n_solves);
-    auto             &counters   = summary["counters"];
-    counters["assemblies"]       = count.assemblies;
-    counters["factorisations"]   = count.factorisations;
-    counters["multigrid_setups"] = count.multigrid_setups;
-    counters["linear_solves"]    = n_solves + contact->n_linear_solves();
-    counters["linear_iterations"] =
-      total(&LinearSolver::n_iterations) + contact->n_linear_iterations();
-    counters["vi_solves"]     = contact->n_solves();
-    counters["vi_iterations"] = contact->n_iterations();
-
-    const Certificate &worst = contact->worst_certificate();
-    summary["certificate"]   = {{"penetration", worst.penetration},
-                                {"tension", worst.tension},
-                                {"complementarity", worst.complementarity},
-                                {"residual", worst.residual},
-                                {"accuracy", contact->accuracy()}};
-    if (contact->n_solves() > 0)
-      summary["seconds"]["vi_mean"] = contact->seconds() / contact->n_solves();
-    if (n_solves > 0)
-      summary["seconds"]["back_solve_mean"] =
-        total(&LinearSolver::seconds) / n_solves;
+    if (last_system != nullptr)
+      last_system->describe(summary);
+    statistics().add_to(summary);
   }
 
 

@@ -24,7 +24,7 @@ namespace Crevasse
   struct Expression::Parser
   {
     mu::Parser parser;
-    double     x = 0., y = 0., z = 0., t = 0.;
+    double     x = 0., y = 0., z = 0., t = 0., theta = 0., material = 0.;
   };
 
 
@@ -109,22 +109,25 @@ namespace Crevasse
 
 
     std::string
-    describe(const mu::Parser::exception_type &error)
+    describe(const mu::Parser::exception_type &error,
+             const Expression::Variables       allowed)
     {
       std::string message = error.GetMsg();
       if (message.find("position") == std::string::npos && error.GetPos() > 0)
         message += " (position " + std::to_string(error.GetPos()) + ")";
       if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
-        message +=
-          " Known are x, y, z, t, pi and the functions of muParser, "
-          "if, pow, floor, ceil.";
+        message += std::string(" Known are x, y, z, t, ") +
+                   (allowed == Expression::Variables::space_time_and_material
+                      ? "theta, material, "
+                      : "") +
+                   "pi and the functions of muParser, if, pow, floor, ceil.";
       return message;
     }
   } // namespace
 
 
 
-  Expression::Expression(const std::string &formula)
+  Expression::Expression(const std::string &formula, const Variables allowed)
     : parser(std::make_unique<Parser>())
     , text(dealii::Utilities::trim(formula))
   {
@@ -141,6 +144,11 @@ namespace Crevasse
         mu.DefineVar("y", &parser->y);
         mu.DefineVar("z", &parser->z);
         mu.DefineVar("t", &parser->t);
+        if (allowed == Variables::space_time_and_material)
+          {
+            mu.DefineVar("theta", &parser->theta);
+            mu.DefineVar("material", &parser->material);
+          }
         mu.SetExpr(text);
         // Only an evaluation makes muParser parse; the value at the origin may
         // well be infinite.
@@ -150,7 +158,7 @@ namespace Crevasse
       }
     catch (const mu::Parser::exception_type &error)
       {
-        refuse(text, describe(error));
+        refuse(text, describe(error, allowed));
       }
 
     if (mu.GetNumResults() > 1)
@@ -179,12 +187,14 @@ namespace Crevasse
 
   template <int dim>
   double
-  Expression::value(const dealii::Point<dim> &point, const double t) const
+  Expression::value(const Place<dim> &place) const
   {
-    parser->x = point[0];
-    parser->y = dim > 1 ? point[dim > 1 ? 1 : 0] : 0.;
-    parser->z = dim > 2 ? point[dim > 2 ? 2 : 0] : 0.;
-    parser->t = t;
+    parser->x        = place.point[0];
+    parser->y        = dim > 1 ? place.point[dim > 1 ? 1 : 0] : 0.;
+    parser->z        = dim > 2 ? place.point[dim > 2 ? 2 : 0] : 0.;
+    parser->t        = place.t;
+    parser->theta    = place.temperature;
+    parser->material = place.material;
 
     const double value = parser->parser.Eval();
     if (std::isfinite(value))
@@ -192,9 +202,29 @@ namespace Crevasse
 
     throw NumericalError(
       "The formula \"" + Text::shorten(text) + "\" has no finite value at " +
-      Text::from_point(point) + ", t = " + Text::from_number(t) +
+      Text::from_point(place.point) + ", t = " + Text::from_number(place.t) +
       ": try to keep divisors away from 0 and the arguments of sqrt and log "
       "positive, for example with max(x, 1e-12).");
+  }
+
+
+
+  template <int dim>
+  double
+  Expression::value(const dealii::Point<dim> &point, const double t) const
+  {
+    Place<dim> place;
+    place.point = point;
+    place.t     = t;
+    return value(place);
+  }
+
+
+
+  bool
+  Expression::depends_on(const std::string &variable) const
+  {
+    return variables.count(variable) > 0;
   }
 
 
@@ -202,7 +232,7 @@ namespace Crevasse
   bool
   Expression::depends_on_time() const
   {
-    return variables.count("t") > 0;
+    return depends_on("t");
   }
 
 
@@ -210,7 +240,15 @@ namespace Crevasse
   bool
   Expression::depends_on_space() const
   {
-    return variables.size() > variables.count("t");
+    return depends_on("x") || depends_on("y") || depends_on("z");
+  }
+
+
+
+  bool
+  Expression::is_constant() const
+  {
+    return variables.empty();
   }
 
 
@@ -218,7 +256,7 @@ namespace Crevasse
   bool
   Expression::is_zero() const
   {
-    return variables.empty() && parser->parser.Eval() == 0.;
+    return is_constant() && parser->parser.Eval() == 0.;
   }
 
 
@@ -242,6 +280,32 @@ namespace Crevasse
 
 
 
+  std::vector<Expression>
+  Expression::parse_row(const std::string &formulas, const Variables variables)
+  {
+    std::vector<Expression> expressions;
+    std::size_t             begin = 0;
+    int                     depth = 0;
+    for (std::size_t i = 0; i <= formulas.size(); ++i)
+      {
+        const char c = i < formulas.size() ? formulas[i] : ',';
+        depth += c == '(' ? 1 : (c == ')' ? -1 : 0);
+        if (i == formulas.size() || (c == ',' && depth == 0))
+          {
+            expressions.emplace_back(formulas.substr(begin, i - begin),
+                                     variables);
+            begin = i + 1;
+          }
+      }
+    return expressions;
+  }
+
+
+
+  template double
+  Expression::value<2>(const Place<2> &) const;
+  template double
+  Expression::value<3>(const Place<3> &) const;
   template double
   Expression::value<2>(const dealii::Point<2> &, const double) const;
   template double

@@ -131,48 +131,6 @@ namespace Crevasse
 
 
   void
-  MaterialParameters::add_parameters(ParameterHandler &prm)
-  {
-    prm.add_parameter("Plane state",
-                      plane_state,
-                      "What a plane model assumes of the third direction.",
-                      Patterns::Selection("plane stress|plane strain"));
-    prm.add_parameter("Young modulus",
-                      young_modulus,
-                      "Young's modulus of the elastic strain, in units of "
-                      "stress. Allowed: a number greater than 0");
-    prm.add_parameter("Poisson ratio",
-                      poisson_ratio,
-                      "Poisson's ratio of the elastic strain. Allowed: a "
-                      "number of at least -0.999, less than 0.5");
-    prm.add_parameter(
-      "Viscosity",
-      viscosity,
-      "How the body creeps: \"relaxation time\" makes the viscosity the "
-      "stiffness times Relaxation time; \"isotropic\" builds it from Viscous "
-      "modulus and Viscous Poisson ratio; \"none\" is an elastic body.",
-      Patterns::Selection("relaxation time|isotropic|none"));
-    prm.add_parameter("Relaxation time",
-                      relaxation_time,
-                      "Viscosity divided by stiffness, in units of time; used "
-                      "by the viscosity \"relaxation time\". Allowed: a number "
-                      "greater than 0");
-    prm.add_parameter("Viscous modulus",
-                      viscous_modulus,
-                      "Stress per rate of viscous strain under tension, in "
-                      "units of stress times time; used by the viscosity "
-                      "\"isotropic\". Allowed: a number greater than 0");
-    prm.add_parameter("Viscous Poisson ratio",
-                      viscous_poisson_ratio,
-                      "Ratio of lateral to axial viscous strain under tension; "
-                      "0.5 keeps the volume. Used by the viscosity "
-                      "\"isotropic\". Allowed: a number greater than -1, at "
-                      "most 0.5");
-  }
-
-
-
-  void
   LoadParameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("Period",
@@ -185,6 +143,15 @@ namespace Crevasse
                       "Force per area on the boundaries that Boundary/Loaded "
                       "names, in units of stress. Allowed: one formula of x, "
                       "y, z, t for each dimension, separated by semicolons");
+    prm.add_parameter("Temperature",
+                      temperature,
+                      "Change of the temperature theta against that at which "
+                      "nothing is strained. It strains the body by Thermal "
+                      "expansion, and the formulas of the material may depend "
+                      "on it. Allowed: a formula of x, y, z, t, or a .csv file "
+                      "with the columns t, x, y, theta (t, x, y, z, theta in "
+                      "three dimensions): a rectangular grid of points, the "
+                      "same at each instant, between which is interpolated");
     prm.add_parameter("Body force",
                       body_force,
                       "Force per volume. Allowed: one formula of x, y, z, t "
@@ -267,6 +234,13 @@ namespace Crevasse
                       "before the solver \"active set\" looks at its set "
                       "again; how accurate the result is [Contact] Tolerance "
                       "says. Allowed: a number greater than 0, at most 0.1");
+    prm.add_parameter("Memory for instants",
+                      memory_for_instants,
+                      "Memory in MiB for matrices, factors and material data "
+                      "that vary in time (not by a factor only): those of as "
+                      "many instants of the period as it holds are kept, for "
+                      "the others they are made anew in each period. Allowed: "
+                      "a number of at least 0");
   }
 
 

@@ -245,34 +245,6 @@ namespace Crevasse
 
 
   void
-  MaterialParameters::check(Problems &problems) const
-  {
-    const Checker checker(section, problems);
-    checker.demand_positive("Young modulus", young_modulus);
-    // Close to -1 the shear modulus is all there is, and rounding eats the
-    // rest.
-    checker.demand(poisson_ratio >= -0.999 && poisson_ratio < 0.5,
-                   "Poisson ratio",
-                   poisson_ratio,
-                   "must be at least -0.999 and less than 0.5");
-
-    if (viscosity == "relaxation time")
-      checker.demand_positive("Relaxation time", relaxation_time);
-
-    if (viscosity == "isotropic")
-      {
-        checker.demand_positive("Viscous modulus", viscous_modulus);
-        checker.demand(viscous_poisson_ratio > -1. &&
-                         viscous_poisson_ratio <= 0.5,
-                       "Viscous Poisson ratio",
-                       viscous_poisson_ratio,
-                       "must be greater than -1 and at most 0.5");
-      }
-  }
-
-
-
-  void
   LoadParameters::check(Problems &problems) const
   {
     Checker(section, problems).demand_positive("Period", period);
@@ -336,11 +308,15 @@ namespace Crevasse
   void
   LinearSolverParameters::check(Problems &problems) const
   {
-    Checker(section, problems)
-      .demand(tolerance > 0. && tolerance <= 0.1,
-              "Tolerance",
-              tolerance,
-              "must be greater than 0 and at most 0.1");
+    const Checker checker(section, problems);
+    checker.demand(tolerance > 0. && tolerance <= 0.1,
+                   "Tolerance",
+                   tolerance,
+                   "must be greater than 0 and at most 0.1");
+    checker.demand(memory_for_instants >= 0.,
+                   "Memory for instants",
+                   memory_for_instants,
+                   "must be at least 0");
   }
 
 

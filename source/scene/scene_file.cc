@@ -13,6 +13,7 @@
 #include <crevasse/scene/json_reader.h>
 #include <crevasse/scene/prm_reader.h>
 #include <crevasse/scene/scene_file.h>
+#include <crevasse/scene/temperature.h>
 #include <crevasse/scene/text_file.h>
 
 #include <filesystem>
@@ -43,25 +44,26 @@ namespace Crevasse
 
 
 
-    /** A mesh that lies next to the scene is found from any directory, and
+    /** A file that lies next to the scene is found from any directory, and
      * also from where used.prm will lie. */
     void
-    resolve_mesh_file(const std::string        &scene_file_name,
-                      const GeometryParameters &geometry,
-                      dealii::ParameterHandler &prm)
+    resolve_file(const std::string        &scene_file_name,
+                 const char               *section,
+                 const char               *name,
+                 const std::string        &value,
+                 dealii::ParameterHandler &prm)
     {
       namespace fs = std::filesystem;
 
-      if (geometry.mesh_file.empty())
+      if (value.empty())
         return;
-      const fs::path mesh_file =
-        fs::path(scene_file_name).parent_path() / geometry.mesh_file;
+      const fs::path  file = fs::path(scene_file_name).parent_path() / value;
       std::error_code not_found;
-      if (!fs::exists(mesh_file, not_found))
+      if (!fs::exists(file, not_found))
         return;
 
-      prm.enter_subsection(GeometryParameters::section);
-      prm.set("Mesh file", fs::absolute(mesh_file).lexically_normal().string());
+      prm.enter_subsection(section);
+      prm.set(name, fs::absolute(file).lexically_normal().string());
       prm.leave_subsection();
     }
   } // namespace
@@ -82,7 +84,17 @@ namespace Crevasse
       read_override(text, assignments, problems);
     apply(assignments, prm, problems);
 
-    resolve_mesh_file(file_name, scene.geometry, prm);
+    resolve_file(file_name,
+                 GeometryParameters::section,
+                 "Mesh file",
+                 scene.geometry.mesh_file,
+                 prm);
+    if (Temperature<2>::is_file(scene.loads.temperature))
+      resolve_file(file_name,
+                   LoadParameters::section,
+                   "Temperature",
+                   scene.loads.temperature,
+                   prm);
     return scene;
   }
 } // namespace Crevasse

@@ -13,17 +13,71 @@
 
 namespace Crevasse
 {
+  /** The strains of a material that are not elastic, at one point. */
+  template <int dim>
+  class InelasticStrain
+  {
+  public:
+    using Field                     = QuadratureField<dim>;
+    static constexpr unsigned int n = Field::n_components;
+
+    InelasticStrain(const MaterialState<dim> &material, const Vector &r)
+      : material(material)
+      , thermal_strain(material.thermal_strain.get())
+      , r(r)
+      , n_branches(material.fluidity.size())
+    {
+    }
+
+
+
+    std::size_t
+    offset_of_branch(const std::size_t offset, const unsigned int i) const
+    {
+      return offset * n_branches + i * n;
+    }
+
+
+
+    /** χθ */
+    VoigtVector<dim>
+    thermal(const std::size_t offset) const
+    {
+      return thermal_strain == nullptr ? VoigtVector<dim>()
+                                       : (*thermal_strain)[offset / n];
+    }
+
+
+
+    /** Σ wᵢ rᵢ + χθ */
+    VoigtVector<dim>
+    operator()(const std::size_t offset) const
+    {
+      VoigtVector<dim> strain = thermal(offset);
+      for (unsigned int i = 0; i < n_branches; ++i)
+        strain +=
+          material.fractions[i] * Field::get(r, offset_of_branch(offset, i));
+      return strain;
+    }
+
+
+
+    const MaterialState<dim>                         &material;
+    const typename MaterialState<dim>::Vectors *const thermal_strain;
+    const Vector                                     &r;
+    const unsigned int                                n_branches;
+  };
+
+
+
   template <int dim>
   Evolution<dim>::Evolution(const StrainOperator<dim>  &strain_operator,
                             const QuadratureField<dim> &points,
-                            const MaxwellLaw<dim>      &law,
                             const ExternalLoads<dim>   &loads,
-                            ContactSolver              &contact_solver)
+                            const Instants<dim>        &instants)
     : strain_operator(strain_operator)
-    , K(law.stiffness())
-    , H(law.fluidity())
     , loads(loads)
-    , contact_solver(contact_solver)
+    , instants(instants)
   {
     strain_operator.initialize(last.displacement);
     strain_operator.initialize(loading);
@@ -34,24 +88,120 @@ namespace Crevasse
 
   template <int dim>
   void
+  Evolution<dim>::split_off(const Vector &rate)
+  {
+    secular_rate = &rate;
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::solve_for_displacement(
+    const double                t,
+    const Instant<dim>         &instant,
+    const InelasticStrain<dim> *inelastic_strain)
+  {
+    const double k        = instant.material.stiffness_factor;
+    const auto  &K        = *instant.material.stiffness;
+    last.stiffness_factor = k;
+    loads.evaluate(t, loading);
+    if (inelastic_strain != nullptr)
+      {
+        const auto &K = *material.stiffness;
+        if (material.is_plain())
+          strain_operator.add_transpose(
+            loading,
+            [&r = inelastic_strain->r,
+             kK = k * K[0]](const std::size_t offset) {
+              return kK * QuadratureField<dim>::get(r, offset);
+            });
+        else
+          strain_operator.add_transpose(loading, [&](const std::size_t offset) {
+            return k * (K[offset / QuadratureField<dim>::n_components] *
+                        (*inelastic_strain)(offset));
+          });
+      }
+    instant.contact_solver.solve(loading,
+                                 last.displacement,
+                                 last.contact_forces,
+                                 k);
+  }
+
+
+
+  template <int dim>
+  void
   Evolution<dim>::rate(const double t, const Vector &r, Vector &rate)
   {
     using Field = QuadratureField<dim>;
 
-    loads.evaluate(t, loading);
-    strain_operator.add_transpose(loading, [&](const std::size_t point) {
-      return K * Field::get(r, point);
-    });
-    contact_solver.solve(loading, last.displacement, last.contact_forces);
+    const Instant<dim>         instant  = instants(t);
+    const MaterialState<dim>  &material = instant.material;
+    const InelasticStrain<dim> inelastic(material, r);
+    solve_for_displacement(t, instant, &inelastic);
+    if (material.is_plain() && secular_rate == nullptr)
+      plain_rate(material, r, rate);
+    else
+      general_rate(inelastic, rate);
+    ++rate_evaluations;
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::plain_rate(const MaterialState<dim> &material,
+                             const Vector             &r,
+                             Vector                   &rate)
+  {
+    using Field              = QuadratureField<dim>;
+    const VoigtMatrix<dim> K = (*material.stiffness)[0] * //
+                               material.stiffness_factor;
+    const VoigtMatrix<dim> H = (*material.fluidity[0])[0] / //
+                               material.viscosity_factor;
     strain_operator.for_each_strain(last.displacement,
-                                    [&](const std::size_t       point,
+                                    [&](const std::size_t       offset,
                                         const VoigtVector<dim> &strain) {
                                       const VoigtVector<dim> stress =
-                                        K * (strain - Field::get(r, point));
-                                      Field::set(last.stress, point, stress);
-                                      Field::set(rate, point, H * stress);
+                                        K * (strain - Field::get(r, offset));
+                                      Field::set(last.stress, offset, stress);
+                                      Field::set(rate, offset, H * stress);
                                     });
-    ++rate_evaluations;
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::general_rate(const InelasticStrain<dim> &inelastic,
+                               Vector                     &rate)
+  {
+    using Field                        = QuadratureField<dim>;
+    const MaterialState<dim> &material = inelastic.material;
+    const auto               &K        = *material.stiffness;
+    const double              k        = material.stiffness_factor;
+    strain_operator.for_each_strain(
+      last.displacement,
+      [&](const std::size_t offset, const VoigtVector<dim> &strain) {
+        const std::size_t point = offset / Field::n_components;
+        Field::set(last.stress,
+                   offset,
+                   k * (K[point] * (strain - inelastic(offset))));
+        const VoigtVector<dim> mechanical = strain - inelastic.thermal(offset);
+        for (unsigned int i = 0; i < inelastic.n_branches; ++i)
+          {
+            const std::size_t place = inelastic.offset_of_branch(offset, i);
+            const VoigtVector<dim> stress =
+              k * material.fractions[i] *
+              (K[point] * (mechanical - Field::get(inelastic.r, place)));
+            VoigtVector<dim> branch_rate = (*material.fluidity[i])[point] *
+                                           stress / material.viscosity_factor;
+            if (secular_rate != nullptr)
+              branch_rate -= Field::get(*secular_rate, place);
+            Field::set(rate, place, branch_rate);
+          }
+      });
   }
 
 
@@ -60,12 +210,25 @@ namespace Crevasse
   void
   Evolution<dim>::elastic_state(const double t)
   {
-    loads.evaluate(t, loading);
-    contact_solver.solve(loading, last.displacement, last.contact_forces);
+    const Instant<dim>         instant  = instants(t);
+    const MaterialState<dim>  &material = instant.material;
+    const Vector               none;
+    const InelasticStrain<dim> inelastic(material, none);
+    const bool has_thermal_strain = material.thermal_strain != nullptr;
+    solve_for_displacement(t,
+                           instant,
+                           has_thermal_strain ? &inelastic : nullptr);
+
+    const auto  &K = *material.stiffness;
+    const double k = material.stiffness_factor;
     strain_operator.for_each_strain(
       last.displacement,
-      [&](const std::size_t point, const VoigtVector<dim> &strain) {
-        QuadratureField<dim>::set(last.stress, point, K * strain);
+      [&](const std::size_t offset, const VoigtVector<dim> &strain) {
+        using Field = QuadratureField<dim>;
+        Field::set(last.stress,
+                   offset,
+                   k * (K[offset / Field::n_components] *
+                        (strain - inelastic.thermal(offset))));
       });
   }
 

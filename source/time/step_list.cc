@@ -83,6 +83,20 @@ namespace Crevasse
 
 
 
+  std::vector<double>
+  StepList::instants_and_middles() const
+  {
+    std::vector<double> all;
+    for (unsigned int k = 0; k < n_steps(); ++k)
+      {
+        all.push_back(instant(k));
+        all.push_back(instant(k) + 0.5 * step(k));
+      }
+    return all;
+  }
+
+
+
   unsigned int
   StepList::nearest(const double t) const
   {

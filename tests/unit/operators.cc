@@ -15,7 +15,7 @@
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/discretisation/strain_operator.h>
-#include <crevasse/material/maxwell_law.h>
+#include <crevasse/material/isotropic.h>
 #include <crevasse/output/probe.h>
 
 #include <crevasse_tests/tests.h>
@@ -60,7 +60,7 @@ namespace
     space.constraints().set_zero(q);
 
     SparseMatrix matrix;
-    assemble_stiffness(space, K, matrix);
+    assemble_stiffness(space, points, PointValues<VoigtMatrix<dim>>(K), matrix);
     matrix.vmult(assembled, q);
     strain_operator.for_each_strain(
       q, [&](const std::size_t point, const VoigtVector<dim> &strain) {

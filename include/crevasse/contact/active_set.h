@@ -55,6 +55,9 @@ namespace Crevasse
     std::size_t
     n_linear_iterations() const override;
 
+    void
+    start_from(const std::vector<double> &contact_forces) override;
+
   protected:
     std::size_t
     iterate(const Vector &right_hand_side, Vector &solution) override;

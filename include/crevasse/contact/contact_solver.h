@@ -52,6 +52,16 @@ namespace Crevasse
     void
     judge_by_load(const double largest_nodal_force);
 
+    /** The forces of the last solution, for each locally owned bound, without
+     * any stiffness factor; empty before there is one. */
+    const std::vector<double> &
+    contact_forces() const;
+
+    /** Makes the contact that these forces show the first guess, if the method
+     * begins with one. */
+    virtual void
+    start_from(const std::vector<double> &contact_forces);
+
     /** The maxima over all solves so far. */
     const Certificate &
     worst_certificate() const;

@@ -33,9 +33,13 @@ namespace Crevasse
 
     explicit QuadratureField(const Space<dim> &space);
 
-    /** Gives @p field this layout, all zero. */
+    /** Gives @p field this layout, all zero.
+     *
+     * @param n_branches how many times n_components a point has: the viscous
+     * strain of a chain has those of a branch side by side, at the local index
+     * n_branches × offset + branch × n_components. */
     void
-    initialize(Vector &field) const;
+    initialize(Vector &field, const unsigned int n_branches = 1) const;
 
     /** Where the first point of a locally owned cell begins, as local index. */
     std::size_t
@@ -68,6 +72,7 @@ namespace Crevasse
   private:
     std::vector<std::size_t> offsets; // by active cell index
     std::size_t              n_local;
+    const MPI_Comm           communicator;
     std::shared_ptr<dealii::Utilities::MPI::Partitioner> partitioner;
   };
 } // namespace Crevasse

@@ -12,8 +12,9 @@
 #ifndef crevasse_discretisation_stiffness_h
 #define crevasse_discretisation_stiffness_h
 
+#include <crevasse/discretisation/point_values.h>
+#include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/space.h>
-#include <crevasse/material/voigt.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -25,13 +26,17 @@ namespace Crevasse
    * Assembles A = ∫ DᵀKD. Constrained dofs are condensed: their rows and
    * columns hold a positive diagonal entry and nothing else.
    *
-   * @param stiffness K (or η, for the secular problem), in units of stress.
+   * @param stiffness K (or η, for the secular problem), in units of stress, at
+   * the quadrature points.
+   * @param[in,out] matrix Empty, or one of the same space, whose sparsity
+   * pattern then is kept.
    */
   template <int dim>
   void
-  assemble_stiffness(const Space<dim>       &space,
-                     const VoigtMatrix<dim> &stiffness,
-                     SparseMatrix           &matrix);
+  assemble_stiffness(const Space<dim>                    &space,
+                     const QuadratureField<dim>          &points,
+                     const PointValues<VoigtMatrix<dim>> &stiffness,
+                     SparseMatrix                        &matrix);
 } // namespace Crevasse
 
 #endif

@@ -42,6 +42,9 @@ namespace Crevasse
     bool
     is_direct() const override;
 
+    std::size_t
+    memory_consumption() const override;
+
     std::string
     description() const override;
 

@@ -27,6 +27,9 @@ namespace Crevasse
     explicit Cholesky(const Matrix &matrix);
     ~Cholesky() override;
 
+    std::size_t
+    memory_consumption() const override;
+
     std::string
     description() const override;
 

@@ -71,6 +71,10 @@ namespace Crevasse
     double
     seconds() const;
 
+    /** Bytes of the factor or the multigrid hierarchy, on this rank. */
+    virtual std::size_t
+    memory_consumption() const = 0;
+
     /** For the log and the summary. */
     virtual std::string
     description() const = 0;

@@ -28,6 +28,9 @@ namespace Crevasse
     explicit Mumps(const Matrix &matrix);
     ~Mumps() override;
 
+    std::size_t
+    memory_consumption() const override;
+
     std::string
     description() const override;
 

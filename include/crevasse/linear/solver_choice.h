@@ -51,7 +51,8 @@ namespace Crevasse
   ContactSolverChoice
   choose_contact_solver(const ContactParameters  &parameters,
                         const LinearSolverChoice &linear_solver,
-                        const std::size_t         n_bounds);
+                        const std::size_t         n_bounds,
+                        const bool                stiffness_varies);
 } // namespace Crevasse
 
 #endif

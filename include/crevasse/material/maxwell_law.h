@@ -12,76 +12,78 @@
 #ifndef crevasse_material_maxwell_law_h
 #define crevasse_material_maxwell_law_h
 
+#include <crevasse/material/property.h>
 #include <crevasse/material/voigt.h>
 #include <crevasse/scene/parameters.h>
+
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace Crevasse
 {
   /**
-   * Stress and creep of a Maxwell body (paper, §3):
+   * Stress and creep of Maxwell bodies in parallel (paper, §3 and its
+   * reference [1]), as functions of place, time and temperature θ:
    *
-   *     s = K (e − r),      ṙ = H s,      H = η⁻¹
+   *     s  = k(t) K (e − χθ − Σ wᵢ rᵢ),
+   *     sᵢ = k(t) wᵢ K (e − χθ − rᵢ),      ṙᵢ = η₀(t)⁻¹ Hᵢ sᵢ
    *
    * with the stiffness K (symmetric, positive definite; its 33 row and column
-   * are zero in plane stress) and the fluidity H (symmetric, positive
-   * semidefinite).
+   * are zero in plane stress), the fluidities Hᵢ (symmetric, positive
+   * semidefinite) and the fractions wᵢ; 1 − Σ wᵢ is an elastic spring. One
+   * branch with w = 1 is the paper's body, none an elastic one.
    */
   template <int dim>
   class MaxwellLaw
   {
   public:
-    /** Elastic when the scene's viscosity is "none": H = 0. */
+    struct Branch
+    {
+      double                     fraction; ///< wᵢ
+      Property<VoigtMatrix<dim>> fluidity; ///< Hᵢ, in 1/(stress × time)
+    };
+
+    /** @throw SceneError if a matrix has not the rows of its dimension. */
     explicit MaxwellLaw(const MaterialParameters &parameters);
 
-    /** K, in units of stress. */
-    const VoigtMatrix<dim> &
+    /** K, in units of stress, without its factor k(t). */
+    const Property<VoigtMatrix<dim>> &
     stiffness() const;
 
-    /** H, in units of 1/(stress × time). */
-    const VoigtMatrix<dim> &
-    fluidity() const;
+    const std::vector<Branch> &
+    branches() const;
+
+    /** χ as a strain, with engineering shears. */
+    const Property<VoigtVector<dim>> &
+    thermal_expansion() const;
+
+    /** k(t) and η₀(t). */
+    const Expression &
+    stiffness_factor() const;
+    const Expression &
+    viscosity_factor() const;
+
+    /** Whether part of the stiffness does not creep: then there is no secular
+     * flow. */
+    bool
+    has_spring() const;
 
     /**
-     * The smallest relaxation time τ_min: τ_min⁻¹ is the largest eigenvalue of
-     * HK, which explicit schemes must resolve. Infinite for an elastic law.
+     * The τ of a body with H = (τK)⁻¹, one number in space and time; nothing
+     * if it is another body.
      */
-    double
-    smallest_relaxation_time() const;
-
-    /**
-     * The τ of proportional flow, H = (τK)⁻¹, from which uniform relaxation
-     * follows; 0 if the scene gives the flow its own moduli.
-     */
-    double
+    std::optional<double>
     uniform_relaxation_time() const;
 
   private:
-    VoigtMatrix<dim> K;
-    VoigtMatrix<dim> H;
-    double           uniform_tau;
+    Property<VoigtMatrix<dim>> K;
+    std::vector<Branch>        maxwell_branches;
+    Property<VoigtVector<dim>> expansion;
+    Expression                 k;
+    Expression                 eta_0;
+    std::optional<double>      uniform_tau;
   };
-
-  /**
-   * The stiffness of an isotropic body in plane stress (33 row and column
-   * zero), plane strain or three dimensions.
-   */
-  template <int dim>
-  VoigtMatrix<dim>
-  isotropic_stiffness(const double young_modulus,
-                      const double poisson_ratio,
-                      const bool   plane_stress);
-
-  /** The inverse of the three-dimensional isotropic stiffness; defined up to
-   * and including the Poisson ratio ½ (purely deviatoric). */
-  template <int dim>
-  VoigtMatrix<dim>
-  isotropic_compliance(const double young_modulus, const double poisson_ratio);
-
-  /** The largest eigenvalue of H K, both symmetric and positive semidefinite.
-   * Unit: 1/time. */
-  template <int dim>
-  double
-  largest_relaxation_rate(const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K);
 } // namespace Crevasse
 
 #endif

@@ -17,6 +17,7 @@
 #include <crevasse/periodic/observer.h>
 #include <crevasse/scene/recorded_steps.h>
 
+#include <functional>
 #include <string>
 
 namespace Crevasse
@@ -38,10 +39,14 @@ namespace Crevasse
   class ProblemExport : public Observer
   {
   public:
-    ProblemExport(const SignoriniProblem &problem,
-                  const RecordedSteps    &steps,
-                  Log                    &log,
-                  const std::string      &directory);
+    /** The problem of the instant that is observed, without the factor of its
+     * stiffness. */
+    using CurrentProblem = std::function<const SignoriniProblem &()>;
+
+    ProblemExport(const CurrentProblem &problem,
+                  const RecordedSteps  &steps,
+                  Log                  &log,
+                  const std::string    &directory);
 
     /** @throw FileError */
     void
@@ -52,10 +57,10 @@ namespace Crevasse
     report_missing() const;
 
   private:
-    const SignoriniProblem &problem;
-    RecordedSteps           missing;
-    Log                    &log;
-    const std::string       directory;
+    const CurrentProblem problem;
+    RecordedSteps        missing;
+    Log                 &log;
+    const std::string    directory;
   };
 
   /** Writes one problem with the solution @p q to files that begin with

@@ -12,9 +12,10 @@
 #ifndef crevasse_periodic_march_h
 #define crevasse_periodic_march_h
 
-#include <crevasse/contact/contact_solver.h>
 #include <crevasse/periodic/period_map.h>
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace Crevasse
@@ -35,12 +36,15 @@ namespace Crevasse
   class March
   {
   public:
+    /** The number of variational inequalities solved so far. */
+    using SolveCount = std::function<std::size_t()>;
+
     /** @param tolerance for the change of stress relative to its maximum; 0:
      * compute maximum_periods periods whatever the change. */
-    March(PeriodMap<dim>      &period_map,
-          const ContactSolver &contact_solver,
-          const double         tolerance,
-          const unsigned int   maximum_periods);
+    March(PeriodMap<dim>    &period_map,
+          const SolveCount  &n_solves,
+          const double       tolerance,
+          const unsigned int maximum_periods);
 
     /** Marches from the viscous strain @p r, which afterwards is that at the
      * end of the last period. */
@@ -48,10 +52,10 @@ namespace Crevasse
     run(Vector &r, const std::vector<Observer *> &observers);
 
   private:
-    PeriodMap<dim>      &period_map;
-    const ContactSolver &contact_solver;
-    const double         tolerance;
-    const unsigned int   maximum_periods;
+    PeriodMap<dim>    &period_map;
+    const SolveCount   n_solves;
+    const double       tolerance;
+    const unsigned int maximum_periods;
   };
 } // namespace Crevasse
 

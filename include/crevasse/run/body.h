@@ -15,6 +15,7 @@
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/discretisation/strain_operator.h>
@@ -45,8 +46,10 @@ namespace Crevasse
 
     const Effects              effects;
     const MaxwellLaw<dim>      law;
+    const Temperature<dim>     temperature;
     const Space<dim>           space;
     const QuadratureField<dim> points;
+    const MaterialField<dim>   material;
     const StrainOperator<dim>  strain_operator;
     const ContactBoundary<dim> lip;
     const ExternalLoads<dim>   loads;

@@ -73,6 +73,7 @@ namespace Crevasse
     const std::vector<ProbeEvaluator<dim>> probes;
     const StepList                         steps;
     const std::unique_ptr<Integrator>      integrator; // none without viscosity
+    const double                           smallest_relaxation_time;
     std::size_t                            rate_evaluations = 0;
   };
 } // namespace Crevasse

@@ -12,56 +12,63 @@
 #ifndef crevasse_run_solvers_h
 #define crevasse_run_solvers_h
 
-#include <crevasse/contact/contact_solver.h>
-#include <crevasse/contact/sweep.h>
-#include <crevasse/linear/linear_solver.h>
-#include <crevasse/linear/solver_choice.h>
 #include <crevasse/output/log.h>
-#include <crevasse/output/summary.h>
 #include <crevasse/run/body.h>
+#include <crevasse/run/contact_system.h>
 #include <crevasse/scene/scene.h>
+#include <crevasse/time/evolution.h>
 #include <crevasse/time/step_list.h>
 
-#include <deal.II/base/timer.h>
-
+#include <map>
 #include <memory>
+#include <optional>
 
 namespace Crevasse
 {
   /**
-   * The stiffness of a body and what solves with it. The matrix is assembled
-   * once; the linear solver is prepared when it is asked for, not before.
+   * The material and the contact system of any instant. With a stiffness that
+   * is constant but for a factor there is one system for all of them. Otherwise
+   * each instant has its own, which is kept for the same instant of later
+   * periods as long as the memory that the scene grants lasts; what does not
+   * fit is made anew each time. Those that were made first are kept: where
+   * instants come in turn, dropping the oldest would always drop the next.
    */
   template <int dim>
   class Solvers
   {
   public:
-    /** Assembles and prepares the contact solver that the scene asks for. All
-     * arguments must outlive this object. */
+    /** All arguments must outlive this object. */
     Solvers(const Scene         &scene,
             const Body<dim>     &body,
             const StepList      &steps,
             Log                 &log,
             dealii::TimerOutput &phases);
 
-    ContactSolver &
-    contact_solver();
+    /** See Instants. */
+    Instant<dim>
+    at(const double t);
 
-    const SignoriniProblem &
-    contact_problem() const;
+    /** The stiffness without its factor, and its contact problem, of the
+     * instant for which at() was called last; before, that of t = 0. */
+    ContactSystem<dim> &
+    current();
 
-    const SparseMatrix &
-    stiffness() const;
-
-    /** The unknowns that a sweep of projected SOR relaxes together; none: one
-     * by one. */
-    const UnknownBlocks &
-    blocks() const;
+    /** See SolverSettings. */
+    const SolverSettings &
+    settings() const;
 
     /** The elastic displacement under the given loads with the lip open or
-     * held at u_N = 0. */
+     * held at u_N = 0. For a constant stiffness. */
     Vector
     elastic_displacement(const Vector &loads, const bool lip_closed);
+
+    /** Of all systems that there were. */
+    SolverStatistics
+    statistics() const;
+
+    /** Counts what another system of this run has done. */
+    void
+    add(const SolverStatistics &other);
 
     /** Which solvers there are and why, how often they were called and what it
      * took. */
@@ -69,52 +76,46 @@ namespace Crevasse
     summarise(Summary &summary) const;
 
   private:
-    std::unique_ptr<LinearSolver>
-    make_linear_solver(const SparseMatrix &matrix, const Space<dim> &space);
+    /** What belongs to one instant. */
+    struct Entry
+    {
+      MaterialState<dim>                  material;
+      std::unique_ptr<ContactSystem<dim>> system; ///< null: the only one
+    };
 
-    /** The linear solver for the body with an open lip. */
-    LinearSolver &
-    linear_solver();
+    Entry
+    make_entry(const double t);
 
-    std::unique_ptr<ContactSolver>
-    make_contact_solver(const StepList &steps);
+    std::size_t
+    memory_consumption(const Entry &entry) const;
+
+    /** The entry of an instant, made if need be. */
+    Entry &
+    entry_at(const double t);
 
     /** By the largest nodal force of all steps. */
     double
     largest_load(const StepList &steps) const;
 
-    /** How often the expensive things were done. */
-    struct Counters
-    {
-      unsigned int assemblies       = 0;
-      unsigned int factorisations   = 0;
-      unsigned int multigrid_setups = 0;
-    };
-
-    /** A sum over the linear solvers that exist. */
-    template <typename Number>
-    Number
-    total(Number (LinearSolver::*count)() const) const;
-
     double
-    relaxation_factor(const StepList &steps);
+    relaxation_factor(const SparseMatrix &matrix, const StepList &steps);
 
-    const Scene              &scene;
-    const Body<dim>          &body;
-    Log                      &log;
-    dealii::TimerOutput      &phases;
-    const LinearSolverChoice  linear_choice;
-    const ContactSolverChoice contact_choice;
+    const Scene     &scene;
+    const Body<dim> &body;
+    Log             &log;
 
-    SparseMatrix                            matrix;
-    const UnilateralBounds                  bounds;
-    UnknownBlocks                           unknown_blocks;
-    std::unique_ptr<const SignoriniProblem> problem;
-    std::unique_ptr<LinearSolver>           open_solver;
-    std::unique_ptr<ContactSolver>          contact;
-    Counters                                count;
-    SparseMatrix                            closed_matrix;
-    std::unique_ptr<LinearSolver>           closed_solver;
+    const UnilateralBounds              bounds;
+    std::optional<double>               sor_factor; ///< once it was searched
+    SolverSettings                      solver_settings;
+    std::unique_ptr<ContactSystem<dim>> only_system; ///< constant stiffness
+    ContactSystem<dim>                 *last_system = nullptr;
+
+    std::map<double, Entry> kept;
+    std::optional<Entry>    scratch; ///< an instant that is not kept
+    double                  scratch_time = 0.;
+    std::size_t             kept_bytes   = 0;
+    bool                    is_full      = false;
+    SolverStatistics        of_the_past;
   };
 
   /** The step of a period at which the load vector is largest. */

@@ -21,17 +21,36 @@
 
 namespace Crevasse
 {
+  /** Where and when a formula is evaluated. */
+  template <int dim>
+  struct Place
+  {
+    dealii::Point<dim> point;
+    double             t           = 0.;
+    double             temperature = 0.; ///< theta, a change of temperature
+    unsigned int       material    = 0;  ///< the material id of the cell
+  };
+
   /**
-   * A formula of x, y, z and t as the user wrote it, evaluated by muParser.
-   * Its used variables tell whether it depends on space or time, which decides
-   * what is recomputed at each instant.
+   * A formula as the user wrote it, evaluated by muParser. Its used variables
+   * tell whether it depends on space or time, which decides what is recomputed
+   * at each instant.
    */
   class Expression
   {
   public:
+    /** What a formula may depend on: x, y, z and t, or theta and material as
+     * well, which only the properties of the material know. */
+    enum class Variables
+    {
+      space_and_time,
+      space_time_and_material
+    };
+
     /** @throw SceneError with muParser's own words if the formula does not
      * parse or uses an unknown name. */
-    explicit Expression(const std::string &formula);
+    explicit Expression(const std::string &formula,
+                        const Variables variables = Variables::space_and_time);
     ~Expression();
     Expression(Expression &&) noexcept;
     Expression &
@@ -41,12 +60,22 @@ namespace Crevasse
      * is not finite. */
     template <int dim>
     double
+    value(const Place<dim> &place) const;
+
+    template <int dim>
+    double
     value(const dealii::Point<dim> &point, const double t = 0.) const;
+
+    bool
+    depends_on(const std::string &variable) const;
 
     bool
     depends_on_time() const;
     bool
     depends_on_space() const;
+    /** Whether the formula is a number. */
+    bool
+    is_constant() const;
     /** Whether the formula is the number zero. */
     bool
     is_zero() const;
@@ -57,6 +86,10 @@ namespace Crevasse
     /** Splits "a; b; c" at the semicolons and parses each part. */
     static std::vector<Expression>
     parse_list(const std::string &formulas);
+
+    /** The same at commas, but for those within brackets. */
+    static std::vector<Expression>
+    parse_row(const std::string &formulas, const Variables variables);
 
   private:
     struct Parser; // keeps muParser.h out of every includer

@@ -77,13 +77,22 @@ namespace Crevasse
   {
     static constexpr const char *section = "Material";
 
+    // Formulas of x, y, z, t, theta and material but for the time factors,
+    // which depend on t alone.
     std::string plane_state           = "plane stress";
-    double      young_modulus         = 1.;
-    double      poisson_ratio         = 0.3;
+    std::string young_modulus         = "1";
+    std::string poisson_ratio         = "0.3";
+    std::string stiffness_matrix      = ""; ///< empty: isotropic
+    std::string stiffness_time_factor = "1";
     std::string viscosity             = "relaxation time";
-    double      relaxation_time       = 1.;
-    double      viscous_modulus       = 1.;
-    double      viscous_poisson_ratio = 0.3;
+    std::string relaxation_time       = "1";
+    std::string viscous_modulus       = "1";
+    std::string viscous_poisson_ratio = "0.3";
+    std::string viscosity_matrix      = "";
+    std::string viscosity_time_factor = "1";
+    /** "fraction: time; fraction: time". */
+    std::string chain             = "";
+    std::string thermal_expansion = "0";
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -99,6 +108,8 @@ namespace Crevasse
     /** Expressions of x, y, z, t, one per component, separated by ";". */
     std::string traction   = "0; 0";
     std::string body_force = "0; 0";
+    /** Change of temperature: a formula of x, y, z, t, or a .csv file. */
+    std::string temperature = "0";
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -147,6 +158,8 @@ namespace Crevasse
     /** By how much an iterative solver reduces the residual before the active
      * set is looked at again. */
     double tolerance = 1e-3;
+    /** Mebibytes for what varies in time and is kept from period to period. */
+    double memory_for_instants = 4000.;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -14,10 +14,11 @@
 
 #include <crevasse/contact/contact_solver.h>
 #include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/strain_operator.h>
-#include <crevasse/material/maxwell_law.h>
 
+#include <functional>
 #include <vector>
 
 namespace Crevasse
@@ -28,14 +29,35 @@ namespace Crevasse
     Vector              displacement;   ///< q; zero in constrained entries
     Vector              stress;         ///< s at quadrature points
     std::vector<double> contact_forces; ///< g for each local lip node
+    double              stiffness_factor = 1.; ///< k(t)
   };
 
+  template <int dim>
+  class InelasticStrain;
+
+  /** What an evaluation at one instant works with. */
+  template <int dim>
+  struct Instant
+  {
+    const MaterialState<dim> &material;
+    /** Of the stiffness without its factor k. */
+    ContactSolver &contact_solver;
+  };
+
+  /** Both for any instant of the period; they need not outlive the next
+   * call. */
+  template <int dim>
+  using Instants = std::function<Instant<dim>(const double t)>;
+
   /**
-   * The right-hand side of the ODE (model, §2): for given viscous strain r,
+   * The right-hand side of the ODE (model, §2, and MaxwellLaw): for given
+   * viscous strains rᵢ of the branches, and r = Σ wᵢ rᵢ,
    *
-   *     A q − b(r,t) = Lᵀ g,   0 ≤ g ⟂ L q − gap ≥ 0,   b = ∫ DᵀK r + loads
-   *     s = K (D q − r),       ṙ = H s.
+   *     k A q − b(r,t) = Lᵀ g,   0 ≤ g ⟂ L q − gap ≥ 0,
+   *     b = ∫ Dᵀ kK (r + χθ) + loads,       s = kK (D q − χθ − r),
+   *     ṙᵢ = η₀⁻¹ Hᵢ sᵢ − αᵢ,                sᵢ = k wᵢ K (D q − χθ − rᵢ)
    *
+   * with the secular rates αᵢ of the split form; none in the unsplit one.
    * Each evaluation solves one variational inequality, started from the last
    * solution.
    */
@@ -46,9 +68,13 @@ namespace Crevasse
     /** All arguments must outlive this object. */
     Evolution(const StrainOperator<dim>  &strain_operator,
               const QuadratureField<dim> &points,
-              const MaxwellLaw<dim>      &law,
               const ExternalLoads<dim>   &loads,
-              ContactSolver              &contact_solver);
+              const Instants<dim>        &instants);
+
+    /** Subtracts the rates @p secular_rate, in the layout of r, which must
+     * outlive this object. */
+    void
+    split_off(const Vector &secular_rate);
 
     /** ṙ for the viscous strain @p r at the instant @p t of the period. */
     void
@@ -71,10 +97,27 @@ namespace Crevasse
 
   private:
     const StrainOperator<dim> &strain_operator;
-    const VoigtMatrix<dim>     K;
-    const VoigtMatrix<dim>     H;
     const ExternalLoads<dim>  &loads;
-    ContactSolver             &contact_solver;
+    const Instants<dim>        instants;
+    const Vector              *secular_rate = nullptr; ///< none: unsplit
+
+    /** Solves the variational inequality.
+     *
+     * @param inelastic_strain Σ wᵢ rᵢ + χθ; null: none. */
+    void
+    solve_for_displacement(const double                t,
+                           const Instant<dim>         &instant,
+                           const InelasticStrain<dim> *inelastic_strain);
+
+    /** Stress and rate of one Maxwell body that is the same everywhere. */
+    void
+    plain_rate(const MaterialState<dim> &material,
+               const Vector             &r,
+               Vector                   &rate);
+
+    /** Stress and rates of any other material. */
+    void
+    general_rate(const InelasticStrain<dim> &inelastic, Vector &rate);
 
     State       last;
     Vector      loading;

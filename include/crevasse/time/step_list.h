@@ -42,6 +42,11 @@ namespace Crevasse
     double
     largest_step() const;
 
+    /** The beginnings and the middles of all steps, where what holds for the
+     * whole period is looked at. */
+    std::vector<double>
+    instants_and_middles() const;
+
     /** The step whose beginning is nearest to @p t, as if the period were
      * repeated. */
     unsigned int

@@ -17,7 +17,7 @@
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/stiffness.h>
-#include <crevasse/material/maxwell_law.h>
+#include <crevasse/material/isotropic.h>
 
 #include <deal.II/grid/grid_generator.h>
 
@@ -36,13 +36,17 @@ public:
                const unsigned int n,
                const unsigned int degree,
                const bool         hanging_nodes = false)
-    : law(material())
-    , space(mesh(communicator, n, hanging_nodes), degree, roles(), {})
+    : space(mesh(communicator, n, hanging_nodes), degree, roles(), {})
     , points(space)
     , strain_operator(space, points)
     , lip(space, Crevasse::Expression("0"))
   {
-    Crevasse::assemble_stiffness(space, law.stiffness(), matrix);
+    const auto K = Crevasse::isotropic_stiffness<2>(13000., 0.2, true);
+    Crevasse::assemble_stiffness(
+      space,
+      points,
+      Crevasse::PointValues<Crevasse::VoigtMatrix<2>>(K),
+      matrix);
     for (const auto &node : lip.nodes())
       {
         bounds.dofs.push_back(node.dof);
@@ -64,7 +68,6 @@ public:
     return b;
   }
 
-  const Crevasse::MaxwellLaw<2>      law;
   const Crevasse::Space<2>           space;
   const Crevasse::QuadratureField<2> points;
   const Crevasse::StrainOperator<2>  strain_operator;
@@ -73,15 +76,6 @@ public:
   Crevasse::UnilateralBounds         bounds;
 
 private:
-  static Crevasse::MaterialParameters
-  material()
-  {
-    Crevasse::MaterialParameters parameters;
-    parameters.young_modulus = 13000.;
-    parameters.poisson_ratio = 0.2;
-    return parameters;
-  }
-
   static Crevasse::BoundaryRoles
   roles()
   {

@@ -1,0 +1,151 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_discretisation_material_field_h
+#define crevasse_discretisation_material_field_h
+
+#include <crevasse/discretisation/point_values.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/material/maxwell_law.h>
+#include <crevasse/scene/temperature.h>
+
+#include <memory>
+#include <vector>
+
+namespace Crevasse
+{
+  /** The material at the quadrature points at one instant: see MaxwellLaw. */
+  template <int dim>
+  struct MaterialState
+  {
+    using Matrices = PointValues<VoigtMatrix<dim>>;
+    using Vectors  = PointValues<VoigtVector<dim>>;
+
+    std::shared_ptr<const Matrices>              stiffness; ///< K
+    std::vector<double>                          fractions; ///< wᵢ
+    std::vector<std::shared_ptr<const Matrices>> fluidity;  ///< Hᵢ
+    std::shared_ptr<const Vectors> thermal_strain; ///< χθ; null: none
+
+    double stiffness_factor = 1.; ///< k
+    double viscosity_factor = 1.; ///< η₀
+
+    /** Whether this is one Maxwell body, the same everywhere and without
+     * thermal strain, the case that deserves the shortest loops. */
+    bool
+    is_plain() const
+    {
+      return stiffness->is_uniform() && fractions.size() == 1 &&
+             fractions[0] == 1. && fluidity[0]->is_uniform() &&
+             thermal_strain == nullptr;
+    }
+  };
+
+  /**
+   * The law of the material at the quadrature points of a body. What does not
+   * depend on time is evaluated once and shared by the states of all instants;
+   * what does not depend on space is one value.
+   */
+  template <int dim>
+  class MaterialField
+  {
+  public:
+    /** Collective. All arguments must outlive this object. */
+    MaterialField(const Space<dim>           &space,
+                  const QuadratureField<dim> &points,
+                  const MaxwellLaw<dim>      &law,
+                  const Temperature<dim>     &temperature);
+
+    /** The state at an instant of the period. Collective if it depends on
+     * time. @throw NumericalError or SceneError if a formula or table has no
+     * value. */
+    MaterialState<dim>
+    at(const double t) const;
+
+    /** Brings the factors k and η₀ of a state to another instant. */
+    void
+    set_factors(const double t, MaterialState<dim> &state) const;
+
+    // What depends on time, besides the factors.
+    bool
+    stiffness_varies() const;
+    bool
+    fluidity_varies() const;
+    bool
+    thermal_strain_varies() const;
+    bool
+    has_thermal_strain() const;
+
+    /**
+     * Looks at all points and the given instants whether the material is one:
+     * symmetric, positive definite, finite. Collective.
+     *
+     * @return the smallest relaxation time among them, infinite for an elastic
+     * body.
+     * @throw SceneError with the worst point and instant.
+     */
+    double
+    survey(const std::vector<double> &instants) const;
+
+  private:
+    using Matrices = typename MaterialState<dim>::Matrices;
+    using Vectors  = typename MaterialState<dim>::Vectors;
+
+    template <typename Value>
+    bool
+    varies_in_space(const Property<Value> &property) const;
+    template <typename Value>
+    bool
+    varies_in_time(const Property<Value> &property) const;
+
+    /** Where and in which material a point lies, and its temperature. */
+    Place<dim>
+    place(const std::size_t point, const double t) const;
+
+    template <typename Value>
+    std::shared_ptr<const PointValues<Value>>
+    evaluate(const Property<Value> &property, const double t) const;
+
+    std::shared_ptr<const Vectors>
+    evaluate_thermal_strain(const double t) const;
+
+    /** What misses a requirement of a property most. */
+    struct Miss
+    {
+      double      excess = 0.;
+      std::string message;
+    };
+
+    template <typename Value>
+    void
+    find_miss(const Property<Value> &property,
+              const double           t,
+              Miss                  &worst) const;
+
+    void
+    check_factor(const Expression          &factor,
+                 const char                *name,
+                 const std::vector<double> &instants) const;
+
+    double
+    largest_rate(const MaterialState<dim> &state) const;
+
+    const MPI_Comm          communicator;
+    const MaxwellLaw<dim>  &law;
+    const Temperature<dim> &temperature;
+
+    std::size_t                     n_points;
+    std::vector<dealii::Point<dim>> locations; ///< empty if of no importance
+    std::vector<unsigned int>       materials; ///< likewise
+    MaterialState<dim>              constant;  ///< what does not vary
+  };
+} // namespace Crevasse
+
+#endif

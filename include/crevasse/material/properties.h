@@ -1,0 +1,56 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_material_properties_h
+#define crevasse_material_properties_h
+
+#include <crevasse/material/property.h>
+#include <crevasse/material/voigt.h>
+#include <crevasse/scene/parameters.h>
+
+#include <string>
+
+namespace Crevasse
+{
+  // The properties of a material from the formulas of its scene.
+
+  /** K, isotropic or from its matrix. */
+  template <int dim>
+  Property<VoigtMatrix<dim>>
+  stiffness_property(const MaterialParameters &parameters);
+
+  /** H = (τK)⁻¹ / fraction.
+   *
+   * @param name the parameter that the relaxation time comes from. */
+  template <int dim>
+  Property<VoigtMatrix<dim>>
+  proportional_fluidity(const MaterialParameters &parameters,
+                        const std::string        &name,
+                        const std::string        &relaxation_time,
+                        const double              fraction);
+
+  /** H of Viscous modulus and Viscous Poisson ratio. */
+  template <int dim>
+  Property<VoigtMatrix<dim>>
+  isotropic_fluidity(const MaterialParameters &parameters);
+
+  /** H = η⁻¹ of Viscosity matrix. */
+  template <int dim>
+  Property<VoigtMatrix<dim>>
+  fluidity_of_matrix(const MaterialParameters &parameters);
+
+  /** χ of a scalar or a tensor. */
+  template <int dim>
+  Property<VoigtVector<dim>>
+  thermal_expansion_property(const MaterialParameters &parameters);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,52 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_material_voigt_matrix_h
+#define crevasse_material_voigt_matrix_h
+
+#include <crevasse/material/voigt.h>
+
+namespace Crevasse
+{
+  // Linear algebra of the small matrices of a material. In plane stress the 33
+  // row and column of a stiffness or viscosity are zero; then "in the plane"
+  // means without them.
+
+  /** The inverse of a symmetric matrix, in the plane only if its 33 row is
+   * zero. @throw NumericalError if it is singular. */
+  template <int dim>
+  VoigtMatrix<dim>
+  inverse(const VoigtMatrix<dim> &matrix);
+
+  /** What is left of a stiffness where the strain 33 follows from s₃₃ = 0. */
+  template <int dim>
+  VoigtMatrix<dim>
+  condense_thickness(const VoigtMatrix<dim> &matrix);
+
+  /** Without its 33 row and column. */
+  template <int dim>
+  VoigtMatrix<dim>
+  in_plane(const VoigtMatrix<dim> &matrix);
+
+  /** The least eigenvalue of a symmetric matrix relative to the largest
+   * |entry|, in the plane only if the 33 row is zero. */
+  template <int dim>
+  double
+  least_relative_eigenvalue(const VoigtMatrix<dim> &matrix);
+
+  /** The largest eigenvalue of H K, both symmetric and positive semidefinite:
+   * the rate at which the fastest stress relaxes. Unit: 1/time. */
+  template <int dim>
+  double
+  largest_relaxation_rate(const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,59 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_scene_temperature_h
+#define crevasse_scene_temperature_h
+
+#include <crevasse/scene/expression.h>
+
+#include <deal.II/base/point.h>
+
+#include <memory>
+#include <string>
+
+namespace Crevasse
+{
+  template <int dim>
+  class TemperatureTable;
+
+  /** The change of temperature θ(x,t): a formula, or a table in a file. */
+  template <int dim>
+  class Temperature
+  {
+  public:
+    /** @param source [Loads] Temperature.
+     * @throw SceneError if the formula or the table cannot be used. */
+    Temperature(const std::string &source, const double period);
+    ~Temperature();
+
+    /** @throw SceneError if the point is outside of the table; NumericalError
+     * if a formula has no finite value. */
+    double
+    value(const dealii::Point<dim> &point, const double t) const;
+
+    bool
+    is_zero() const;
+    bool
+    depends_on_time() const;
+    bool
+    depends_on_space() const;
+
+    /** Whether [Loads] Temperature names a file. */
+    static bool
+    is_file(const std::string &source);
+
+  private:
+    std::unique_ptr<const Expression>            formula; ///< or
+    std::unique_ptr<const TemperatureTable<dim>> table;
+  };
+} // namespace Crevasse
+
+#endif

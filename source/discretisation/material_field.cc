@@ -1,0 +1,265 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/discretisation/material_field.h>
+#include <crevasse/scene/collectively.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <cstring>
+#include <map>
+#include <string>
+#include <unordered_map>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The bytes of some values, as the key of what they make. */
+    std::string
+    key_of(const std::vector<double> &values)
+    {
+      return {reinterpret_cast<const char *>(values.data()),
+              values.size() * sizeof(double)};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  MaterialField<dim>::MaterialField(const Space<dim>           &space,
+                                    const QuadratureField<dim> &points,
+                                    const MaxwellLaw<dim>      &law,
+                                    const Temperature<dim>     &temperature)
+    : communicator(space.communicator())
+    , law(law)
+    , temperature(temperature)
+    , n_points(points.n_local_points())
+  {
+    bool of_importance =
+      varies_in_space(law.stiffness()) ||
+      (has_thermal_strain() && (temperature.depends_on_space() ||
+                                varies_in_space(law.thermal_expansion())));
+    for (const auto &branch : law.branches())
+      of_importance = of_importance || varies_in_space(branch.fluidity);
+    if (of_importance)
+      {
+        FEValues<dim> values(space.mapping(),
+                             space.finite_element(),
+                             space.quadrature(),
+                             update_quadrature_points);
+        locations.resize(n_points);
+        materials.resize(n_points);
+        for (const auto &cell : space.dof_handler().active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              values.reinit(cell);
+              const std::size_t first =
+                points.offset(cell) / n_stress_components<dim>;
+              for (const unsigned int q : values.quadrature_point_indices())
+                {
+                  locations[first + q] = values.quadrature_point(q);
+                  materials[first + q] = cell->material_id();
+                }
+            }
+      }
+
+    for (const auto &branch : law.branches())
+      constant.fractions.push_back(branch.fraction);
+    constant.fluidity.resize(law.branches().size());
+    collectively(communicator, [&]() {
+      if (!stiffness_varies())
+        constant.stiffness = evaluate(law.stiffness(), 0.);
+      for (unsigned int i = 0; i < constant.fluidity.size(); ++i)
+        if (!varies_in_time(law.branches()[i].fluidity))
+          constant.fluidity[i] = evaluate(law.branches()[i].fluidity, 0.);
+      if (has_thermal_strain() && !thermal_strain_varies())
+        constant.thermal_strain = evaluate_thermal_strain(0.);
+    });
+  }
+
+
+
+  template <int dim>
+  template <typename Value>
+  bool
+  MaterialField<dim>::varies_in_space(const Property<Value> &property) const
+  {
+    for (const char *variable : {"x", "y", "z", "material"})
+      if (property.depends_on(variable))
+        return true;
+    return property.depends_on("theta") && temperature.depends_on_space();
+  }
+
+
+
+  template <int dim>
+  template <typename Value>
+  bool
+  MaterialField<dim>::varies_in_time(const Property<Value> &property) const
+  {
+    return property.depends_on("t") ||
+           (property.depends_on("theta") && temperature.depends_on_time());
+  }
+
+
+
+  template <int dim>
+  Place<dim>
+  MaterialField<dim>::place(const std::size_t point, const double t) const
+  {
+    Place<dim> place;
+    place.t = t;
+    if (!locations.empty())
+      {
+        place.point    = locations[point];
+        place.material = materials[point];
+      }
+    if (!temperature.is_zero())
+      place.temperature = temperature.value(place.point, t);
+    return place;
+  }
+
+
+
+  template <int dim>
+  template <typename Value>
+  std::shared_ptr<const PointValues<Value>>
+  MaterialField<dim>::evaluate(const Property<Value> &property,
+                               const double           t) const
+  {
+    if (!varies_in_space(property))
+      return std::make_shared<const PointValues<Value>>(
+        property.at(place(0, t)));
+
+    std::vector<Value>                             distinct;
+    std::vector<std::uint32_t>                     which(n_points);
+    std::unordered_map<std::string, std::uint32_t> numbers;
+    std::vector<double>                            values;
+    for (std::size_t p = 0; p < n_points; ++p)
+      {
+        property.evaluate(place(p, t), values);
+        const auto [number, is_new] =
+          numbers.emplace(key_of(values), distinct.size());
+        if (is_new)
+          distinct.push_back(property.from_values(values));
+        which[p] = number->second;
+      }
+    return std::make_shared<const PointValues<Value>>(std::move(distinct),
+                                                      std::move(which));
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<const typename MaterialField<dim>::Vectors>
+  MaterialField<dim>::evaluate_thermal_strain(const double t) const
+  {
+    const Property<VoigtVector<dim>> &expansion = law.thermal_expansion();
+    if (!temperature.depends_on_space() && !varies_in_space(expansion))
+      {
+        const Place<dim> anywhere = place(0, t);
+        return std::make_shared<const Vectors>(expansion.at(anywhere) *
+                                               anywhere.temperature);
+      }
+    std::vector<VoigtVector<dim>> strains(n_points);
+    std::vector<std::uint32_t>    which(n_points);
+    for (std::size_t p = 0; p < n_points; ++p)
+      {
+        const Place<dim> here = place(p, t);
+        strains[p]            = expansion.at(here) * here.temperature;
+        which[p]              = p;
+      }
+    return std::make_shared<const Vectors>(std::move(strains),
+                                           std::move(which));
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialField<dim>::stiffness_varies() const
+  {
+    return varies_in_time(law.stiffness());
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialField<dim>::fluidity_varies() const
+  {
+    for (const auto &branch : law.branches())
+      if (varies_in_time(branch.fluidity))
+        return true;
+    return false;
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialField<dim>::has_thermal_strain() const
+  {
+    bool is_zero = true;
+    for (const Expression &component : law.thermal_expansion().formulas)
+      is_zero = is_zero && component.is_zero();
+    return !is_zero && !temperature.is_zero();
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialField<dim>::thermal_strain_varies() const
+  {
+    return has_thermal_strain() && (temperature.depends_on_time() ||
+                                    varies_in_time(law.thermal_expansion()));
+  }
+
+
+
+  template <int dim>
+  MaterialState<dim>
+  MaterialField<dim>::at(const double t) const
+  {
+    MaterialState<dim> state = constant;
+    if (stiffness_varies() || fluidity_varies() || thermal_strain_varies())
+      collectively(communicator, [&]() {
+        if (state.stiffness == nullptr)
+          state.stiffness = evaluate(law.stiffness(), t);
+        for (unsigned int i = 0; i < state.fluidity.size(); ++i)
+          if (state.fluidity[i] == nullptr)
+            state.fluidity[i] = evaluate(law.branches()[i].fluidity, t);
+        if (thermal_strain_varies())
+          state.thermal_strain = evaluate_thermal_strain(t);
+      });
+    set_factors(t, state);
+    return state;
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialField<dim>::set_factors(const double        t,
+                                  MaterialState<dim> &state) const
+  {
+    state.stiffness_factor = law.stiffness_factor().value(Point<dim>(), t);
+    state.viscosity_factor = law.viscosity_factor().value(Point<dim>(), t);
+  }
+
+
+
+  template class MaterialField<2>;
+} // namespace Crevasse

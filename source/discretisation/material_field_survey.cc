@@ -1,0 +1,157 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/discretisation/material_field.h>
+#include <crevasse/material/voigt_matrix.h>
+#include <crevasse/scene/collectively.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::string
+    describe(const Place<dim> &place)
+    {
+      return "at " + Text::from_point(place.point) +
+             ", t = " + Text::from_number(place.t) +
+             " (theta = " + Text::from_number(place.temperature) +
+             ", material = " + std::to_string(place.material) + ")";
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  template <typename Value>
+  void
+  MaterialField<dim>::find_miss(const Property<Value> &property,
+                                const double           t,
+                                Miss                  &worst) const
+  {
+    std::vector<double> values;
+    const std::size_t n = varies_in_space(property) ? n_points : std::size_t(1);
+    for (std::size_t p = 0; p < n; ++p)
+      {
+        const Place<dim> here = place(p, t);
+        property.evaluate(here, values);
+        for (const auto &requirement : property.requirements)
+          if (const double excess = requirement.excess(values);
+              excess > worst.excess)
+            worst = {excess,
+                     requirement.name + ": " + requirement.shown + ' ' +
+                       Text::from_number(requirement.actual(values)) + ' ' +
+                       describe(here) + "; " + requirement.text + '.'};
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialField<dim>::check_factor(const Expression          &factor,
+                                   const char                *name,
+                                   const std::vector<double> &instants) const
+  {
+    for (const double t : instants)
+      if (const double value = factor.value(Point<dim>(), t);
+          !(value >= 1e-70 && value <= 1e70))
+        throw SceneError(
+          Text::parameter(MaterialParameters::section, name) + " = " +
+          factor.formula() + ": is " + Text::from_number(value) +
+          " at t = " + Text::from_number(t) + "; must be from 1e-70 to 1e70.");
+  }
+
+
+
+  template <int dim>
+  double
+  MaterialField<dim>::largest_rate(const MaterialState<dim> &state) const
+  {
+    const Matrices &K       = *state.stiffness;
+    double          largest = 0.;
+    for (unsigned int i = 0; i < state.fluidity.size(); ++i)
+      {
+        const Matrices   &H        = *state.fluidity[i];
+        const bool        is_alike = K.is_uniform() && H.is_uniform();
+        const std::size_t n        = is_alike ? std::size_t(1) : n_points;
+        std::pair<std::size_t, std::size_t> last(-1, -1);
+        for (std::size_t p = 0; p < n; ++p)
+          {
+            const auto pair = std::make_pair(K.index(p), H.index(p));
+            if (pair != last)
+              largest = std::max(largest,
+                                 state.fractions[i] *
+                                   largest_relaxation_rate<dim>(H[p], K[p]));
+            last = pair;
+          }
+      }
+    return largest;
+  }
+
+
+
+  template <int dim>
+  double
+  MaterialField<dim>::survey(const std::vector<double> &instants) const
+  {
+    check_factor(law.stiffness_factor(), "Stiffness time factor", instants);
+    check_factor(law.viscosity_factor(), "Viscosity time factor", instants);
+
+    Miss       worst;
+    const bool rates_vary = stiffness_varies() || fluidity_varies();
+    collectively(communicator, [&]() {
+      for (const double t : instants)
+        {
+          find_miss(law.stiffness(), t, worst);
+          for (const auto &branch : law.branches())
+            find_miss(branch.fluidity, t, worst);
+          if (!rates_vary)
+            break;
+        }
+    });
+    // The worst of all ranks speaks.
+    const double excess = Utilities::MPI::max(worst.excess, communicator);
+    collectively(communicator, [&]() {
+      if (excess > 0. && worst.excess == excess)
+        throw SceneError(worst.message);
+    });
+
+    double rate = 0., largest = 0.;
+    for (const double t : instants)
+      {
+        if (rates_vary || t == instants.front())
+          rate = largest_rate(at(t));
+        MaterialState<dim> factors;
+        set_factors(t, factors);
+        largest =
+          std::max(largest,
+                   rate * factors.stiffness_factor / factors.viscosity_factor);
+      }
+    largest = Utilities::MPI::max(largest, communicator);
+    return largest > 0. ? 1. / largest
+                        : std::numeric_limits<double>::infinity();
+  }
+
+
+
+  template double
+  MaterialField<2>::survey(const std::vector<double> &) const;
+} // namespace Crevasse

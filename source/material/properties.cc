@@ -1,0 +1,390 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/material/isotropic.h>
+#include <crevasse/material/properties.h>
+#include <crevasse/material/voigt_matrix.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace Crevasse
+{
+  namespace
+  {
+    using Values = std::vector<double>;
+
+    constexpr double least_positive = 1e-70, most_positive = 1e70;
+
+
+
+    template <int dim>
+    bool
+    is_plane_stress(const MaterialParameters &parameters)
+    {
+      return dim == 2 && parameters.plane_state == "plane stress";
+    }
+
+
+
+    Expression
+    coefficient(const std::string &formula)
+    {
+      return Expression(formula,
+                        Expression::Variables::space_time_and_material);
+    }
+
+
+
+    /** A formula whose value, number @p i of all, must lie in a range. */
+    template <typename Value>
+    void
+    add_formula(Property<Value>   &property,
+                const std::string &name,
+                const std::string &formula,
+                const double       least,
+                const double       most,
+                const std::string &text)
+    {
+      const std::size_t i = property.formulas.size();
+      property.formulas.push_back(coefficient(formula));
+      property.requirements.push_back(
+        {Text::parameter(MaterialParameters::section, name) + " = " + formula,
+         "is",
+         text,
+         [=](const Values &values) {
+           return std::max(least - values[i], values[i] - most);
+         },
+         [i](const Values &values) { return values[i]; }});
+    }
+
+
+
+    template <typename Value>
+    void
+    add_positive(Property<Value>   &property,
+                 const std::string &name,
+                 const std::string &formula)
+    {
+      add_formula(property,
+                  name,
+                  formula,
+                  least_positive,
+                  most_positive,
+                  "must be greater than 0, from 1e-70 to 1e70");
+    }
+
+
+
+    /** Where the rows of a matrix of the scene are among the components. */
+    template <int dim>
+    std::vector<unsigned int>
+    places_of_rows(const std::size_t n_rows, const bool plane_stress)
+    {
+      if (dim == 2 && n_rows == 3 && plane_stress)
+        return {0, 1, 3};
+      std::vector<unsigned int> all(n_stress_components<dim>);
+      for (unsigned int i = 0; i < all.size(); ++i)
+        all[i] = i;
+      return n_rows == all.size() ? all : std::vector<unsigned int>();
+    }
+
+
+
+    [[noreturn]] void
+    refuse_matrix(const std::string &name,
+                  const std::string &text,
+                  const std::string &reason)
+    {
+      throw SceneError(Text::parameter(MaterialParameters::section, name) +
+                       " = " + Text::shorten(text) + ": " + reason);
+    }
+
+
+
+    /** The formulas of a matrix row by row, and its number of rows. */
+    template <int dim>
+    std::size_t
+    parse_matrix(const std::string       &name,
+                 const std::string       &text,
+                 const bool               plane_stress,
+                 std::vector<Expression> &formulas)
+    {
+      const std::vector<std::string> rows = Text::split(text, ';');
+      const std::size_t              n    = rows.size();
+      if (places_of_rows<dim>(n, plane_stress).empty())
+        refuse_matrix(name,
+                      text,
+                      "must have " +
+                        std::string(plane_stress ? "3 (11, 22, 12) or " : "") +
+                        std::to_string(n_stress_components<dim>) +
+                        " rows, separated by semicolons; it has " +
+                        std::to_string(n));
+      for (const std::string &row : rows)
+        {
+          std::vector<Expression> entries = Expression::parse_row(
+            row, Expression::Variables::space_time_and_material);
+          if (entries.size() != n)
+            refuse_matrix(name,
+                          text,
+                          "the row \"" + row + "\" must have " +
+                            std::to_string(n) +
+                            " entries, separated by commas");
+          std::move(entries.begin(),
+                    entries.end(),
+                    std::back_inserter(formulas));
+        }
+      return n;
+    }
+
+
+
+    /** Entries beside the formulas of a matrix may stand behind it. */
+    template <int dim>
+    VoigtMatrix<dim>
+    matrix_of(const Values &values, const std::vector<unsigned int> &places)
+    {
+      VoigtMatrix<dim>  matrix;
+      const std::size_t n = places.size();
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          matrix[places[i]][places[j]] = values[i * n + j];
+      return matrix;
+    }
+
+
+
+    template <int dim>
+    void
+    require_symmetric_positive_definite(Property<VoigtMatrix<dim>> &property,
+                                        const std::string          &name,
+                                        const std::string          &text,
+                                        const std::vector<unsigned int> &places)
+    {
+      const std::string parameter =
+        Text::parameter(MaterialParameters::section, name) + " = " + text;
+      const auto asymmetry = [places](const Values &values) {
+        const auto   matrix = matrix_of<dim>(values, places);
+        const double norm   = matrix.norm();
+        return norm > 0. ? (matrix - transpose(matrix)).norm() / norm : 0.;
+      };
+      constexpr double rounding = 1e-10;
+      property.requirements.push_back({parameter,
+                                       "has the relative asymmetry",
+                                       "must be symmetric",
+                                       [asymmetry](const Values &values) {
+                                         return asymmetry(values) - rounding;
+                                       },
+                                       asymmetry});
+      const auto least = [places](const Values &values) {
+        const auto matrix = matrix_of<dim>(values, places);
+        return least_relative_eigenvalue<dim>(0.5 *
+                                              (matrix + transpose(matrix)));
+      };
+      constexpr double definite = 1e-14;
+      property.requirements.push_back(
+        {parameter,
+         "has the relative eigenvalue",
+         "must be positive definite",
+         [least](const Values &values) { return definite - least(values); },
+         least});
+    }
+
+
+
+    /** The formulas of K, and the function of their values that gives its
+     * inverse as H of unit viscosity has it: with the 33 row of the whole
+     * body, which creeps in thickness too. */
+    template <int dim>
+    std::function<VoigtMatrix<dim>(const Values &)>
+    add_compliance(const MaterialParameters   &parameters,
+                   Property<VoigtMatrix<dim>> &property)
+    {
+      Property<VoigtMatrix<dim>> K = stiffness_property<dim>(parameters);
+      property.formulas            = std::move(K.formulas);
+      if (parameters.stiffness_matrix.empty())
+        return [](const Values &values) {
+          return isotropic_compliance<dim>(values[0], values[1]);
+        };
+      const auto places = places_of_rows<dim>(
+        Text::split(parameters.stiffness_matrix, ';').size(),
+        is_plane_stress<dim>(parameters));
+      return [places](const Values &values) {
+        return inverse<dim>(matrix_of<dim>(values, places));
+      };
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Property<VoigtMatrix<dim>>
+  stiffness_property(const MaterialParameters &parameters)
+  {
+    Property<VoigtMatrix<dim>> property;
+    const bool                 plane_stress = is_plane_stress<dim>(parameters);
+    if (parameters.stiffness_matrix.empty())
+      {
+        add_positive(property, "Young modulus", parameters.young_modulus);
+        add_formula(property,
+                    "Poisson ratio",
+                    parameters.poisson_ratio,
+                    -0.999,
+                    0.5 - 1e-15,
+                    "must be at least -0.999 and less than 0.5");
+        property.from_values = [plane_stress](const Values &values) {
+          return isotropic_stiffness<dim>(values[0], values[1], plane_stress);
+        };
+        return property;
+      }
+
+    const std::string &text   = parameters.stiffness_matrix;
+    const std::size_t  n      = parse_matrix<dim>("Stiffness matrix",
+                                            text,
+                                            plane_stress,
+                                            property.formulas);
+    const auto         places = places_of_rows<dim>(n, plane_stress);
+    const bool condensed      = plane_stress && n == n_stress_components<dim>;
+    property.from_values      = [places, condensed](const Values &values) {
+      const VoigtMatrix<dim> matrix = matrix_of<dim>(values, places);
+      return condensed ? condense_thickness<dim>(matrix) : matrix;
+    };
+    require_symmetric_positive_definite<dim>(property,
+                                             "Stiffness matrix",
+                                             text,
+                                             places);
+    return property;
+  }
+
+
+
+  template <int dim>
+  Property<VoigtMatrix<dim>>
+  proportional_fluidity(const MaterialParameters &parameters,
+                        const std::string        &name,
+                        const std::string        &relaxation_time,
+                        const double              fraction)
+  {
+    Property<VoigtMatrix<dim>> property;
+    const auto compliance = add_compliance<dim>(parameters, property);
+    add_positive(property, name, relaxation_time);
+    property.from_values = [=](const Values &values) {
+      return compliance(values) / (fraction * values.back());
+    };
+    return property;
+  }
+
+
+
+  template <int dim>
+  Property<VoigtMatrix<dim>>
+  isotropic_fluidity(const MaterialParameters &parameters)
+  {
+    Property<VoigtMatrix<dim>> property;
+    add_positive(property, "Viscous modulus", parameters.viscous_modulus);
+    add_formula(property,
+                "Viscous Poisson ratio",
+                parameters.viscous_poisson_ratio,
+                -0.999,
+                0.5,
+                "must be at least -0.999 and at most 0.5");
+    property.from_values = [](const Values &values) {
+      return isotropic_compliance<dim>(values[0], values[1]);
+    };
+    return property;
+  }
+
+
+
+  template <int dim>
+  Property<VoigtMatrix<dim>>
+  fluidity_of_matrix(const MaterialParameters &parameters)
+  {
+    Property<VoigtMatrix<dim>> property;
+    const bool                 plane_stress = is_plane_stress<dim>(parameters);
+    const std::size_t          n      = parse_matrix<dim>("Viscosity matrix",
+                                            parameters.viscosity_matrix,
+                                            plane_stress,
+                                            property.formulas);
+    const auto                 places = places_of_rows<dim>(n, plane_stress);
+    property.from_values              = [places](const Values &values) {
+      return inverse<dim>(matrix_of<dim>(values, places));
+    };
+    require_symmetric_positive_definite<dim>(property,
+                                             "Viscosity matrix",
+                                             parameters.viscosity_matrix,
+                                             places);
+    return property;
+  }
+
+
+
+  template <int dim>
+  Property<VoigtVector<dim>>
+  thermal_expansion_property(const MaterialParameters &parameters)
+  {
+    Property<VoigtVector<dim>> property;
+    for (Expression &formula :
+         Expression::parse_row(parameters.thermal_expansion,
+                               Expression::Variables::space_time_and_material))
+      property.formulas.push_back(std::move(formula));
+
+    const std::size_t n = property.formulas.size();
+    if (n == 1)
+      property.from_values = [](const Values &values) {
+        VoigtVector<dim> strain;
+        for (unsigned int i = 0; i < 3; ++i)
+          strain[i] = values[0];
+        return strain;
+      };
+    else if (n == n_stress_components<dim> || (dim == 2 && n == 3))
+      property.from_values = [n](const Values &values) {
+        VoigtVector<dim> strain;
+        strain[0] = values[0];
+        strain[1] = values[1];
+        strain[2] = n == 3 ? values[0] : values[2];
+        for (unsigned int i = 3; i < n_stress_components<dim>; ++i)
+          strain[i] = 2. * values[n == 3 ? 2 : i];
+        return strain;
+      };
+    else
+      refuse_matrix("Thermal expansion",
+                    parameters.thermal_expansion,
+                    "must have 1, " + std::string(dim == 2 ? "3 or " : "or ") +
+                      std::to_string(n_stress_components<dim>) +
+                      " components, separated by commas; it has " +
+                      std::to_string(n));
+    return property;
+  }
+
+
+
+#define INSTANTIATE(dim)                                               \
+  template Property<VoigtMatrix<dim>> stiffness_property<dim>(         \
+    const MaterialParameters &);                                       \
+  template Property<VoigtMatrix<dim>> proportional_fluidity<dim>(      \
+    const MaterialParameters &,                                        \
+    const std::string &,                                               \
+    const std::string &,                                               \
+    const double);                                                     \
+  template Property<VoigtMatrix<dim>> isotropic_fluidity<dim>(         \
+    const MaterialParameters &);                                       \
+  template Property<VoigtMatrix<dim>> fluidity_of_matrix<dim>(         \
+    const MaterialParameters &);                                       \
+  template Property<VoigtVector<dim>> thermal_expansion_property<dim>( \
+    const MaterialParameters &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+} // namespace Crevasse

@@ -1,0 +1,179 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/material/isotropic.h>
+#include <crevasse/material/voigt_matrix.h>
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int thickness = 2; // the component 33
+
+
+
+    template <int dim>
+    bool
+    is_in_plane(const VoigtMatrix<dim> &matrix)
+    {
+      return dim == 2 && matrix[thickness].norm_square() == 0.;
+    }
+
+
+
+    /** The components that a matrix works on. */
+    template <int dim>
+    std::vector<unsigned int>
+    components(const VoigtMatrix<dim> &matrix)
+    {
+      std::vector<unsigned int> all;
+      for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+        if (i != thickness || !is_in_plane<dim>(matrix))
+          all.push_back(i);
+      return all;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  VoigtMatrix<dim>
+  inverse(const VoigtMatrix<dim> &matrix)
+  {
+    const auto         places = components<dim>(matrix);
+    const unsigned int n      = places.size();
+    FullMatrix<double> full(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        full(i, j) = matrix[places[i]][places[j]];
+    try
+      {
+        full.gauss_jordan();
+      }
+    catch (const ExceptionBase &)
+      {
+        throw NumericalError("A matrix of the material is singular.");
+      }
+    VoigtMatrix<dim> result;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        result[places[i]][places[j]] = 0.5 * (full(i, j) + full(j, i));
+    return result;
+  }
+
+
+
+  template <int dim>
+  VoigtMatrix<dim>
+  condense_thickness(const VoigtMatrix<dim> &matrix)
+  {
+    VoigtMatrix<dim> result;
+    for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+      for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
+        if (i != thickness && j != thickness)
+          result[i][j] = matrix[i][j] - matrix[i][thickness] *
+                                          matrix[thickness][j] /
+                                          matrix[thickness][thickness];
+    return result;
+  }
+
+
+
+  template <int dim>
+  VoigtMatrix<dim>
+  in_plane(const VoigtMatrix<dim> &matrix)
+  {
+    VoigtMatrix<dim> result = matrix;
+    for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+      result[i][thickness] = result[thickness][i] = 0.;
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  least_relative_eigenvalue(const VoigtMatrix<dim> &matrix)
+  {
+    const auto               places  = components<dim>(matrix);
+    const unsigned int       n       = places.size();
+    double                   largest = 0.;
+    LAPACKFullMatrix<double> full(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          full(i, j) = matrix[places[i]][places[j]];
+          largest    = std::max(largest, std::abs(full(i, j)));
+        }
+    if (!(largest > 0.))
+      return 0.;
+    full.compute_eigenvalues();
+    double least = full.eigenvalue(0).real();
+    for (unsigned int i = 1; i < n; ++i)
+      least = std::min(least, full.eigenvalue(i).real());
+    return least / largest;
+  }
+
+
+
+  template <int dim>
+  double
+  largest_relaxation_rate(const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K)
+  {
+    if (is_isotropic<dim>(H) && is_isotropic<dim>(K))
+      {
+        // Both have the same eigenvectors: equal tension in all directions that
+        // K knows, and shear.
+        const double directions = is_in_plane<dim>(K) ? 2. : 3.;
+        const double tension    = (K[0][0] + (directions - 1.) * K[0][1]) *
+                               (H[0][0] + (directions - 1.) * H[0][1]);
+        const double shear = (K[0][0] - K[0][1]) * (H[0][0] - H[0][1]);
+        return std::max(tension, shear);
+      }
+    // HK is similar to the symmetric √H K √H: its eigenvalues are real, and
+    // small enough for the general eigenvalue solver of LAPACK.
+    constexpr unsigned int   n  = n_stress_components<dim>;
+    const VoigtMatrix<dim>   HK = H * K;
+    LAPACKFullMatrix<double> matrix(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        matrix(i, j) = HK[i][j];
+    matrix.compute_eigenvalues();
+
+    double largest = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+      largest = std::max(largest, matrix.eigenvalue(i).real());
+    return largest;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                       \
+  template VoigtMatrix<dim> inverse<dim>(const VoigtMatrix<dim> &);            \
+  template VoigtMatrix<dim> condense_thickness<dim>(const VoigtMatrix<dim> &); \
+  template VoigtMatrix<dim> in_plane<dim>(const VoigtMatrix<dim> &);           \
+  template double least_relative_eigenvalue<dim>(const VoigtMatrix<dim> &);    \
+  template double largest_relaxation_rate<dim>(const VoigtMatrix<dim> &,       \
+                                               const VoigtMatrix<dim> &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+} // namespace Crevasse

@@ -1,0 +1,271 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/chain.h>
+#include <crevasse/scene/expression.h>
+#include <crevasse/scene/parameters.h>
+#include <crevasse/scene/text.h>
+
+#include <deal.II/base/patterns.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  void
+  MaterialParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Plane state",
+                      plane_state,
+                      "What a plane model assumes of the third direction.",
+                      Patterns::Selection("plane stress|plane strain"));
+    // The same of all coefficients.
+    const std::string formula =
+      " or a formula of x, y, z, t, theta (the change of temperature) and "
+      "material (the material id of the cell in a mesh file) with such values";
+
+    prm.add_parameter("Young modulus",
+                      young_modulus,
+                      "Young's modulus of the elastic strain, in units of "
+                      "stress. Allowed: a number greater than 0" +
+                        formula);
+    prm.add_parameter("Poisson ratio",
+                      poisson_ratio,
+                      "Poisson's ratio of the elastic strain. Allowed: a "
+                      "number of at least -0.999, less than 0.5" +
+                        formula);
+    const std::string matrix =
+      "a symmetric matrix, its rows separated by semicolons and the entries "
+      "of a row by commas, each a number or formula as above. Its rows and "
+      "columns are those of the components 11, 22, 12 (plane stress), 11, 22, "
+      "33, 12 (plane strain, or plane stress that follows from them), or 11, "
+      "22, 33, 12, 13, 23 (three dimensions); shear strains are engineering "
+      "strains";
+    prm.add_parameter("Stiffness matrix",
+                      stiffness_matrix,
+                      "Stiffness, in units of stress, instead of Young modulus "
+                      "and Poisson ratio. Allowed: nothing, or " +
+                        matrix);
+    prm.add_parameter("Stiffness time factor",
+                      stiffness_time_factor,
+                      "Factor of the stiffness, the same everywhere: ageing "
+                      "that costs no other factorisation. The viscosity does "
+                      "not follow it. Allowed: a formula of t with values "
+                      "greater than 0");
+    prm.add_parameter(
+      "Viscosity",
+      viscosity,
+      "How the body creeps: \"relaxation time\" makes the viscosity the "
+      "stiffness (without its time factor) times Relaxation time; "
+      "\"isotropic\" builds it from Viscous modulus and Viscous Poisson ratio; "
+      "\"matrix\" is Viscosity matrix; \"chain\" puts several such bodies in "
+      "parallel; \"none\" is an elastic body.",
+      Patterns::Selection("relaxation time|isotropic|matrix|chain|none"));
+    prm.add_parameter("Relaxation time",
+                      relaxation_time,
+                      "Viscosity divided by stiffness, in units of time; used "
+                      "by the viscosity \"relaxation time\". Allowed: a number "
+                      "greater than 0" +
+                        formula);
+    prm.add_parameter("Viscous modulus",
+                      viscous_modulus,
+                      "Stress per rate of viscous strain under tension, in "
+                      "units of stress times time; used by the viscosity "
+                      "\"isotropic\". Allowed: a number greater than 0" +
+                        formula);
+    prm.add_parameter("Viscous Poisson ratio",
+                      viscous_poisson_ratio,
+                      "Ratio of lateral to axial viscous strain under tension; "
+                      "0.5 keeps the volume. Used by the viscosity "
+                      "\"isotropic\". Allowed: a number of at least -0.999, at "
+                      "most 0.5" +
+                        formula);
+    prm.add_parameter("Viscosity matrix",
+                      viscosity_matrix,
+                      "Viscosity, in units of stress times time; used by the "
+                      "viscosity \"matrix\". Allowed: " +
+                        matrix);
+    prm.add_parameter("Viscosity time factor",
+                      viscosity_time_factor,
+                      "Factor of the viscosity, the same everywhere. Allowed: "
+                      "a formula of t with values greater than 0");
+    prm.add_parameter(
+      "Chain",
+      chain,
+      "Maxwell bodies in parallel, for the viscosity \"chain\": the fraction "
+      "of the stiffness that each has, and its relaxation time. What is left "
+      "of the stiffness is an elastic spring beside them. Allowed: a list such "
+      "as 0.5: 10; 0.3: 100, fractions greater than 0 with a sum of at most "
+      "1, relaxation times greater than 0" +
+        formula);
+    prm.add_parameter("Thermal expansion",
+                      thermal_expansion,
+                      "Strain per change of temperature: one value for "
+                      "isotropic expansion, or the components 11, 22, 12 (33 "
+                      "is that of 11), or 11, 22, 33, 12, or 11, 22, 33, 12, "
+                      "13, 23 of the tensor, separated by commas. Allowed: a "
+                      "number" +
+                        formula);
+  }
+
+
+
+  namespace
+  {
+    /** Range of a coefficient, and how to say it. */
+    struct Range
+    {
+      double      least, most;
+      const char *text;
+    };
+
+    constexpr Range positive = {1e-70,
+                                1e70,
+                                "must be greater than 0, from 1e-70 to 1e70"};
+    // Close to -1 the shear modulus is all there is, and rounding eats the
+    // rest.
+    constexpr Range elastic_ratio = {-0.999,
+                                     0.5 - 1e-15,
+                                     "must be at least -0.999 and less than "
+                                     "0.5"};
+    constexpr Range viscous_ratio = {-0.999,
+                                     0.5,
+                                     "must be at least -0.999 and at most 0.5"};
+    constexpr Range any_number    = {-1e70, 1e70, "must be from -1e70 to 1e70"};
+
+
+
+    /** A coefficient of the material must be a formula; if it is a number, its
+     * range is known here, otherwise when there are points. */
+    void
+    check_coefficient(const char        *name,
+                      const std::string &formula,
+                      const Range       &range,
+                      Problems          &problems)
+    {
+      const char *section = MaterialParameters::section;
+      try
+        {
+          const Expression expression(
+            formula, Expression::Variables::space_time_and_material);
+          if (!expression.is_constant())
+            return;
+          const double value = expression.value(Place<2>());
+          if (!(value >= range.least && value <= range.most))
+            problems.add(section, name, formula, range.text);
+        }
+      catch (const SceneError &error)
+        {
+          problems.add(section, name, formula, error.what());
+        }
+    }
+
+
+
+    /** Coefficients separated by commas. */
+    void
+    check_row(const char *name, const std::string &row, Problems &problems)
+    {
+      try
+        {
+          Expression::parse_row(row,
+                                Expression::Variables::space_time_and_material);
+        }
+      catch (const SceneError &error)
+        {
+          problems.add(MaterialParameters::section, name, row, error.what());
+        }
+    }
+
+
+
+    void
+    check_chain(const std::string &chain, Problems &problems)
+    {
+      try
+        {
+          for (const ChainBranch &branch : parse_chain(chain))
+            check_coefficient("Chain",
+                              branch.relaxation_time,
+                              positive,
+                              problems);
+        }
+      catch (const SceneError &error)
+        {
+          problems.add(MaterialParameters::section,
+                       "Chain",
+                       chain,
+                       error.what());
+        }
+    }
+
+
+
+    /** A factor k(t) > 0. */
+    void
+    check_time_factor(const char        *name,
+                      const std::string &formula,
+                      Problems          &problems)
+    {
+      check_coefficient(name, formula, positive, problems);
+      if (problems.concern(MaterialParameters::section, name))
+        return;
+      const Expression expression(
+        formula, Expression::Variables::space_time_and_material);
+      for (const char *variable : {"x", "y", "z", "theta", "material"})
+        if (expression.depends_on(variable))
+          problems.add(MaterialParameters::section,
+                       name,
+                       formula,
+                       std::string("must not depend on ") + variable +
+                         "; only t is the same everywhere");
+    }
+  } // namespace
+
+
+
+  void
+  MaterialParameters::check(Problems &problems) const
+  {
+    const auto check =
+      [&](const char *name, const std::string &formula, const Range &range) {
+        check_coefficient(name, formula, range, problems);
+      };
+    const auto check_matrix = [&](const char        *name,
+                                  const std::string &formulas) {
+      for (const std::string &row : Text::split(formulas, ';'))
+        check_row(name, row, problems);
+    };
+
+    if (stiffness_matrix.empty())
+      {
+        check("Young modulus", young_modulus, positive);
+        check("Poisson ratio", poisson_ratio, elastic_ratio);
+      }
+    else
+      check_matrix("Stiffness matrix", stiffness_matrix);
+    check_time_factor("Stiffness time factor", stiffness_time_factor, problems);
+    check_time_factor("Viscosity time factor", viscosity_time_factor, problems);
+    check_row("Thermal expansion", thermal_expansion, problems);
+
+    if (viscosity == "relaxation time")
+      check("Relaxation time", relaxation_time, positive);
+    if (viscosity == "isotropic")
+      {
+        check("Viscous modulus", viscous_modulus, positive);
+        check("Viscous Poisson ratio", viscous_poisson_ratio, viscous_ratio);
+      }
+    if (viscosity == "matrix")
+      check_matrix("Viscosity matrix", viscosity_matrix);
+    if (viscosity == "chain")
+      check_chain(chain, problems);
+  }
+} // namespace Crevasse

@@ -1,0 +1,84 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/temperature.h>
+#include <crevasse/scene/temperature_table.h>
+
+namespace Crevasse
+{
+  template <int dim>
+  Temperature<dim>::Temperature(const std::string &source, const double period)
+  {
+    if (is_file(source))
+      table = std::make_unique<TemperatureTable<dim>>(source, period);
+    else
+      formula = std::make_unique<Expression>(source);
+  }
+
+
+
+  template <int dim>
+  Temperature<dim>::~Temperature() = default;
+
+
+
+  template <int dim>
+  bool
+  Temperature<dim>::is_file(const std::string &source)
+  {
+    const std::string suffix = ".csv";
+    return source.size() > suffix.size() &&
+           source.compare(source.size() - suffix.size(),
+                          suffix.size(),
+                          suffix) == 0;
+  }
+
+
+
+  template <int dim>
+  double
+  Temperature<dim>::value(const dealii::Point<dim> &point, const double t) const
+  {
+    return table != nullptr ? table->value(point, t) : formula->value(point, t);
+  }
+
+
+
+  template <int dim>
+  bool
+  Temperature<dim>::is_zero() const
+  {
+    return formula != nullptr && formula->is_zero();
+  }
+
+
+
+  template <int dim>
+  bool
+  Temperature<dim>::depends_on_time() const
+  {
+    return table != nullptr || formula->depends_on_time();
+  }
+
+
+
+  template <int dim>
+  bool
+  Temperature<dim>::depends_on_space() const
+  {
+    return table != nullptr || formula->depends_on_space();
+  }
+
+
+
+  template class Temperature<2>;
+  template class Temperature<3>;
+} // namespace Crevasse
