@@ -268,4 +268,5 @@ namespace Crevasse
 
 
   template class Space<2>;
+  template class Space<3>;
 } // namespace Crevasse

@@ -112,4 +112,8 @@ namespace Crevasse
   assemble_stiffness<2>(const Space<2> &,
                         const VoigtMatrix<2> &,
                         SparseMatrix &);
+  template void
+  assemble_stiffness<3>(const Space<3> &,
+                        const VoigtMatrix<3> &,
+                        SparseMatrix &);
 } // namespace Crevasse

@@ -53,4 +53,5 @@ namespace Crevasse
 
 
   template class StrainOperator<2>;
+  template class StrainOperator<3>;
 } // namespace Crevasse

@@ -195,4 +195,5 @@ namespace Crevasse
 
 
   template class Outputs<2>;
+  template class Outputs<3>;
 } // namespace Crevasse

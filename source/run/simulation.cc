@@ -260,4 +260,5 @@ namespace Crevasse
 
 
   template class Simulation<2>;
+  template class Simulation<3>;
 } // namespace Crevasse

@@ -159,8 +159,14 @@ namespace Crevasse
 
 
   template Sizes::Sizes(const Body<2> &);
+  template Sizes::Sizes(const Body<3> &);
   template void
   describe_sizes<2>(const Body<2> &,
+                    const StepList &,
+                    const std::vector<double> &,
+                    Log &);
+  template void
+  describe_sizes<3>(const Body<3> &,
                     const StepList &,
                     const std::vector<double> &,
                     Log &);
