@@ -162,7 +162,10 @@ namespace Crevasse
     , space(make_distributed_mesh<dim>(scene.geometry, communicator),
             scene.discretisation.degree,
             boundary_roles(scene),
-            fixed_points<dim>(scene))
+            fixed_points<dim>(scene),
+            scene.discretisation.volumetric_strain == "mean"
+              ? VolumetricStrain::mean
+              : VolumetricStrain::full)
     , points(held(space))
     , strain_operator(space, points)
     , lip(space, Expression(scene.boundary.gap))

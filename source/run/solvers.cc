@@ -247,7 +247,8 @@ namespace Crevasse
     const Space<dim> closed_space(body.space.shared_mesh(),
                                   body.space.finite_element().degree,
                                   roles,
-                                  fixed_points<dim>(scene));
+                                  fixed_points<dim>(scene),
+                                  body.space.volumetric_strain());
     assemble_stiffness(closed_space, body.law.stiffness(), closed_matrix);
     ++count.assemblies;
 

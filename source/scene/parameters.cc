@@ -217,6 +217,14 @@ namespace Crevasse
                       "Polynomial degree of the finite elements. Allowed: 1 or "
                       "2",
                       count);
+    prm.add_parameter("Volumetric strain",
+                      volumetric_strain,
+                      "The change of volume that the strain has at a point: "
+                      "\"full\" is that of the displacement there, \"mean\" "
+                      "its mean over the cell (B-bar), which linear elements "
+                      "need where the volume hardly changes, in plane strain "
+                      "or three dimensions with a Poisson ratio near 0.5.",
+                      Patterns::Selection("full|mean"));
   }
 
 

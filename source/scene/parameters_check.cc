@@ -294,8 +294,16 @@ namespace Crevasse
   void
   DiscretisationParameters::check(Problems &problems) const
   {
-    Checker(section, problems)
-      .demand(degree == 1 || degree == 2, "Degree", degree, "must be 1 or 2");
+    const Checker checker(section, problems);
+    checker.demand(degree == 1 || degree == 2,
+                   "Degree",
+                   degree,
+                   "must be 1 or 2");
+    checker.demand(volumetric_strain != "mean" || degree == 1,
+                   "Volumetric strain",
+                   volumetric_strain,
+                   "is for linear elements only; with Degree = " +
+                     std::to_string(degree) + " it must be full");
   }
 
 

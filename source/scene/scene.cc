@@ -57,6 +57,22 @@ namespace Crevasse
 
 
 
+    /** In plane stress the thickness makes room for any change of area. */
+    void
+    check_volumetric_strain(const Scene &scene, Problems &problems)
+    {
+      if (scene.discretisation.volumetric_strain == "mean" &&
+          scene.dimension == 2 && scene.material.plane_state == "plane stress")
+        problems.add(DiscretisationParameters::section,
+                     "Volumetric strain",
+                     "mean",
+                     "is not allowed in plane stress, where no volume is kept "
+                     "and nothing locks; it must be full, or [Material] Plane "
+                     "state = plane strain");
+    }
+
+
+
     /** Formulas and mesh sizes: one for each dimension. */
     void
     check_components(const Scene &scene, Problems &problems)
@@ -194,6 +210,7 @@ namespace Crevasse
         return;
       }
     check_shape(*this, problems);
+    check_volumetric_strain(*this, problems);
     check_components(*this, problems);
     if (dimension == 2)
       check_points<2>(*this, problems);

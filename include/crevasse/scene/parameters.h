@@ -113,6 +113,8 @@ namespace Crevasse
     static constexpr const char *section = "Discretisation";
 
     unsigned int degree = 1;
+    /** full | mean (B-bar: the mean dilatation of each cell). */
+    std::string volumetric_strain = "full";
 
     void
     add_parameters(dealii::ParameterHandler &prm);
