@@ -1,4 +1,4 @@
-"""Bodies in space: closed forms, contact solvers, ranks, and the two plane
+"""Bodies in space: closed forms, contact solvers, ranks, meshes, and the two plane
 states as limits of a plate: a slice between rigid planes is in plane strain, a
 thin plate in plane stress."""
 
@@ -167,7 +167,7 @@ def test_plane_stress():
     counts to second order, and so does the mesh size where the plate is thin:
     strain across the plate, which plane stress eliminates at each point, is
     continuous there."""
-    load = "0; 10*cos(pi*x)^2"
+    load = "0; 10*cos(pi*x)^2"  # no shear at the corners: a smooth stress
     differences = []
     for n in (4, 8, 16):
         plane = lift(RECTANGLE, f"plane_stress_{n}", f"{n}, {n}", load, [])
@@ -178,7 +178,7 @@ def test_plane_stress():
     print("thin plate - plane stress:", differences, "orders in h:", rates)
     check_close(rates[-1], 2., 0.1, "order in the mesh size")
 
-    lifts = [lift(BOX, f"thickness_{k}", "8, 8, 2", load + "; 0",
+    lifts = [lift(BOX, f"thickness_{k}", "8, 8, 2", "0; 10*(1 - 2*x)*x; 0",
                   [f"Geometry/Thickness={0.4 / 2 ** k}"]) for k in range(4)]
     steps = [abs(a - b) for a, b in zip(lifts, lifts[1:])]
     rates = [math.log2(a / b) for a, b in zip(steps, steps[1:])]
@@ -186,7 +186,70 @@ def test_plane_stress():
     check_close(rates[-1], 2., 0.1, "order in the thickness")
 
 
+# Gmsh's numbers of lines along the edges of a hexahedron, as (x, y, z).
+CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
+           (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
+
+
+def write_mesh(path, n, front):
+    """The plate with n = (4, 3, 2) cells; its crack front runs through the
+    nodes at x = 0.5 + front(z)."""
+    def number(i, j, k):
+        return 1 + i + (n[0] + 1) * (j + (n[1] + 1) * k)
+
+    nodes, elements = [], []
+    for k in range(n[2] + 1):
+        for j in range(n[1] + 1):
+            for i in range(n[0] + 1):
+                x, y, z = i / n[0], j / n[1], 0.3 * k / n[2]
+                nodes.append((x + 4 * x * (1 - x) * (1 - y) * front(z), y, z))
+    for k in range(n[2]):
+        for i in range(n[0]):
+            lip = 2 * i >= n[0]
+            for y, role in ((0, 2 if lip else 1), (n[1], 3)):
+                elements.append((3, role, [
+                    number(i + a, y, k + b)
+                    for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]))
+            for j in range(n[1]):
+                elements.append((5, 10, [number(i + a, j + b, k + c)
+                                         for a, b, c in CORNERS]))
+    with open(path, "w") as file:
+        print("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes", file=file)
+        print(len(nodes), file=file)
+        for index, (x, y, z) in enumerate(nodes, 1):
+            print(index, x, y, z, file=file)
+        print("$EndNodes\n$Elements", file=file)
+        print(len(elements), file=file)
+        for index, (kind, role, corners) in enumerate(elements, 1):
+            print(index, kind, 2, role, role, *corners, file=file)
+        print("$EndElements", file=file)
+
+
+def test_mesh_file():
+    """The same plate from a file; and one with a curved crack front."""
+    read = ["Geometry/Shape=mesh file", "Boundary/Symmetry=1",
+            "Boundary/Contact=2", "Boundary/Loaded=3"]
+    straight = read + ["Geometry/Mesh file=straight.msh",
+                       "Boundary/Fixed points=0.5, 0, 0: 1, 3; 0.5, 0, 0.3: 1"]
+    write_mesh("straight.msh", (4, 3, 2), lambda z: 0.)
+    for degree in (1, 2):
+        more = [f"Discretisation/Degree={degree}"]
+        built_in = run(PLATE, f"built_in_{degree}", more)
+        from_file = run(PLATE, f"straight_{degree}", straight + more)
+        check_below(largest_difference(from_file, built_in), 1e-10,
+                    f"degree {degree}: mesh file - built-in shape")
+
+    write_mesh("curved.msh", (8, 4, 4), lambda z: 2 * z * (0.3 - z))
+    curved = run(PLATE, "curved", read + [
+        "Geometry/Mesh file=curved.msh", "Output/Elastic comparison=open",
+        "Loads/Traction=0; 10*(sin(2*pi*t/600) + 1.5); 0",
+        "Boundary/Fixed points=0.5, 0, 0: 1, 3; 0.5, 0, 0.3: 1"])
+    check_below(curved.summary["elastic_comparison"]["stress_difference"],
+                1e-10, "curved front, always open")
+
+
 test_columns()
+test_mesh_file()
 test_closed_forms()
 test_solvers()
 test_ranks()
