@@ -162,7 +162,7 @@ CASES = [
          ["Geometry/Width=wide"]),
     Case("not_a_choice", 2,
          [r"\[Geometry\] Shape = edge_crack: must be one of: edge crack, "
-          r"centre crack, rectangle, mesh file"],
+          r"centre crack, rectangle, box, mesh file"],
          ["Geometry/Shape=edge_crack"]),
     Case("crack_longer_than_plate", 2,
          [r"\[Geometry\] Crack length = 1.5: must be shorter than the plate: "

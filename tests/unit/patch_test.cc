@@ -105,8 +105,9 @@ namespace
     for (const dealii::types::boundary_id side : {4, 5})
       if (dim == 3)
         roles.loaded.insert(side);
-    const Space<dim> space(distorted_cube_with_hanging_nodes<dim>(6 - dim,
-                                                                  0.25),
+    // On more quadratic cells in space rounding shows: three points hold it.
+    const unsigned int n = dim == 2 ? 4 : 4 - degree;
+    const Space<dim>   space(distorted_cube_with_hanging_nodes<dim>(n, 0.25),
                            degree,
                            roles,
                            supports<dim>());
