@@ -1,6 +1,6 @@
-"""Bodies in space: closed forms, contact solvers, ranks, meshes, and the two plane
-states as limits of a plate: a slice between rigid planes is in plane strain, a
-thin plate in plane stress."""
+"""Bodies in space: closed forms, contact solvers, ranks, mesh files, and the two
+plane states as limits of a plate: a slice between rigid planes is in plane
+strain, a thin plate in plane stress."""
 
 import math
 
