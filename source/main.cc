@@ -61,20 +61,15 @@ namespace
 
 
 
+  template <int dim>
   void
-  run_scene(const Command &command, Log &log)
+  run_scene(const Command     &command,
+            const Scene       &scene,
+            const std::string &used,
+            Log               &log)
   {
-    const MPI_Comm           communicator = MPI_COMM_WORLD;
-    dealii::ParameterHandler prm;
-    Problems                 problems;
-    const Scene              scene =
-      read_scene(command.scene_file, command.overrides, prm, problems);
-    scene.check(problems);
-    problems.throw_if_any();
-
-    log.line("Crevasse " CREVASSE_VERSION ": " +
-             std::filesystem::path(command.scene_file).filename().string());
-    Simulation<2> simulation(scene, communicator, log);
+    const MPI_Comm  communicator = MPI_COMM_WORLD;
+    Simulation<dim> simulation(scene, communicator, log);
     simulation.describe();
     const OutputChoice output(command, scene);
     if (command.check)
@@ -88,11 +83,31 @@ namespace
     const std::string &directory = output.directory();
     collectively(communicator, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        prepare(output, used_parameters(prm), log);
+        prepare(output, used, log);
     });
     log.open_file(directory + "/log.txt");
     simulation.run(directory);
     log.line("  results in " + directory);
+  }
+
+
+
+  void
+  read_and_run_scene(const Command &command, Log &log)
+  {
+    dealii::ParameterHandler prm;
+    Problems                 problems;
+    const Scene              scene =
+      read_scene(command.scene_file, command.overrides, prm, problems);
+    scene.check(problems);
+    problems.throw_if_any();
+
+    log.line("Crevasse " CREVASSE_VERSION ": " +
+             std::filesystem::path(command.scene_file).filename().string());
+    if (scene.dimension == 2)
+      run_scene<2>(command, scene, used_parameters(prm), log);
+    else
+      run_scene<3>(command, scene, used_parameters(prm), log);
   }
 
 
@@ -109,7 +124,7 @@ namespace
     try
       {
         if (command.print_format.empty())
-          run_scene(command, log);
+          read_and_run_scene(command, log);
         else if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
           print_parameters(std::cout, command.print_format);
       }

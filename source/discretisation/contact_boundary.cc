@@ -46,24 +46,52 @@ namespace Crevasse
 
 
 
-    /** A constrained node of the lip must be held at zero. One that depends on
-     * other unknowns, as on an inclined plane of symmetry, could penetrate
-     * without anybody noticing. (In two dimensions no node of a boundary
-     * hangs.) */
+    /** The component of each dof that this rank sees. */
+    template <int dim>
+    std::map<types::global_dof_index, unsigned int>
+    components_of_dofs(const Space<dim> &space)
+    {
+      const FESystem<dim> &fe = space.finite_element();
+      std::map<types::global_dof_index, unsigned int> components;
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+        if (!cell->is_artificial())
+          {
+            cell->get_dof_indices(indices);
+            for (unsigned int i = 0; i < indices.size(); ++i)
+              components[indices[i]] = fe.system_to_component_index(i).first;
+          }
+      return components;
+    }
+
+
+
+    /** A constrained node of the lip must be held at zero, or hang between
+     * nodes of the lip. One that depends on other components, as on an inclined
+     * plane of symmetry, could penetrate without anybody noticing. */
     template <int dim>
     void
-    require_held(const Space<dim>             &space,
-                 const types::global_dof_index dof,
-                 const Point<dim>             &place)
+    require_held_or_hanging(const Space<dim>                &space,
+                            const std::vector<LipNode<dim>> &nodes)
     {
-      const auto *entries = space.constraints().get_constraint_entries(dof);
-      if (entries != nullptr && !entries->empty())
-        throw SceneError(
-          "[Boundary] Contact: the normal displacement of the lip's node at " +
-          Text::from_point(place) +
-          " is tied to another one by an inclined plane of symmetry, so that "
-          "contact cannot be imposed there. Let the lip end elsewhere, or "
-          "turn the mesh so that the plane is parallel to an axis.");
+      std::map<types::global_dof_index, unsigned int> components;
+      for (const LipNode<dim> &node : nodes)
+        for (const auto &[dof, factor] :
+             *space.constraints().get_constraint_entries(node.dof))
+          {
+            (void)factor;
+            if (components.empty())
+              components = components_of_dofs(space);
+            if (components.at(dof) != node.component)
+              throw SceneError(
+                "[Boundary] Contact: the normal displacement of the lip's node "
+                "at " +
+                Text::from_point(node.point) +
+                " is tied to another one by an inclined plane of symmetry, so "
+                "that contact cannot be imposed there. Let the lip end "
+                "elsewhere, or turn the mesh so that the plane is parallel to "
+                "an axis.");
+          }
     }
 
 
@@ -210,7 +238,6 @@ namespace Crevasse
                   }
                 if (!constraints.is_constrained(node.dof))
                   continue;
-                require_held(space, node.dof, node.point);
                 const auto none =
                   std::make_pair(std::numeric_limits<double>::max(),
                                  numbers::invalid_dof_index);
@@ -221,14 +248,52 @@ namespace Crevasse
               }
           }
 
+    std::vector<LipNode<dim>> constrained;
     for (auto &[dof, node] : nodes)
       {
         node.gap = gap_at(node.point);
         if (nearest.count(dof) == 0)
           lip_nodes.push_back(node);
         else
-          held_nodes.push_back({dof, nearest[dof].second, node.weight});
+          constrained.push_back(node);
       }
+    require_held_or_hanging(space, constrained);
+    for (const LipNode<dim> &node : constrained)
+      held_nodes.push_back(
+        {node.dof,
+         speakers_for(node, nearest[node.dof].second, constraints),
+         node.weight});
+  }
+
+
+
+  template <int dim>
+  std::vector<typename ContactBoundary<dim>::Speaker>
+  ContactBoundary<dim>::speakers_for(
+    const LipNode<dim>              &node,
+    const types::global_dof_index    nearest,
+    const AffineConstraints<double> &constraints)
+  {
+    std::vector<Speaker>    speakers;
+    double                  rest      = 1.;
+    double                  most      = 0.;
+    types::global_dof_index strongest = nearest;
+    for (const auto &[dof, factor] :
+         *constraints.get_constraint_entries(node.dof))
+      {
+        speakers.push_back({dof, factor, true});
+        rest -= factor;
+        if (factor > most)
+          {
+            most      = factor;
+            strongest = dof;
+          }
+      }
+    // What a hanging node has from held ones, the nearest of the others has to
+    // tell.
+    if (std::abs(rest) > 1e-10 && strongest != numbers::invalid_dof_index)
+      speakers.push_back({strongest, rest, false});
+    return speakers;
   }
 
 
@@ -237,12 +302,19 @@ namespace Crevasse
   void
   ContactBoundary<dim>::share_weights(const Space<dim> &space)
   {
-    Vector weights = space.ghosted_vector();
+    Vector interpolated = space.ghosted_vector();
+    Vector held         = space.ghosted_vector();
     for (const HeldNode &node : held_nodes)
-      weights(node.dof) = node.weight;
-    gather_from_held_nodes(weights);
+      for (const Speaker &speaker : node.speakers)
+        (speaker.interpolates ? interpolated : held)(speaker.dof) +=
+          speaker.factor * node.weight;
+    interpolated.compress(VectorOperation::add);
+    held.compress(VectorOperation::add);
     for (LipNode<dim> &node : lip_nodes)
-      node.held_weight = weights(node.dof);
+      {
+        node.weight += interpolated(node.dof);
+        node.held_weight = held(node.dof);
+      }
   }
 
 
@@ -253,8 +325,12 @@ namespace Crevasse
   {
     values.update_ghost_values();
     for (const HeldNode &node : held_nodes)
-      if (node.neighbour != numbers::invalid_dof_index)
-        values(node.dof) = values(node.neighbour);
+      {
+        double value = 0.;
+        for (const Speaker &speaker : node.speakers)
+          value += speaker.factor * values(speaker.dof);
+        values(node.dof) = value;
+      }
     values.update_ghost_values();
   }
 
@@ -267,8 +343,8 @@ namespace Crevasse
     values.zero_out_ghost_values();
     for (const HeldNode &node : held_nodes)
       {
-        if (node.neighbour != numbers::invalid_dof_index)
-          values(node.neighbour) += values(node.dof);
+        for (const Speaker &speaker : node.speakers)
+          values(speaker.dof) += speaker.factor * values(node.dof);
         values(node.dof) = 0.;
       }
     values.compress(VectorOperation::add);
@@ -313,4 +389,5 @@ namespace Crevasse
 
 
   template class ContactBoundary<2>;
+  template class ContactBoundary<3>;
 } // namespace Crevasse

@@ -126,16 +126,14 @@ namespace Crevasse
       Expression::parse_list(parameters.traction);
     std::vector<Expression> body_force =
       Expression::parse_list(parameters.body_force);
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        add(std::move(traction[d]),
-            d,
-            Support::loaded_boundary,
-            space,
-            strain_operator);
-        add(
-          std::move(body_force[d]), d, Support::volume, space, strain_operator);
-      }
+    for (unsigned int d = 0; d < traction.size(); ++d)
+      add(std::move(traction[d]),
+          d,
+          Support::loaded_boundary,
+          space,
+          strain_operator);
+    for (unsigned int d = 0; d < body_force.size(); ++d)
+      add(std::move(body_force[d]), d, Support::volume, space, strain_operator);
     constant.compress(VectorOperation::add);
   }
 
@@ -224,4 +222,5 @@ namespace Crevasse
 
 
   template class ExternalLoads<2>;
+  template class ExternalLoads<3>;
 } // namespace Crevasse

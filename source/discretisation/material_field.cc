@@ -262,4 +262,5 @@ namespace Crevasse
 
 
   template class MaterialField<2>;
+  template class MaterialField<3>;
 } // namespace Crevasse

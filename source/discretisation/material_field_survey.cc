@@ -154,4 +154,6 @@ namespace Crevasse
 
   template double
   MaterialField<2>::survey(const std::vector<double> &) const;
+  template double
+  MaterialField<3>::survey(const std::vector<double> &) const;
 } // namespace Crevasse

@@ -55,4 +55,6 @@ namespace Crevasse
 
   template std::vector<std::vector<types::global_dof_index>>
   node_blocks<2>(const Space<2> &);
+  template std::vector<std::vector<types::global_dof_index>>
+  node_blocks<3>(const Space<3> &);
 } // namespace Crevasse

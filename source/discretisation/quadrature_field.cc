@@ -79,4 +79,5 @@ namespace Crevasse
 
 
   template class QuadratureField<2>;
+  template class QuadratureField<3>;
 } // namespace Crevasse

@@ -95,6 +95,10 @@ namespace Crevasse
 
   template double
   rigid_mode<2>(const unsigned int, const unsigned int, const Point<2> &);
+  template double
+  rigid_mode<3>(const unsigned int, const unsigned int, const Point<3> &);
   template std::vector<Vector>
   rigid_modes<2>(const Space<2> &);
+  template std::vector<Vector>
+  rigid_modes<3>(const Space<3> &);
 } // namespace Crevasse

@@ -367,7 +367,8 @@ namespace Crevasse
     message +=
       "\nContact holds in one direction only and does not count. Hold "
       "the body by [Boundary] Clamped, Symmetry or Fixed points, for "
-      "example --set \"Boundary/Fixed points=0, 0\".";
+      "example --set \"Boundary/Fixed points=" +
+      std::string(dim == 2 ? "0, 0" : "0, 0, 0") + "\".";
     throw NumericalError(message);
   }
 
@@ -375,6 +376,10 @@ namespace Crevasse
 
   template std::vector<std::string>
   find_free_rigid_motions<2>(const Space<2> &);
+  template std::vector<std::string>
+  find_free_rigid_motions<3>(const Space<3> &);
   template void
   require_no_rigid_motion<2>(const Space<2> &);
+  template void
+  require_no_rigid_motion<3>(const Space<3> &);
 } // namespace Crevasse

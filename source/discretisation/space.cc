@@ -30,14 +30,18 @@ namespace Crevasse
   Space<dim>::Space(std::shared_ptr<const Mesh<dim>>    mesh,
                     const unsigned int                  degree,
                     const BoundaryRoles                &roles,
-                    const std::vector<FixedPoint<dim>> &fixed_points)
+                    const std::vector<FixedPoint<dim>> &fixed_points,
+                    const VolumetricStrain              volumetric_strain)
     : triangulation(std::move(mesh))
     , fe(FE_Q<dim>(degree), dim)
     , cell_rule(degree + 1)
     , face_rule(degree + 1)
     , boundary_roles(roles)
+    , volumetric(volumetric_strain)
     , dofs(*triangulation)
   {
+    Assert(degree == 1 || volumetric == VolumetricStrain::full,
+           ExcMessage("Mean dilatation is for linear elements."));
     check_roles();
     dofs.distribute_dofs(fe);
     make_constraints(fixed_points);
@@ -230,6 +234,15 @@ namespace Crevasse
 
 
   template <int dim>
+  VolumetricStrain
+  Space<dim>::volumetric_strain() const
+  {
+    return volumetric;
+  }
+
+
+
+  template <int dim>
   MPI_Comm
   Space<dim>::communicator() const
   {
@@ -268,4 +281,5 @@ namespace Crevasse
 
 
   template class Space<2>;
+  template class Space<3>;
 } // namespace Crevasse

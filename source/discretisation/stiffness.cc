@@ -35,6 +35,42 @@ namespace Crevasse
 
 
 
+    /** The means over a cell of the dilatations of its shape functions. */
+    template <int dim>
+    std::vector<double>
+    mean_dilatations(const FEValues<dim> &values)
+    {
+      const FiniteElement<dim> &fe = values.get_fe();
+      std::vector<double>       means(fe.n_dofs_per_cell(), 0.);
+      double                    volume = 0.;
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          volume += values.JxW(q);
+          for (unsigned int i = 0; i < means.size(); ++i)
+            {
+              const unsigned int c = fe.system_to_component_index(i).first;
+              means[i] +=
+                values.shape_grad_component(i, q, c)[c] * values.JxW(q);
+            }
+        }
+      for (double &mean : means)
+        mean /= volume;
+      return means;
+    }
+
+
+
+    /** Adds a dilatation in equal parts to all three directions. */
+    template <int dim>
+    void
+    add_dilatation(VoigtVector<dim> &strain, const double dilatation)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        strain[i] += dilatation / 3.;
+    }
+
+
+
     template <int dim>
     void
     initialize_matrix(const Space<dim> &space, SparseMatrix &matrix)
@@ -81,6 +117,9 @@ namespace Crevasse
     FullMatrix<double>                   cell_matrix(n, n);
     std::vector<types::global_dof_index> indices(n);
     std::vector<VoigtVector<dim>>        strains(n);
+    std::vector<double>                  means;
+    const bool                           mean_volume =
+      space.volumetric_strain() == VolumetricStrain::mean;
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -88,13 +127,18 @@ namespace Crevasse
           cell_matrix = 0.;
           const std::size_t first =
             points.offset(cell) / n_stress_components<dim>;
+          if (mean_volume)
+            means = mean_dilatations(values);
           for (const unsigned int q : values.quadrature_point_indices())
             {
               for (unsigned int i = 0; i < n; ++i)
                 {
                   const unsigned int c = fe.system_to_component_index(i).first;
-                  strains[i] =
-                    shape_strain<dim>(values.shape_grad_component(i, q, c), c);
+                  const Tensor<1, dim> gradient =
+                    values.shape_grad_component(i, q, c);
+                  strains[i] = shape_strain<dim>(gradient, c);
+                  if (mean_volume)
+                    add_dilatation<dim>(strains[i], means[i] - gradient[c]);
                 }
               for (unsigned int i = 0; i < n; ++i)
                 {
@@ -118,5 +162,10 @@ namespace Crevasse
   assemble_stiffness<2>(const Space<2> &,
                         const QuadratureField<2> &,
                         const PointValues<VoigtMatrix<2>> &,
+                        SparseMatrix &);
+  template void
+  assemble_stiffness<3>(const Space<3> &,
+                        const QuadratureField<3> &,
+                        const PointValues<VoigtMatrix<3>> &,
                         SparseMatrix &);
 } // namespace Crevasse

@@ -20,6 +20,7 @@ namespace Crevasse
                                       const QuadratureField<dim> &points)
     : degree(space.finite_element().degree)
     , n_cell_points(space.quadrature().size())
+    , mean_volume(space.volumetric_strain() == VolumetricStrain::mean)
   {
     Assert(degree == 1 || degree == 2, ExcNotImplemented());
 
@@ -53,4 +54,5 @@ namespace Crevasse
 
 
   template class StrainOperator<2>;
+  template class StrainOperator<3>;
 } // namespace Crevasse

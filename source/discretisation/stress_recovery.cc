@@ -169,4 +169,5 @@ namespace Crevasse
 
 
   template class StressRecovery<2>;
+  template class StressRecovery<3>;
 } // namespace Crevasse

@@ -163,4 +163,5 @@ namespace Crevasse
 
 
   template class FieldWriter<2>;
+  template class FieldWriter<3>;
 } // namespace Crevasse

@@ -58,4 +58,6 @@ namespace Crevasse
 
   template LipState
   lip_state<2>(const ContactBoundary<2> &, const State &);
+  template LipState
+  lip_state<3>(const ContactBoundary<3> &, const State &);
 } // namespace Crevasse

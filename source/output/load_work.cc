@@ -43,4 +43,5 @@ namespace Crevasse
 
 
   template class LoadWork<2>;
+  template class LoadWork<3>;
 } // namespace Crevasse

@@ -152,9 +152,18 @@ namespace Crevasse
   stress_invariants<2>(const Space<2> &,
                        const StressRecovery<2> &,
                        const std::vector<Vector> &);
+  template StressInvariants<3>
+  stress_invariants<3>(const Space<3> &,
+                       const StressRecovery<3> &,
+                       const std::vector<Vector> &);
   template Vector
   contact_pressure<2>(const Space<2> &,
                       const StressRecovery<2> &,
                       const ContactBoundary<2> &,
+                      const std::vector<double> &);
+  template Vector
+  contact_pressure<3>(const Space<3> &,
+                      const StressRecovery<3> &,
+                      const ContactBoundary<3> &,
                       const std::vector<double> &);
 } // namespace Crevasse

@@ -305,9 +305,15 @@ namespace Crevasse
 
 
   template class ProbeEvaluator<2>;
+  template class ProbeEvaluator<3>;
   template std::vector<ProbeEvaluator<2>>
   make_probes<2>(const std::string &,
                  const Space<2> &,
                  const StressRecovery<2> &,
                  const ContactBoundary<2> &);
+  template std::vector<ProbeEvaluator<3>>
+  make_probes<3>(const std::string &,
+                 const Space<3> &,
+                 const StressRecovery<3> &,
+                 const ContactBoundary<3> &);
 } // namespace Crevasse

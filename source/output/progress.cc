@@ -104,4 +104,5 @@ namespace Crevasse
 
 
   template class Progress<2>;
+  template class Progress<3>;
 } // namespace Crevasse

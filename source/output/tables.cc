@@ -129,5 +129,7 @@ namespace Crevasse
 
 
   template class ProbeTable<2>;
+  template class ProbeTable<3>;
   template class ContactTable<2>;
+  template class ContactTable<3>;
 } // namespace Crevasse

@@ -92,4 +92,5 @@ namespace Crevasse
 
 
   template class March<2>;
+  template class March<3>;
 } // namespace Crevasse

@@ -100,4 +100,5 @@ namespace Crevasse
 
 
   template class PeriodMap<2>;
+  template class PeriodMap<3>;
 } // namespace Crevasse

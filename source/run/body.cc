@@ -11,6 +11,7 @@
 
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/run/body.h>
+#include <crevasse/scene/built_in_boundary.h>
 #include <crevasse/scene/geometry.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
@@ -129,7 +130,7 @@ namespace Crevasse
   fixed_points(const Scene &scene)
   {
     return scene.boundary.fixed_points == "automatic"
-             ? built_in_fixed_points<dim>(scene.geometry)
+             ? built_in_fixed_points<dim>(scene.geometry, boundary_roles(scene))
              : parse_fixed_points<dim>(scene.boundary.fixed_points);
   }
 
@@ -162,7 +163,10 @@ namespace Crevasse
     , space(make_distributed_mesh<dim>(scene.geometry, communicator),
             scene.discretisation.degree,
             boundary_roles(scene),
-            fixed_points<dim>(scene))
+            fixed_points<dim>(scene),
+            scene.discretisation.volumetric_strain == "mean"
+              ? VolumetricStrain::mean
+              : VolumetricStrain::full)
     , points(held(space))
     , material(space, points, law, temperature)
     , strain_operator(space, points)
@@ -190,10 +194,17 @@ namespace Crevasse
 
 
   template struct Body<2>;
+  template struct Body<3>;
   template UnilateralBounds
   unilateral_bounds<2>(const ContactBoundary<2> &);
+  template UnilateralBounds
+  unilateral_bounds<3>(const ContactBoundary<3> &);
   template std::vector<FixedPoint<2>>
   fixed_points<2>(const Scene &);
+  template std::vector<FixedPoint<3>>
+  fixed_points<3>(const Scene &);
   template std::string
   describe_boundaries<2>(const Scene &);
+  template std::string
+  describe_boundaries<3>(const Scene &);
 } // namespace Crevasse

@@ -182,4 +182,5 @@ namespace Crevasse
 
 
   template class ContactSystem<2>;
+  template class ContactSystem<3>;
 } // namespace Crevasse

@@ -203,9 +203,20 @@ namespace Crevasse
                   const StepList &,
                   const Integrator *,
                   const std::string &);
+  template LoadFactors
+  load_factors<3>(const Body<3> &,
+                  const StepList &,
+                  const Integrator *,
+                  const std::string &);
   template ElasticComparison::Reference
   elastic_reference<2>(const Body<2> &,
                        Solvers<2> &,
+                       const StepList &,
+                       const Integrator *,
+                       const std::string &);
+  template ElasticComparison::Reference
+  elastic_reference<3>(const Body<3> &,
+                       Solvers<3> &,
                        const StepList &,
                        const Integrator *,
                        const std::string &);

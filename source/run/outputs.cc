@@ -200,4 +200,5 @@ namespace Crevasse
 
 
   template class Outputs<2>;
+  template class Outputs<3>;
 } // namespace Crevasse

@@ -148,4 +148,11 @@ namespace Crevasse
                             const StepList &,
                             Log &,
                             const std::string &);
+  template void
+  write_relaxation_table<3>(const Scene &,
+                            const Body<3> &,
+                            Solvers<3> &,
+                            const StepList &,
+                            Log &,
+                            const std::string &);
 } // namespace Crevasse

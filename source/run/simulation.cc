@@ -108,7 +108,7 @@ namespace Crevasse
   {
     if (!scene.title.empty())
       log.line(scene.title);
-    describe_sizes(body, steps, scene.output.field_times, log);
+    describe_sizes(body, steps, scene, log);
     log.line("  boundaries: " + describe_boundaries<dim>(scene));
     for (const Effects::Effect &effect : body.effects.list())
       {
@@ -274,4 +274,5 @@ namespace Crevasse
 
 
   template class Simulation<2>;
+  template class Simulation<3>;
 } // namespace Crevasse

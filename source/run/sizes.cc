@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/linear/solver_choice.h>
 #include <crevasse/run/sizes.h>
 
 #include <deal.II/base/mpi.h>
@@ -40,12 +41,38 @@ namespace Crevasse
 
 
 
-    /** Entries of the Cholesky factor in two dimensions, with CHOLMOD's default
-     * ordering: 5.3 n log₂ n measured at 116 162 unknowns (Q1); Q2 has 4.4. */
+    /** Entries of the Cholesky factor with CHOLMOD's default ordering. In two
+     * dimensions 5.3 n log₂ n, measured at 116 162 unknowns (Q1; Q2 has 4.4),
+     * in three 19 n^(4/3), measured at 107 811 (Q1) and 73 167 (Q2). */
+    template <int dim>
     double
     factor_entries(const Sizes &sizes)
     {
-      return 5.3 * sizes.unknowns * std::log2(double(sizes.unknowns));
+      const double n = sizes.unknowns;
+      return dim == 2 ? 5.3 * n * std::log2(n) : 19. * std::pow(n, 4. / 3.);
+    }
+
+
+
+    /** Entries of the stiffness and of what solves with it: a factor, or
+     * multigrid's coarser matrices and smoothers, as much again. */
+    template <int dim>
+    double
+    solver_entries(const Sizes                  &sizes,
+                   const Body<dim>              &body,
+                   const LinearSolverParameters &linear_solver)
+    {
+      const double entries =
+        matrix_entries<dim>(sizes, body.space.finite_element().degree);
+      const LinearSolverChoice choice =
+        choose_linear_solver(linear_solver,
+                             dim,
+                             sizes.unknowns,
+                             Utilities::MPI::n_mpi_processes(
+                               body.space.communicator()));
+      return entries + (choice.type == LinearSolverChoice::amg
+                          ? entries
+                          : factor_entries<dim>(sizes));
     }
 
 
@@ -86,26 +113,28 @@ namespace Crevasse
      * unknown while a period is computed. */
     template <int dim>
     double
-    predicted_memory(const Sizes               &sizes,
-                     const Body<dim>           &body,
-                     const StepList            &steps,
-                     const std::vector<double> &field_times)
+    predicted_memory(const Sizes     &sizes,
+                     const Body<dim> &body,
+                     const StepList  &steps,
+                     const Scene     &scene)
     {
       // The stress of all samples of a period is kept to compare with the
       // next; the integrator keeps r, a stage and a rate for each stage. What
       // solvers and observers need besides is measured.
       const double fields =
         steps.n_steps() + (body.effects.viscosity.on ? 12. : 2.);
-      const double vectors = 30.;
-      const double entries =
-        matrix_entries<dim>(sizes, body.space.finite_element().degree);
+      const double     vectors         = 30.;
       constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
       return bytes_of_libraries +
              sizeof(double) *
                (fields * n_stress_components<dim> * sizes.quadrature_points +
                 vectors * sizes.unknowns) +
-             bytes_per_entry * (entries + factor_entries(sizes)) +
-             bytes_of_field_output(sizes, body, steps, field_times) +
+             bytes_per_entry *
+               solver_entries(sizes, body, scene.linear_solver) +
+             bytes_of_field_output(sizes,
+                                   body,
+                                   steps,
+                                   scene.output.field_times) +
              body.space.mesh().memory_consumption() +
              body.space.dof_handler().memory_consumption();
     }
@@ -138,10 +167,10 @@ namespace Crevasse
 
   template <int dim>
   void
-  describe_sizes(const Body<dim>           &body,
-                 const StepList            &steps,
-                 const std::vector<double> &field_times,
-                 Log                       &log)
+  describe_sizes(const Body<dim> &body,
+                 const StepList  &steps,
+                 const Scene     &scene,
+                 Log             &log)
   {
     const Sizes sizes(body);
     log.line("  mesh: " + std::to_string(sizes.cells) + " cells, " +
@@ -152,16 +181,16 @@ namespace Crevasse
     std::snprintf(text,
                   sizeof(text),
                   "  memory: about %.0f MB",
-                  predicted_memory(sizes, body, steps, field_times) * 1e-6);
+                  predicted_memory(sizes, body, steps, scene) * 1e-6);
     log.line(text);
   }
 
 
 
   template Sizes::Sizes(const Body<2> &);
+  template Sizes::Sizes(const Body<3> &);
   template void
-  describe_sizes<2>(const Body<2> &,
-                    const StepList &,
-                    const std::vector<double> &,
-                    Log &);
+  describe_sizes<2>(const Body<2> &, const StepList &, const Scene &, Log &);
+  template void
+  describe_sizes<3>(const Body<3> &, const StepList &, const Scene &, Log &);
 } // namespace Crevasse

@@ -294,7 +294,8 @@ namespace Crevasse
     const Space<dim>   closed_space(body.space.shared_mesh(),
                                   body.space.finite_element().degree,
                                   roles,
-                                  fixed_points<dim>(scene));
+                                  fixed_points<dim>(scene),
+                                  body.space.volumetric_strain());
     ContactSystem<dim> closed(solver_settings,
                               closed_space,
                               body.points,
@@ -382,8 +383,13 @@ namespace Crevasse
 
 
   template class Solvers<2>;
+  template class Solvers<3>;
   template Vector
   loads_at<2>(const Body<2> &, const double);
+  template Vector
+  loads_at<3>(const Body<3> &, const double);
   template unsigned int
   step_of_largest_load<2>(const Body<2> &, const StepList &);
+  template unsigned int
+  step_of_largest_load<3>(const Body<3> &, const StepList &);
 } // namespace Crevasse

@@ -34,7 +34,9 @@ namespace Crevasse
       std::any_of(force.begin(), force.end(), [](const Expression &component) {
         return !component.is_zero();
       });
-    body_force.why = "[Loads] Body force = " + scene.loads.body_force;
+    body_force.why =
+      "[Loads] Body force " +
+      (force.empty() ? "is not set" : "= " + scene.loads.body_force);
 
     field_output.name = "field output";
     field_output.on   = scene.output.fields != "none";

@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/scene/built_in_boundary.h>
 #include <crevasse/scene/geometry.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
@@ -29,18 +30,6 @@ namespace Crevasse
 
   namespace
   {
-    /** Where the tip lies along the crack plane; the lip is on its right (edge
-     * crack) or on its left (centre crack). */
-    double
-    tip_abscissa(const GeometryParameters &parameters)
-    {
-      return parameters.shape == "edge crack"
-               ? parameters.width - parameters.crack_length
-               : parameters.crack_length;
-    }
-
-
-
     std::vector<double>
     equal_steps(const double length, const unsigned int n)
     {
@@ -76,17 +65,41 @@ namespace Crevasse
 
 
 
+    /** From the generator's ids, two for each axis in turn. */
+    template <int dim>
+    void
+    set_boundary_ids(const GeometryParameters &parameters,
+                     Triangulation<dim>       &mesh)
+    {
+      const double tip = tip_abscissa(parameters);
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary())
+          {
+            const types::boundary_id id = face->boundary_id();
+            if (id == 4 || id == 5)
+              face->set_boundary_id(id == 4 ? BoundaryIds::front
+                                            : BoundaryIds::back);
+            else if (has_crack(parameters) && id == BoundaryIds::ligament &&
+                     (face->center()[0] > tip) ==
+                       (parameters.shape == "edge crack"))
+              face->set_boundary_id(BoundaryIds::lip);
+          }
+    }
+
+
+
     template <int dim>
     void
     make_plate(const GeometryParameters &parameters, Triangulation<dim> &mesh)
     {
-      const bool cracked = parameters.shape != "rectangle";
-
       std::vector<std::vector<double>> steps(dim);
-      steps[0] = cracked
+      steps[0] = has_crack(parameters)
                    ? steps_through_tip(parameters)
                    : equal_steps(parameters.width, parameters.subdivisions[0]);
       steps[1] = equal_steps(parameters.height, parameters.subdivisions[1]);
+      if (dim == 3)
+        steps[dim - 1] =
+          equal_steps(parameters.thickness, parameters.subdivisions[dim - 1]);
 
       // The far corner is the sum of the steps, as the generator computes it:
       // it insists on equality.
@@ -96,14 +109,7 @@ namespace Crevasse
       GridGenerator::subdivided_hyper_rectangle(
         mesh, steps, Point<dim>(), corner, true);
 
-      if (!cracked)
-        return;
-      const double tip = tip_abscissa(parameters);
-      for (const auto &face : mesh.active_face_iterators())
-        if (face->at_boundary() &&
-            face->boundary_id() == BoundaryIds::ligament &&
-            (face->center()[0] > tip) == (parameters.shape == "edge crack"))
-          face->set_boundary_id(BoundaryIds::lip);
+      set_boundary_ids(parameters, mesh);
     }
 
 
@@ -147,20 +153,23 @@ namespace Crevasse
 
     template <int dim>
     void
-    require_convex_quadrilaterals(const Triangulation<dim> &mesh,
-                                  const std::string        &where)
+    require_convex_cells(const Triangulation<dim> &mesh,
+                         const std::string        &where)
     {
       if (!mesh.all_reference_cells_are_hyper_cube())
-        throw SceneError(where +
-                         "has triangles; only quadrilaterals are "
-                         "allowed (Gmsh: Mesh.RecombineAll = 1, "
-                         "Mesh.SubdivisionAlgorithm = 1).");
+        throw SceneError(
+          where + (dim == 2
+                     ? "has triangles; only quadrilaterals are allowed (Gmsh: "
+                       "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1)."
+                     : "has tetrahedra or other cells; only hexahedra are "
+                       "allowed (Gmsh: Mesh.SubdivisionAlgorithm = 2)."));
       for (const auto &cell : mesh.active_cell_iterators())
         if (!is_convex<dim>(cell))
           throw SceneError(where + "the cell around " +
                            Text::from_point<dim>(cell->center()) +
                            " has an angle of 180 degrees or more; every cell "
-                           "must be convex, in the plane x-y.");
+                           "must be convex" +
+                           (dim == 2 ? ", in the plane x-y." : "."));
     }
 
 
@@ -190,14 +199,15 @@ namespace Crevasse
         }
       catch (const std::exception &error)
         {
-          throw SceneError(where +
-                           "cannot be read as a mesh: " + reason(error) +
-                           "\nAllowed: linear quadrilaterals in the plane x-y, "
-                           "in a Gmsh file (.msh, format 2 or 4, ASCII), or in "
-                           "another format that deal.II knows by the end of "
-                           "the file's name.");
+          throw SceneError(
+            where + "cannot be read as a mesh: " + reason(error) +
+            "\nAllowed: linear " +
+            (dim == 2 ? "quadrilaterals in the plane x-y" : "hexahedra") +
+            ", in a Gmsh file (.msh, format 2 or 4, ASCII), or "
+            "in another format that deal.II knows by the end of "
+            "the file's name.");
         }
-      require_convex_quadrilaterals(coarse, where);
+      require_convex_cells(coarse, where);
       mesh.copy_triangulation(coarse);
     }
   } // namespace
@@ -217,45 +227,8 @@ namespace Crevasse
 
 
 
-  BoundaryRoles
-  built_in_roles(const GeometryParameters &parameters)
-  {
-    BoundaryRoles roles;
-    if (parameters.shape == "mesh file")
-      return roles;
-
-    roles.symmetry = {BoundaryIds::ligament};
-    roles.loaded   = {BoundaryIds::top};
-    if (parameters.shape != "rectangle")
-      roles.contact = {BoundaryIds::lip};
-    if (parameters.shape == "centre crack")
-      roles.symmetry.insert(BoundaryIds::left);
-    return roles;
-  }
-
-
-
-  template <int dim>
-  std::vector<FixedPoint<dim>>
-  built_in_fixed_points(const GeometryParameters &parameters)
-  {
-    if (parameters.shape != "edge crack" && parameters.shape != "rectangle")
-      return {};
-
-    // The crack plane already holds u₂; the sliding along it remains. The
-    // paper holds the tip.
-    FixedPoint<dim> fixed_point;
-    fixed_point.components.fill(false);
-    fixed_point.components[0] = true;
-    if (parameters.shape == "edge crack")
-      fixed_point.point[0] = tip_abscissa(parameters);
-    return {fixed_point};
-  }
-
-
-
   template void
   make_mesh<2>(const GeometryParameters &, Triangulation<2> &);
-  template std::vector<FixedPoint<2>>
-  built_in_fixed_points<2>(const GeometryParameters &);
+  template void
+  make_mesh<3>(const GeometryParameters &, Triangulation<3> &);
 } // namespace Crevasse

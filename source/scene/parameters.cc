@@ -38,9 +38,11 @@ namespace Crevasse
       "The body. The built-in shapes are the half above the crack plane y = 0 "
       "of a plate: \"edge crack\" has its crack on the right, with the tip at "
       "x = Width - Crack length; \"centre crack\" is a quarter of the plate, "
-      "with the crack from x = 0 to x = Crack length; \"rectangle\" has none; "
-      "\"mesh file\" reads a mesh.",
-      Patterns::Selection("edge crack|centre crack|rectangle|mesh file"));
+      "with the crack from x = 0 to x = Crack length; in three dimensions both "
+      "go through the plate, with a straight front along z. \"rectangle\" "
+      "(in two dimensions) and \"box\" (in three) have no crack; \"mesh "
+      "file\" reads a mesh.",
+      Patterns::Selection("edge crack|centre crack|rectangle|box|mesh file"));
     prm.add_parameter("Width",
                       width,
                       "Extent in x of a built-in shape, in units of length. "
@@ -49,6 +51,11 @@ namespace Crevasse
                       height,
                       "Extent in y of a built-in shape above the crack plane, "
                       "in units of length. Allowed: a number greater than 0");
+    prm.add_parameter("Thickness",
+                      thickness,
+                      "Extent in z of a built-in shape in three dimensions, "
+                      "from z = 0 on, in units of length; not used in two. "
+                      "Allowed: a number greater than 0");
     prm.add_parameter("Crack length",
                       crack_length,
                       "Length of the modelled part of the crack, in units of "
@@ -57,18 +64,20 @@ namespace Crevasse
     prm.add_parameter(
       "Mesh file",
       mesh_file,
-      "Mesh of quadrilaterals with boundary ids, for the shape \"mesh file\". "
+      "Mesh of quadrilaterals (in three dimensions: of hexahedra) with "
+      "boundary ids, for the shape \"mesh file\". "
       "It is looked for next to the scene file first, then in the working "
       "directory. Allowed: a Gmsh file (.msh) or another format that deal.II "
       "reads");
-    prm.add_parameter("Subdivisions",
-                      subdivisions,
-                      "Numbers of cells along x and y of a built-in shape, "
-                      "before refinement. Where equal cells do not meet the "
-                      "crack tip, the two sides of it are divided separately. "
-                      "Allowed: as many integers of at least 1 as dimensions, "
-                      "separated by commas",
-                      list_of_counts);
+    prm.add_parameter(
+      "Subdivisions",
+      subdivisions,
+      "Numbers of cells along x and y (and z) of a built-in "
+      "shape, before refinement. Where equal cells do not meet the "
+      "crack tip, the two sides of it are divided separately. "
+      "Allowed: as many integers of at least 1 as dimensions, "
+      "separated by commas",
+      list_of_counts);
     prm.add_parameter("Refinements",
                       refinements,
                       "How often all cells are halved in each direction. "
@@ -83,8 +92,9 @@ namespace Crevasse
   {
     const std::string ids =
       " The built-in shapes have the ids 0 on the left, 1 on the right, 2 "
-      "below but for the crack lip, 3 above, and 4 on the crack lip; a mesh "
-      "file has its own. \"automatic\" is ";
+      "below but for the crack lip, 3 above, and 4 on the crack lip, in three "
+      "dimensions 5 at z = 0 and 6 at z = Thickness; a mesh file has its own. "
+      "\"automatic\" is ";
     const std::string others =
       " for a built-in shape, but for ids that another role names, and none "
       "for a mesh file";
@@ -110,15 +120,18 @@ namespace Crevasse
                       contact,
                       "Boundary ids of crack lips, which may open but not go "
                       "through the crack plane." +
-                        ids + "4 (none in a rectangle)" + others + allowed);
+                        ids + "4 (none without a crack)" + others + allowed);
     prm.add_parameter(
       "Fixed points",
       fixed_points,
       "Mesh vertices that are held so that no rigid motion is left. A point "
       "is fixed in all directions, or in the components, counted from 1, that "
-      "follow a colon. \"automatic\" holds what the roles that are automatic "
-      "leave free: component 1 of the crack tip with an edge crack, component "
-      "1 of 0, 0 in a rectangle, nothing else. "
+      "follow a colon. \"automatic\" holds a built-in shape against the "
+      "motions "
+      "along the crack plane that clamped sides and symmetry planes leave "
+      "free: component 1 of the crack tip (without a crack of 0, 0), in three "
+      "dimensions component 3 of its end at z = 0 and component 1 of both "
+      "ends, each only as far as needed; in a mesh file nothing. "
       "Allowed: automatic, none, or a list such as 0, 0; 1, 0: 2");
     prm.add_parameter("Gap",
                       gap,
@@ -141,8 +154,9 @@ namespace Crevasse
     prm.add_parameter("Traction",
                       traction,
                       "Force per area on the boundaries that Boundary/Loaded "
-                      "names, in units of stress. Allowed: one formula of x, "
-                      "y, z, t for each dimension, separated by semicolons");
+                      "names, in units of stress; nothing: none. Allowed: one "
+                      "formula of x, y, z, t for each dimension, separated by "
+                      "semicolons");
     prm.add_parameter("Temperature",
                       temperature,
                       "Change of the temperature theta against that at which "
@@ -154,8 +168,9 @@ namespace Crevasse
                       "same at each instant, between which is interpolated");
     prm.add_parameter("Body force",
                       body_force,
-                      "Force per volume. Allowed: one formula of x, y, z, t "
-                      "for each dimension, separated by semicolons");
+                      "Force per volume; nothing: none. Allowed: one formula "
+                      "of x, y, z, t for each dimension, separated by "
+                      "semicolons");
   }
 
 
@@ -168,6 +183,14 @@ namespace Crevasse
                       "Polynomial degree of the finite elements. Allowed: 1 or "
                       "2",
                       count);
+    prm.add_parameter("Volumetric strain",
+                      volumetric_strain,
+                      "The change of volume that the strain has at a point: "
+                      "\"full\" is that of the displacement there, \"mean\" "
+                      "its mean over the cell (B-bar), which linear elements "
+                      "need where the volume hardly changes, in plane strain "
+                      "or three dimensions with a Poisson ratio near 0.5.",
+                      Patterns::Selection("full|mean"));
   }
 
 
@@ -309,7 +332,8 @@ namespace Crevasse
                       probes,
                       "Points whose displacement and stress are recorded at "
                       "every step, in files named after them. Allowed: a list "
-                      "such as tip: 0.5, 0; corner: 1, 1");
+                      "such as tip: 0.5, 0; corner: 1, 1, with as many "
+                      "coordinates as dimensions");
     prm.add_parameter("Field times",
                       field_times,
                       "Instants within the last period at which the fields are "

@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/scene/boundary_roles.h>
+#include <crevasse/scene/built_in_boundary.h>
 #include <crevasse/scene/expression.h>
 #include <crevasse/scene/parameters.h>
 #include <crevasse/scene/recorded_steps.h>
@@ -113,7 +114,9 @@ namespace Crevasse
                      subdivisions,
                      "makes " + Text::from_number(n_cells) + " cells" + why);
 
-      const double n_refined = n_cells * std::pow(4., geometry.refinements);
+      const double n_refined =
+        n_cells *
+        std::pow(2., geometry.subdivisions.size() * geometry.refinements);
       checker.demand(n_cells > most || n_refined <= most,
                      "Refinements",
                      std::to_string(geometry.refinements),
@@ -130,8 +133,9 @@ namespace Crevasse
     const Checker checker(section, problems);
     checker.demand_positive("Width", width);
     checker.demand_positive("Height", height);
+    checker.demand_positive("Thickness", thickness);
 
-    const bool cracked = shape == "edge crack" || shape == "centre crack";
+    const bool cracked = has_crack(*this);
     if (cracked)
       {
         checker.demand_positive("Crack length", crack_length);
@@ -270,8 +274,16 @@ namespace Crevasse
   void
   DiscretisationParameters::check(Problems &problems) const
   {
-    Checker(section, problems)
-      .demand(degree == 1 || degree == 2, "Degree", degree, "must be 1 or 2");
+    const Checker checker(section, problems);
+    checker.demand(degree == 1 || degree == 2,
+                   "Degree",
+                   degree,
+                   "must be 1 or 2");
+    checker.demand(volumetric_strain != "mean" || degree == 1,
+                   "Volumetric strain",
+                   volumetric_strain,
+                   "is for linear elements only; with Degree = " +
+                     std::to_string(degree) + " it must be full");
   }
 
 

@@ -25,7 +25,8 @@ namespace Crevasse
   {
     prm.add_parameter("Plane state",
                       plane_state,
-                      "What a plane model assumes of the third direction.",
+                      "What a plane model assumes of the third direction; "
+                      "without meaning in three dimensions.",
                       Patterns::Selection("plane stress|plane strain"));
     // The same of all coefficients.
     const std::string formula =

@@ -40,6 +40,40 @@ namespace Crevasse
 
 
 
+    /** The bodies without a crack have different names. */
+    void
+    check_shape(const Scene &scene, Problems &problems)
+    {
+      const bool        plane    = scene.dimension == 2;
+      const std::string excluded = plane ? "box" : "rectangle";
+      if (scene.geometry.shape == excluded)
+        problems.add(GeometryParameters::section,
+                     "Shape",
+                     excluded,
+                     "is not allowed with Dimension = " +
+                       std::to_string(scene.dimension) +
+                       ": the body without a crack is \"" +
+                       (plane ? "rectangle" : "box") + "\" there");
+    }
+
+
+
+    /** In plane stress the thickness makes room for any change of area. */
+    void
+    check_volumetric_strain(const Scene &scene, Problems &problems)
+    {
+      if (scene.discretisation.volumetric_strain == "mean" &&
+          scene.dimension == 2 && scene.material.plane_state == "plane stress")
+        problems.add(DiscretisationParameters::section,
+                     "Volumetric strain",
+                     "mean",
+                     "is not allowed in plane stress, where no volume is kept "
+                     "and nothing locks; it must be full, or [Material] Plane "
+                     "state = plane strain");
+    }
+
+
+
     /** Formulas and mesh sizes: one for each dimension. */
     void
     check_components(const Scene &scene, Problems &problems)
@@ -47,7 +81,8 @@ namespace Crevasse
       const std::string dimension = std::to_string(scene.dimension);
 
       const auto &subdivisions = scene.geometry.subdivisions;
-      if (subdivisions.size() != scene.dimension)
+      if (scene.geometry.shape != "mesh file" &&
+          subdivisions.size() != scene.dimension)
         {
           std::vector<std::string> parts;
           for (const unsigned int n : subdivisions)
@@ -61,13 +96,14 @@ namespace Crevasse
 
       const auto check_formulas = [&](const char        *name,
                                       const std::string &formulas) {
-        if (Text::split(formulas, ';').size() != scene.dimension)
+        const std::size_t n = Text::split(formulas, ';').size();
+        if (n != 0 && n != scene.dimension)
           problems.add(LoadParameters::section,
                        name,
                        formulas,
                        "must be " + dimension +
                          " formulas, one for each dimension, separated by "
-                         "semicolons");
+                         "semicolons, or nothing");
       };
       check_formulas("Traction", scene.loads.traction);
       check_formulas("Body force", scene.loads.body_force);
@@ -76,12 +112,13 @@ namespace Crevasse
 
 
     /** The lists of points, whose number of coordinates is the dimension. */
+    template <int dim>
     void
     check_points(const Scene &scene, Problems &problems)
     {
       try
         {
-          parse_fixed_points<2>(scene.boundary.fixed_points);
+          parse_fixed_points<dim>(scene.boundary.fixed_points);
         }
       catch (const SceneError &error)
         {
@@ -92,7 +129,7 @@ namespace Crevasse
         }
       try
         {
-          parse_probes<2>(scene.output.probes);
+          parse_probes<dim>(scene.output.probes);
         }
       catch (const SceneError &error)
         {
@@ -164,7 +201,7 @@ namespace Crevasse
                       "A line of text for figures and reports.");
     prm.add_parameter("Dimension",
                       dimension,
-                      "Dimension of space. Allowed: 2",
+                      "Dimension of space. Allowed: 2 or 3",
                       dealii::Patterns::Integer(0));
     prm.add_parameter("Output directory",
                       output_directory,
@@ -188,13 +225,21 @@ namespace Crevasse
       parameters.check(problems);
     });
 
-    if (dimension != 2)
+    if (dimension != 2 && dimension != 3)
       {
-        problems.add("", "Dimension", std::to_string(dimension), "must be 2");
+        problems.add("",
+                     "Dimension",
+                     std::to_string(dimension),
+                     "must be 2 or 3");
         return;
       }
+    check_shape(*this, problems);
+    check_volumetric_strain(*this, problems);
     check_components(*this, problems);
-    check_points(*this, problems);
+    if (dimension == 2)
+      check_points<2>(*this, problems);
+    else
+      check_points<3>(*this, problems);
     check_instants(*this, problems);
     check_recorded_steps(*this, problems);
   }

@@ -262,4 +262,5 @@ namespace Crevasse
 
 
   template class Evolution<2>;
+  template class Evolution<3>;
 } // namespace Crevasse

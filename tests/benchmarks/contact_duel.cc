@@ -107,7 +107,7 @@ namespace
        const double       longest,
        Competitors       &competitors)
   {
-    const PlateOnPlane        plate(MPI_COMM_WORLD, n, degree);
+    const PlateOnPlane<2>     plate(MPI_COMM_WORLD, n, degree);
     const SignoriniProblem    problem(plate.matrix, plate.bounds);
     const std::vector<Vector> modes    = rigid_modes(plate.space);
     const Vector              b        = plate.loads();

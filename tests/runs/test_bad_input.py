@@ -65,11 +65,47 @@ def mesh(name):
     return f"Geometry/Mesh file={MESHES}/{name}.msh"
 
 
+IN_SPACE = ["Dimension=3", "Geometry/Subdivisions=2, 2, 1"]
+
 CASES = [
+    # Dimensions
+    Case("dimension", 2, ["Dimension = 4: must be 2 or 3"], ["Dimension=4"]),
+    Case("box_in_the_plane", 2,
+         [r"\[Geometry\] Shape = box: is not allowed with Dimension = 2: the "
+          r'body without a crack is "rectangle"'],
+         ["Geometry/Shape=box"]),
+    Case("rectangle_in_space", 2,
+         [r"\[Geometry\] Shape = rectangle: is not allowed with Dimension = 3: "
+          r'the body without a crack is "box"'],
+         IN_SPACE + ["Geometry/Shape=rectangle"]),
+    Case("components_in_space", 2,
+         [r"\[Geometry\] Subdivisions = 4, 2: must be 3 integers",
+          r"\[Loads\] Traction = 0; 1: must be 3 formulas",
+          r'\[Boundary\] Fixed points = 0, 0: "0, 0" must be 3 coordinates',
+          r'\[Output\] Probes = A: 1, 0: "A: 1, 0" must be "name: x, y, z"'],
+         ["Dimension=3", "Geometry/Subdivisions=4, 2", "Loads/Traction=0; 1",
+          "Boundary/Fixed points=0, 0", "Output/Probes=A: 1, 0"]),
+    Case("no_thickness", 2,
+         [r"\[Geometry\] Thickness = 0: must be greater than 0"],
+         ["Geometry/Thickness=0"]),
+    Case("plane_mesh_in_space", 2,
+         [r"Mesh file = .*edge_crack_2\.msh: ", "linear hexahedra"],
+         IN_SPACE + ["Geometry/Shape=mesh file", mesh("edge_crack_2"),
+                     "Loads/Traction=", "Output/Probes="]),
+    Case("mean_volume_in_plane_stress", 2,
+         [r"\[Discretisation\] Volumetric strain = mean: is not allowed in "
+          r"plane stress"],
+         ["Discretisation/Volumetric strain=mean"]),
+    Case("mean_volume_of_quadratic_elements", 2,
+         [r"\[Discretisation\] Volumetric strain = mean: is for linear elements "
+          r"only; with Degree = 2"],
+         ["Discretisation/Volumetric strain=mean", "Discretisation/Degree=2",
+          "Material/Plane state=plane strain"]),
+
     # Names
     Case("unknown_parameter", 2,
          [r'unknown_parameter\.prm:2: \[Geometry\] unknown parameter "Crack '
-          r'lenght"', "allowed here: Shape, Width, Height, Crack length",
+          r'lenght"', "allowed here: Shape, Width, Height, Thickness",
           'did you mean "Crack length"'],
          scene="subsection Geometry\n  set Crack lenght = 1\nend\n"),
     Case("parameter_of_another_section", 2,
@@ -126,7 +162,7 @@ CASES = [
          ["Geometry/Width=wide"]),
     Case("not_a_choice", 2,
          [r"\[Geometry\] Shape = edge_crack: must be one of: edge crack, "
-          r"centre crack, rectangle, mesh file"],
+          r"centre crack, rectangle, box, mesh file"],
          ["Geometry/Shape=edge_crack"]),
     Case("crack_longer_than_plate", 2,
          [r"\[Geometry\] Crack length = 1.5: must be shorter than the plate: "

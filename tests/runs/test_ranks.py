@@ -2,41 +2,16 @@
 
 import os
 import shutil
-import subprocess
 
 import meshio
 
-from crevasse_run import PROGRAM, SOURCE, Results, check, check_below, run
-
-# More ranks than cores, which must not spin while they wait; perhaps as root.
-ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1",
-                   OMPI_ALLOW_RUN_AS_ROOT="1",
-                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   OMPI_MCA_rmaps_base_oversubscribe="1",
-                   OMPI_MCA_mpi_yield_when_idle="1")
+from crevasse_run import (SOURCE, check, check_below, execute_on, run,
+                          run_on)
 
 SCENE = SOURCE / "prm/raous1980.prm"
 COMMON = ["Contact/Solver=automatic", "Time integration/Steps per period=20",
           "Periodic state/Maximum periods=1", "Periodic state/Tolerance=0",
           "Output/Field times=150"]
-
-
-def execute(n_ranks, *arguments):
-    process = subprocess.run(
-        ["mpirun", "-np", str(n_ranks), PROGRAM, *map(str, arguments)],
-        text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=300,
-        env=ENVIRONMENT)
-    return process.returncode, process.stdout, process.stderr
-
-
-def run_on(n_ranks, name, settings):
-    directory = f"results/{name}"
-    arguments = [SCENE, "--output", directory, "--quiet"]
-    for setting in settings:
-        arguments += ["--set", setting]
-    code, _, error = execute(n_ranks, *arguments)
-    check(code == 0, f"{name}: exit status {code}\n{error}")
-    return Results(directory)
 
 
 def compare_tables(results, reference, name):
@@ -64,7 +39,8 @@ def largest_field_values(results):
 
 def compare(n_ranks, settings, reference, label):
     print(f"{label} on {n_ranks} ranks")
-    results = run_on(n_ranks, f"{label}_{n_ranks}".replace(" ", "_"), settings)
+    results = run_on(n_ranks, SCENE, f"{label}_{n_ranks}".replace(" ", "_"),
+                     settings)
     for table in ("probe_C.csv", "contact.csv"):
         compare_tables(results, reference, table)
     expected = largest_field_values(reference)
@@ -112,7 +88,7 @@ def test_refusals():
         arguments = [SCENE, "--output", "results/refused"]
         for setting in settings:
             arguments += ["--set", setting]
-        code, _, error = execute(2, *arguments)
+        code, _, error = execute_on(2, *arguments)
         check(code == 2, f"{settings}: exit status {code}")
         check(alternative in error and error.count("crevasse:") == 1, error)
         print(error.splitlines()[0])
@@ -127,7 +103,7 @@ def test_lone_failure():
     os.makedirs("results/full")
     link = "results/full/log.txt"
     os.symlink("/dev/full", link)
-    code, _, error = execute(2, SCENE, "--output", "results/full",
+    code, _, error = execute_on(2, SCENE, "--output", "results/full",
                              "--set", "Contact/Solver=automatic")
     os.remove(link)
     check(code == 4, f"a full disk: exit status {code}\n{error}")

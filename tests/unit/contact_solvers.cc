@@ -224,7 +224,7 @@ namespace
           leads_to(30, 28, 28) && leads_to(10, 12, 12));
     check("without an edge nothing is known", leads_to(0, 20, 20));
 
-    const PlateOnPlane     plate(MPI_COMM_WORLD, 400, 1);
+    const PlateOnPlane<2>  plate(MPI_COMM_WORLD, 400, 1);
     const SignoriniProblem on_plane(plate.matrix, plate.bounds);
     Cholesky               cholesky(plate.matrix);
     CondensedActiveSet     solver(on_plane, cholesky, 1e-12);
@@ -236,8 +236,9 @@ namespace
   }
 
   /** Calls a test with each solver, and compares the solutions. */
+  template <int dim>
   void
-  compare_solvers(const PlateOnPlane                           &plate,
+  compare_solvers(const PlateOnPlane<dim>                      &plate,
                   const UnilateralBounds                       &bounds,
                   const std::function<Vector(ContactSolver &)> &solution_of)
   {
@@ -246,7 +247,7 @@ namespace
     Mumps                  mumps(plate.matrix);
     AmgCg                  amg(plate.matrix,
               rigid_modes(plate.space),
-              2,
+              dim,
               plate.space.finite_element().degree > 1);
     const double           tolerance = 1e-12;
 
@@ -295,16 +296,20 @@ namespace
     return n;
   }
 
+  template <int dim>
   void
   plates(const unsigned int degree, const bool hanging_nodes)
   {
-    const PlateOnPlane plate(MPI_COMM_WORLD, 20, degree, hanging_nodes);
-    const Vector       loads = plate.loads();
+    const PlateOnPlane<dim> plate(MPI_COMM_WORLD,
+                                  dim == 2 ? 20 : 10,
+                                  degree,
+                                  hanging_nodes);
+    const Vector            loads = plate.loads();
     const auto solve = [&](ContactSolver &solver, const Vector &b, Vector &q) {
       std::vector<double> forces;
       solver.solve(b, q, forces);
     };
-    std::cout << "plate of degree " << degree
+    std::cout << dim << "D, plate of degree " << degree
               << (hanging_nodes ? ", hanging nodes" : "") << std::endl;
 
     compare_solvers(plate, plate.bounds, [&](ContactSolver &solver) {
@@ -368,7 +373,7 @@ namespace
   void
   scaled_stiffness()
   {
-    const PlateOnPlane     plate(MPI_COMM_WORLD, 20, 1);
+    const PlateOnPlane<2>  plate(MPI_COMM_WORLD, 20, 1);
     const SignoriniProblem problem(plate.matrix, plate.bounds);
     SparseMatrix           stiffer;
     stiffer.copy_from(plate.matrix);
@@ -408,7 +413,9 @@ main(int argc, char **argv)
     extrapolation();
     for (const unsigned int degree : {1, 2})
       for (const bool hanging_nodes : {false, true})
-        plates(degree, hanging_nodes);
+        plates<2>(degree, hanging_nodes);
+    for (const bool hanging_nodes : {false, true})
+      plates<3>(1, hanging_nodes);
     scaled_stiffness();
   });
 }

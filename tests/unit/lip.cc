@@ -13,9 +13,16 @@
 // a support holds, where the cells of two ranks meet: its neighbour on the lip
 // belongs to the other rank.
 
+#include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/stiffness.h>
+#include <crevasse/linear/mumps.h>
+#include <crevasse/material/isotropic.h>
 #include <crevasse/output/lip_state.h>
 #include <crevasse/output/nodal_fields.h>
 #include <crevasse/output/probe.h>
+#include <crevasse/run/body.h>
+#include <crevasse/scene/built_in_boundary.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/geometry.h>
 #include <crevasse/scene/problems.h>
@@ -74,10 +81,11 @@ namespace
   {
     GeometryParameters geometry;
     geometry.subdivisions = {8, 1};
-    const Space<dim>           space(make_mesh(geometry),
-                           degree,
-                           built_in_roles(geometry),
-                           built_in_fixed_points<dim>(geometry));
+    const Space<dim> space(
+      make_mesh(geometry),
+      degree,
+      built_in_roles(geometry),
+      built_in_fixed_points<dim>(geometry, built_in_roles(geometry)));
     const QuadratureField<dim> points(space);
     const StressRecovery<dim>  recovery(space, points);
     const ContactBoundary<dim> lip(space, Expression("-1-x"));
@@ -111,6 +119,83 @@ namespace
                   << ": u_1 " << u[0] << ", opening " << values[0]
                   << ", pressure " << values[1] << std::endl;
       }
+  }
+
+
+
+  /** A block is pressed on its crack plane, with hanging nodes in between: the
+   * pressure is that of the load at every node. */
+  template <int dim>
+  void
+  press_block(const unsigned int degree)
+  {
+    BoundaryRoles roles;
+    roles.symmetry = {0};
+    if (dim == 3)
+      roles.symmetry.insert(4);
+    roles.contact = {2};
+    roles.loaded  = {3};
+    FixedPoint<dim> foot;
+    foot.components.fill(false);
+    foot.components[1] = true;
+    const Space<dim> space(distorted_cube_with_hanging_nodes<dim>(6 - dim, 0.2),
+                           degree,
+                           roles,
+                           {foot});
+    const QuadratureField<dim> points(space);
+    const StrainOperator<dim>  strain_operator(space, points);
+    const StressRecovery<dim>  recovery(space, points);
+    const ContactBoundary<dim> lip(space, Expression("0"));
+    SparseMatrix               matrix;
+    assemble_stiffness(space,
+                       points,
+                       PointValues<VoigtMatrix<dim>>(
+                         isotropic_stiffness<dim>(13000., 0.3, false)),
+                       matrix);
+    LoadParameters parameters;
+    parameters.traction = dim == 2 ? "0; -10" : "0; -10; 0";
+    Vector b, q;
+    strain_operator.initialize(b);
+    strain_operator.initialize(q);
+    ExternalLoads<dim>(space, strain_operator, parameters).evaluate(0., b);
+
+    const UnilateralBounds bounds = unilateral_bounds(lip);
+    const SignoriniProblem problem(matrix, bounds);
+    Mumps                  mumps(matrix);
+    CondensedActiveSet     solver(problem, mumps, 1e-12);
+    State                  state;
+    solver.solve(b, q, state.contact_forces);
+    state.displacement = q;
+
+    double least_weight = 1.;
+    for (const LipNode<dim> &node : lip.nodes())
+      least_weight = std::min(least_weight, node.weight);
+    const std::string name =
+      std::to_string(dim) + "D, Q" + std::to_string(degree);
+    check(name + ": positive weights",
+          dealii::Utilities::MPI::min(least_weight, MPI_COMM_WORLD) > 0.);
+    check_below(name + ": force - load, relative",
+                std::abs(lip_state(lip, state).force / 10. - 1.),
+                1e-10);
+
+    const Vector pressure =
+      contact_pressure(space, recovery, lip, state.contact_forces);
+    double difference = 0.;
+    for (const double value : pressure)
+      if (value != 0.)
+        difference = std::max(difference, std::abs(value / 10. - 1.));
+    check_below(name + ": nodal pressure - load, relative",
+                dealii::Utilities::MPI::max(difference, MPI_COMM_WORLD),
+                1e-10);
+    // On a hanging node, beside the held one.
+    const auto probe =
+      make_probes(dim == 2 ? "P: 0.125, 0" : "P: 0.1666666667, 0, 0.01",
+                  space,
+                  recovery,
+                  lip);
+    check_below(name + ": pressure at a probe, relative",
+                std::abs(probe[0].opening_and_pressure(state)[1] / 10. - 1.),
+                1e-8);
   }
 
 
@@ -164,6 +249,11 @@ main(int argc, char **argv)
       std::cout.setstate(std::ios::failbit);
     show_lip(1);
     show_lip(2);
+    for (const unsigned int degree : {1, 2})
+      {
+        press_block<2>(degree);
+        press_block<3>(degree);
+      }
     show_errors();
   });
 }

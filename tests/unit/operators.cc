@@ -25,8 +25,6 @@ using namespace Crevasse;
 
 namespace
 {
-  constexpr unsigned int dim = 2;
-
   void
   fill_at_random(Vector &vector)
   {
@@ -36,17 +34,58 @@ namespace
       value = uniform(generator);
   }
 
-  /** A q = Dᵀ K D q, with D and Dᵀ matrix-free and A assembled. */
+  /** ∫ s : D q over this rank's cells. */
+  template <int dim>
+  double
+  work(const Space<dim>           &space,
+       const QuadratureField<dim> &points,
+       const StrainOperator<dim>  &strain_operator,
+       const Vector               &stress,
+       const Vector               &q)
+  {
+    Vector strains;
+    points.initialize(strains);
+    strain_operator.for_each_strain(
+      q, [&](const std::size_t point, const VoigtVector<dim> &strain) {
+        QuadratureField<dim>::set(strains, point, strain);
+      });
+    dealii::FEValues<dim> values(space.mapping(),
+                                 space.finite_element(),
+                                 space.quadrature(),
+                                 dealii::update_JxW_values);
+    double                sum = 0.;
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      {
+        values.reinit(cell);
+        for (const unsigned int k : values.quadrature_point_indices())
+          {
+            const std::size_t place =
+              points.offset(cell) + k * n_stress_components<dim>;
+            sum += values.JxW(k) * (QuadratureField<dim>::get(stress, place) *
+                                    QuadratureField<dim>::get(strains, place));
+          }
+      }
+    return sum;
+  }
+
+
+
+  /** A q = Dᵀ K D q, with D and Dᵀ matrix-free and A assembled, and Dᵀ is the
+   * transpose of D for any stress. */
+  template <int dim>
   void
-  compare_stiffness(const unsigned int degree)
+  compare_stiffness(const unsigned int     degree,
+                    const VolumetricStrain volumetric = VolumetricStrain::full)
   {
     BoundaryRoles roles;
     roles.symmetry = {0};
     roles.clamped  = {2};
-    const Space<dim> space(distorted_square_with_hanging_nodes(4, 0.25),
+    const Space<dim> space(distorted_cube_with_hanging_nodes<dim>(6 - dim,
+                                                                  0.25),
                            degree,
                            roles,
-                           {});
+                           {},
+                           volumetric);
     const QuadratureField<dim> points(space);
     const StrainOperator<dim>  strain_operator(space, points);
     const VoigtMatrix<dim>     K = isotropic_stiffness<dim>(7., 0.3, false);
@@ -72,32 +111,59 @@ namespace
 
     const double size = assembled.linfty_norm();
     assembled -= matrix_free;
-    check_below("Q" + std::to_string(degree) + ": A q - D'K D q, relative",
+    const std::string name =
+      std::to_string(dim) + "D, Q" + std::to_string(degree) +
+      (volumetric == VolumetricStrain::mean ? ", mean volume" : "");
+    check_below(name + ": A q - D'K D q, relative",
                 assembled.linfty_norm() / size,
                 1e-13);
+
+    fill_at_random(stress);
+    const double expected = work(space, points, strain_operator, stress, q);
+    Vector       force;
+    strain_operator.initialize(force);
+    strain_operator.add_transpose(force, [&](const std::size_t point) {
+      return QuadratureField<dim>::get(stress, point);
+    });
+    check_below(name + ": (D's, q) - (s, D q), relative",
+                std::abs(force * q / expected - 1.),
+                1e-12);
   }
 
   /** Fields of the element's own degree are recovered exactly on rectangular
    * cells, hanging nodes included; a probe sees what the nodes see. */
+  template <int dim>
   void
   recover_polynomial(const unsigned int degree)
   {
     BoundaryRoles roles;
     roles.symmetry = {0};
     roles.contact  = {2};
-    const Space<dim>           space(distorted_square_with_hanging_nodes(4, 0.),
+    FixedPoint<dim> top;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        top.point[d]      = 1.;
+        top.components[d] = (d == 1);
+      }
+    dealii::Point<dim> inside(dealii::Point<dim>::unit_vector(0) * 0.27 +
+                              dealii::Point<dim>::unit_vector(1) * 0.61);
+    if (dim == 3)
+      inside[dim - 1] = 0.34;
+    const dealii::Point<dim> at_corner(dealii::Point<dim>::unit_vector(0));
+
+    const Space<dim> space(distorted_cube_with_hanging_nodes<dim>(6 - dim, 0.),
                            degree,
                            roles,
-                           {{dealii::Point<dim>(1., 1.), {{false, true}}}});
+                           {top});
     const QuadratureField<dim> points(space);
     const StressRecovery<dim>  recovery(space, points);
     const ContactBoundary<dim> lip(space, Expression("0"));
-    const ProbeEvaluator<dim>  probe({"P", {0.27, 0.61}}, space, recovery, lip);
-    const ProbeEvaluator<dim>  corner({"C", {1., 0.}}, space, recovery, lip);
+    const ProbeEvaluator<dim>  probe({"P", inside}, space, recovery, lip);
+    const ProbeEvaluator<dim>  corner({"C", at_corner}, space, recovery, lip);
 
     const auto polynomial = [&](const dealii::Point<dim> &x) {
-      return degree == 1 ? 2. + 3. * x[0] - x[1]
-                         : 2. + 3. * x[0] * x[0] - x[0] * x[1] + x[1];
+      return degree == 1 ? 2. + 3. * x[0] - x[1] + x[dim - 1]
+                         : 2. + 3. * x[0] * x[0] - x[0] * x[dim - 1] + x[1];
     };
     Vector field;
     points.initialize(field);
@@ -115,12 +181,11 @@ namespace
               (c + 1.) * polynomial(values.quadrature_point(q));
       }
 
-    const std::string name = "Q" + std::to_string(degree);
+    const std::string name =
+      std::to_string(dim) + "D, Q" + std::to_string(degree);
     for (const auto *p : {&probe, &corner})
       {
-        const dealii::Point<dim> x     = p == &probe
-                                           ? dealii::Point<dim>(0.27, 0.61)
-                                           : dealii::Point<dim>(1., 0.);
+        const dealii::Point<dim> x     = p == &probe ? inside : at_corner;
         double                   error = 0.;
         for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
           error =
@@ -131,11 +196,11 @@ namespace
     check(name + ": the corner lies on the lip, the inner point does not",
           corner.on_lip() && !probe.on_lip());
 
-    double length = 0.;
+    double size = 0.;
     for (const LipNode<dim> &node : lip.nodes())
-      length += node.weight;
-    check_below(name + ": sum of the lip's weights - length",
-                std::abs(length - 1.),
+      size += node.weight;
+    check_below(name + ": sum of the lip's weights - size",
+                std::abs(size - 1.),
                 1e-14);
   }
 } // namespace
@@ -146,8 +211,12 @@ main(int argc, char **argv)
   return run_test(argc, argv, []() {
     for (const unsigned int degree : {1, 2})
       {
-        compare_stiffness(degree);
-        recover_polynomial(degree);
+        compare_stiffness<2>(degree);
+        compare_stiffness<3>(degree);
+        recover_polynomial<2>(degree);
+        recover_polynomial<3>(degree);
       }
+    compare_stiffness<2>(1, VolumetricStrain::mean);
+    compare_stiffness<3>(1, VolumetricStrain::mean);
   });
 }

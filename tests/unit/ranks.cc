@@ -23,6 +23,7 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
+#include <array>
 #include <crevasse_tests/plate_on_plane.h>
 #include <crevasse_tests/tests.h>
 #include <map>
@@ -31,28 +32,33 @@ using namespace Crevasse;
 
 namespace
 {
-  using PointOrder = std::pair<std::pair<long, long>, unsigned int>;
+  /** Rounded coordinates, and the component. */
+  using PointOrder = std::pair<std::array<long, 3>, unsigned int>;
 
   /** The locally owned entries without constraints, by place and component:
    * numberings differ between ranks. */
+  template <int dim>
   std::map<PointOrder, double>
-  by_place(const PlateOnPlane &plate, const Vector &q)
+  by_place(const PlateOnPlane<dim> &plate, const Vector &q)
   {
-    std::map<dealii::types::global_dof_index, dealii::Point<2>> points;
+    std::map<dealii::types::global_dof_index, dealii::Point<dim>> points;
     const auto &dofs = plate.space.dof_handler();
     dealii::DoFTools::map_dofs_to_support_points(plate.space.mapping(),
                                                  dofs,
                                                  points);
     std::map<PointOrder, double> entries;
-    for (unsigned int component = 0; component < 2; ++component)
+    for (unsigned int component = 0; component < dim; ++component)
       {
-        dealii::ComponentMask mask(2, false);
+        dealii::ComponentMask mask(dim, false);
         mask.set(component, true);
         for (const auto dof : dealii::DoFTools::extract_dofs(dofs, mask))
           if (!plate.space.constraints().is_constrained(dof))
-            entries[{{std::lround(1e6 * points[dof][0]),
-                      std::lround(1e6 * points[dof][1])},
-                     component}] = q(dof);
+            {
+              std::array<long, 3> place{};
+              for (unsigned int d = 0; d < dim; ++d)
+                place[d] = std::lround(1e6 * points[dof][d]);
+              entries[{place, component}] = q(dof);
+            }
       }
     return entries;
   }
@@ -76,30 +82,34 @@ namespace
     return q;
   }
 
+  template <int dim>
   void
   compare(const unsigned int degree, const bool hanging_nodes)
   {
-    constexpr unsigned int n         = 12;
-    constexpr double       tolerance = 1e-12;
-    double                 force_alone;
-    const PlateOnPlane     plate_alone(MPI_COMM_SELF, n, degree, hanging_nodes);
-    const SignoriniProblem problem_alone(plate_alone.matrix,
+    constexpr unsigned int  n         = dim == 2 ? 12 : 10;
+    constexpr double        tolerance = 1e-12;
+    double                  force_alone;
+    const PlateOnPlane<dim> plate_alone(MPI_COMM_SELF,
+                                        n,
+                                        degree,
+                                        hanging_nodes);
+    const SignoriniProblem  problem_alone(plate_alone.matrix,
                                          plate_alone.bounds);
-    Cholesky               cholesky(plate_alone.matrix);
-    CondensedActiveSet     alone(problem_alone, cholesky, tolerance);
-    const auto             reference =
+    Cholesky                cholesky(plate_alone.matrix);
+    CondensedActiveSet      alone(problem_alone, cholesky, tolerance);
+    const auto              reference =
       by_place(plate_alone, solve(alone, plate_alone.loads(), force_alone));
 
-    const PlateOnPlane     plate(MPI_COMM_WORLD, n, degree, hanging_nodes);
-    const SignoriniProblem problem(plate.matrix, plate.bounds);
-    Mumps                  mumps(plate.matrix);
-    AmgCg amg(plate.matrix, rigid_modes(plate.space), 2, degree > 1);
+    const PlateOnPlane<dim> plate(MPI_COMM_WORLD, n, degree, hanging_nodes);
+    const SignoriniProblem  problem(plate.matrix, plate.bounds);
+    Mumps                   mumps(plate.matrix);
+    AmgCg amg(plate.matrix, rigid_modes(plate.space), dim, degree > 1);
     CondensedActiveSet condensed(problem, mumps, tolerance);
     ActiveSet          with_mumps(problem, mumps, tolerance, 1e-3, 100);
     ActiveSet          with_amg(problem, amg, tolerance, 1e-3, 100);
 
-    std::cout << "degree " << degree << (hanging_nodes ? ", hanging nodes" : "")
-              << std::endl;
+    std::cout << dim << "D, degree " << degree
+              << (hanging_nodes ? ", hanging nodes" : "") << std::endl;
     const auto check_solver = [&](const std::string &name,
                                   ContactSolver     &solver) {
       double force, difference = 0., size = 0.;
@@ -128,7 +138,7 @@ namespace
   {
     const bool several =
       dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
-    const PlateOnPlane     plate(MPI_COMM_WORLD, 10, 1);
+    const PlateOnPlane<2>  plate(MPI_COMM_WORLD, 10, 1);
     const SignoriniProblem problem(plate.matrix, plate.bounds);
     const auto             refuses = [](const auto &action) {
       try
@@ -158,7 +168,10 @@ main(int argc, char **argv)
       std::cout.setstate(std::ios::failbit);
     for (const unsigned int degree : {1, 2})
       for (const bool hanging_nodes : {false, true})
-        compare(degree, hanging_nodes);
+        {
+          compare<2>(degree, hanging_nodes);
+          compare<3>(degree, hanging_nodes);
+        }
     refusals();
   });
 }

@@ -45,7 +45,13 @@ namespace Crevasse
    * The normal degrees of freedom of the crack lip, L in the paper's notation.
    * The lip must be parallel to the coordinate axes, which lets u_N be a
    * degree of freedom. Nodes whose normal displacement is held by a support or
-   * interpolated from hanging nodes are not contact nodes.
+   * interpolated between others, as hanging nodes are in space, are not contact
+   * nodes.
+   *
+   * A hanging node hands its share of the lip on to the nodes that it is
+   * interpolated from, as the shape functions with constraints do. That keeps
+   * the cells around it from penetrating with linear elements, and with
+   * quadratic ones at the nodes of the coarser side.
    *
    * A held node, as the crack tip that belongs to the ligament's plane of
    * symmetry, has no contact force of its own: the support bears it. What the
@@ -79,7 +85,7 @@ namespace Crevasse
     gap_at(const dealii::Point<dim> &point) const;
 
     /**
-     * Gives each held node the value of the free one that speaks for it.
+     * Gives each held node the value of the free ones that speak for it.
      * Collective.
      *
      * @param values at the dofs of the lip, with the layout of
@@ -94,17 +100,35 @@ namespace Crevasse
     gather_from_held_nodes(Vector &values) const;
 
   private:
-    /** A node without contact force of its own, and the free one that speaks
-     * for it (invalid if there is none). */
+    /** A free node that speaks for one that is not free, with its factor:
+     * either the interpolation of a hanging node, or for lack of a better
+     * one. */
+    struct Speaker
+    {
+      dealii::types::global_dof_index dof;
+      double                          factor;
+      bool                            interpolates;
+    };
+
+    /** A node without contact force of its own, and the free ones that speak
+     * for it, if there are any. */
     struct HeldNode
     {
       dealii::types::global_dof_index dof;
-      dealii::types::global_dof_index neighbour;
+      std::vector<Speaker>            speakers;
       double                          weight; ///< ∫φ over the lip
     };
 
     void
     find_nodes(const Space<dim> &space);
+
+    /** Who speaks for a node with constraints.
+     *
+     * @param nearest the nearest free node on its faces, or invalid. */
+    static std::vector<Speaker>
+    speakers_for(const LipNode<dim>                      &node,
+                 const dealii::types::global_dof_index    nearest,
+                 const dealii::AffineConstraints<double> &constraints);
     void
     share_weights(const Space<dim> &space);
 

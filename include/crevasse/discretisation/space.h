@@ -32,6 +32,18 @@ namespace Crevasse
   template <int dim>
   using Mesh = dealii::parallel::distributed::Triangulation<dim>;
 
+  /** What a strain has as its volumetric part: that of the displacement
+   * gradient at the point, or the mean of that over the cell (B-bar; Hughes
+   * 1980), which keeps linear elements from locking where the volume hardly
+   * changes. */
+  enum class VolumetricStrain
+  {
+    full,
+    mean
+  };
+
+
+
   /**
    * The displacement space: Q1 or Q2 elements on a distributed mesh, with the
    * linear constraints of hanging nodes, clamped parts, symmetry planes and
@@ -45,11 +57,14 @@ namespace Crevasse
     /**
      * @throw SceneError with all of it at once, if a role names a boundary id
      * that no face has, or a fixed point is not a vertex.
+     *
+     * @param volumetric_strain mean with degree 1, and not in plane stress.
      */
     Space(std::shared_ptr<const Mesh<dim>>    mesh,
           const unsigned int                  degree,
           const BoundaryRoles                &roles,
-          const std::vector<FixedPoint<dim>> &fixed_points);
+          const std::vector<FixedPoint<dim>> &fixed_points,
+          const VolumetricStrain volumetric_strain = VolumetricStrain::full);
 
     const Mesh<dim> &
     mesh() const;
@@ -66,6 +81,9 @@ namespace Crevasse
     constraints() const;
     const BoundaryRoles &
     roles() const;
+    /** What D takes from displacements of this space. */
+    VolumetricStrain
+    volumetric_strain() const;
     MPI_Comm
     communicator() const;
 
@@ -99,6 +117,7 @@ namespace Crevasse
     const dealii::QGauss<dim>              cell_rule;
     const dealii::QGauss<dim - 1>          face_rule;
     const BoundaryRoles                    boundary_roles;
+    const VolumetricStrain                 volumetric;
     dealii::DoFHandler<dim>                dofs;
     dealii::AffineConstraints<double>      affine_constraints;
   };

@@ -18,6 +18,8 @@
 #include <deal.II/matrix_free/fe_evaluation.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
+#include <array>
+
 namespace Crevasse
 {
   /**
@@ -25,6 +27,11 @@ namespace Crevasse
    * transpose, the equilibrium operator, between displacements and values at
    * quadrature points. Both are matrix-free; what happens at a point is passed
    * in as a function, so that a field is read or written once per sweep.
+   *
+   * With VolumetricStrain::mean, the trace of the strain at each point is the
+   * mean over its cell, and a third of the difference goes to each of the
+   * components 11, 22 and 33. The transpose gives a point the mean pressure of
+   * the cell instead of its own.
    */
   template <int dim>
   class StrainOperator
@@ -57,16 +64,22 @@ namespace Crevasse
     using Evaluation =
       dealii::FEEvaluation<dim, degree, degree + 1, dim, double>;
 
-    template <int degree, typename Function>
+    template <int degree, bool mean_volume, typename Function>
     void
     strain_sweep(const Vector &displacement, const Function &f) const;
 
-    template <int degree, typename Function>
+    template <int degree, bool mean_volume, typename Function>
     void
     transpose_sweep(Vector &force, const Function &stress_at) const;
 
+    /** The mean of f(q) over the points of each cell of a batch. */
+    template <typename CellEvaluation, typename Function>
+    Number
+    cell_mean(const CellEvaluation &evaluation, const Function &f) const;
+
     const unsigned int              degree;
     const unsigned int              n_cell_points;
+    const bool                      mean_volume;
     dealii::MatrixFree<dim, double> matrix_free;
 
     /** Where the points of each lane of each cell batch begin. */
@@ -82,10 +95,12 @@ namespace Crevasse
                                        const Function &f) const
   {
     displacement.update_ghost_values();
-    if (degree == 1)
-      strain_sweep<1>(displacement, f);
+    if (mean_volume)
+      strain_sweep<1, true>(displacement, f);
+    else if (degree == 1)
+      strain_sweep<1, false>(displacement, f);
     else
-      strain_sweep<2>(displacement, f);
+      strain_sweep<2, false>(displacement, f);
     displacement.zero_out_ghost_values();
   }
 
@@ -97,17 +112,36 @@ namespace Crevasse
   StrainOperator<dim>::add_transpose(Vector         &force,
                                      const Function &stress_at) const
   {
-    if (degree == 1)
-      transpose_sweep<1>(force, stress_at);
+    if (mean_volume)
+      transpose_sweep<1, true>(force, stress_at);
+    else if (degree == 1)
+      transpose_sweep<1, false>(force, stress_at);
     else
-      transpose_sweep<2>(force, stress_at);
+      transpose_sweep<2, false>(force, stress_at);
     force.compress(dealii::VectorOperation::add);
   }
 
 
 
   template <int dim>
-  template <int degree, typename Function>
+  template <typename CellEvaluation, typename Function>
+  typename StrainOperator<dim>::Number
+  StrainOperator<dim>::cell_mean(const CellEvaluation &evaluation,
+                                 const Function       &f) const
+  {
+    Number integral(0.), volume(0.);
+    for (unsigned int q = 0; q < n_cell_points; ++q)
+      {
+        integral += f(q) * evaluation.JxW(q);
+        volume += evaluation.JxW(q);
+      }
+    return integral / volume;
+  }
+
+
+
+  template <int dim>
+  template <int degree, bool mean_volume, typename Function>
   void
   StrainOperator<dim>::strain_sweep(const Vector   &displacement,
                                     const Function &f) const
@@ -118,9 +152,17 @@ namespace Crevasse
         evaluation.reinit(batch);
         evaluation.gather_evaluate(displacement,
                                    dealii::EvaluationFlags::gradients);
+        Number mean(0.);
+        if constexpr (mean_volume)
+          mean = cell_mean(evaluation, [&](const unsigned int q) {
+            return evaluation.get_divergence(q);
+          });
         for (unsigned int q = 0; q < n_cell_points; ++q)
           {
             const auto gradient = evaluation.get_symmetric_gradient(q);
+            Number     added(0.); // to each of the three diagonal components
+            if constexpr (mean_volume)
+              added = (mean - trace(gradient)) / 3.;
             for (unsigned int lane = 0;
                  lane < matrix_free.n_active_entries_per_cell_batch(batch);
                  ++lane)
@@ -130,6 +172,9 @@ namespace Crevasse
                   for (unsigned int j = i; j < dim; ++j)
                     strain[voigt_index<dim>(i, j)] =
                       (i == j ? 1. : 2.) * gradient[i][j][lane];
+                if constexpr (mean_volume)
+                  for (unsigned int i = 0; i < 3; ++i)
+                    strain[i] += added[lane];
                 f(batch_offsets[batch][lane] + q * n_stress_components<dim>,
                   strain);
               }
@@ -140,30 +185,43 @@ namespace Crevasse
 
 
   template <int dim>
-  template <int degree, typename Function>
+  template <int degree, bool mean_volume, typename Function>
   void
   StrainOperator<dim>::transpose_sweep(Vector         &force,
                                        const Function &stress_at) const
   {
+    constexpr unsigned int n_points = Evaluation<degree>::static_n_q_points;
+    std::array<dealii::SymmetricTensor<2, dim, Number>, n_points> stress{};
+    std::array<Number, n_points>                                  pressure{};
+
     Evaluation<degree> evaluation(matrix_free);
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
         evaluation.reinit(batch);
-        for (unsigned int q = 0; q < n_cell_points; ++q)
+        for (unsigned int q = 0; q < n_points; ++q)
+          for (unsigned int lane = 0;
+               lane < matrix_free.n_active_entries_per_cell_batch(batch);
+               ++lane)
+            {
+              const VoigtVector<dim> s = stress_at(
+                batch_offsets[batch][lane] + q * n_stress_components<dim>);
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int j = i; j < dim; ++j)
+                  stress[q][i][j][lane] = s[voigt_index<dim>(i, j)];
+              if constexpr (mean_volume)
+                pressure[q][lane] = (s[0] + s[1] + s[2]) / 3.;
+            }
+        if constexpr (mean_volume)
           {
-            dealii::SymmetricTensor<2, dim, Number> stress;
-            for (unsigned int lane = 0;
-                 lane < matrix_free.n_active_entries_per_cell_batch(batch);
-                 ++lane)
-              {
-                const VoigtVector<dim> s = stress_at(
-                  batch_offsets[batch][lane] + q * n_stress_components<dim>);
-                for (unsigned int i = 0; i < dim; ++i)
-                  for (unsigned int j = i; j < dim; ++j)
-                    stress[i][j][lane] = s[voigt_index<dim>(i, j)];
-              }
-            evaluation.submit_symmetric_gradient(stress, q);
+            const Number mean =
+              cell_mean(evaluation,
+                        [&](const unsigned int q) { return pressure[q]; });
+            for (unsigned int q = 0; q < n_points; ++q)
+              for (unsigned int i = 0; i < dim; ++i)
+                stress[q][i][i] += mean - pressure[q];
           }
+        for (unsigned int q = 0; q < n_points; ++q)
+          evaluation.submit_symmetric_gradient(stress[q], q);
         evaluation.integrate_scatter(dealii::EvaluationFlags::gradients, force);
       }
   }

@@ -15,9 +15,8 @@
 #include <crevasse/output/log.h>
 #include <crevasse/output/summary.h>
 #include <crevasse/run/body.h>
+#include <crevasse/scene/scene.h>
 #include <crevasse/time/step_list.h>
-
-#include <vector>
 
 namespace Crevasse
 {
@@ -37,15 +36,13 @@ namespace Crevasse
   };
 
   /** Prints sizes and the memory that the run is going to need, within about a
-   * tenth. Collective.
-   *
-   * @param field_times [Output] Field times. */
+   * tenth. Collective. */
   template <int dim>
   void
-  describe_sizes(const Body<dim>           &body,
-                 const StepList            &steps,
-                 const std::vector<double> &field_times,
-                 Log                       &log);
+  describe_sizes(const Body<dim> &body,
+                 const StepList  &steps,
+                 const Scene     &scene,
+                 Log             &log);
 } // namespace Crevasse
 
 #endif

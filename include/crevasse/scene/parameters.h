@@ -36,10 +36,11 @@ namespace Crevasse
     std::string shape        = "edge crack";
     double      width        = 1.;
     double      height       = 1.;
+    double      thickness    = 1.; ///< in three dimensions only
     double      crack_length = 0.5;
     std::string mesh_file;
 
-    /** Cells along x, y of the coarse mesh before `refinements`. */
+    /** Cells along x, y, z of the coarse mesh before `refinements`. */
     std::vector<unsigned int> subdivisions = {14, 4};
 
     /** Uniform refinements of the coarse mesh. */
@@ -105,9 +106,10 @@ namespace Crevasse
     static constexpr const char *section = "Loads";
 
     double period = 1.;
-    /** Expressions of x, y, z, t, one per component, separated by ";". */
-    std::string traction   = "0; 0";
-    std::string body_force = "0; 0";
+    /** Expressions of x, y, z, t, one per component, separated by ";"; nothing
+     * if there is no such load. */
+    std::string traction;
+    std::string body_force;
     /** Change of temperature: a formula of x, y, z, t, or a .csv file. */
     std::string temperature = "0";
 
@@ -122,6 +124,8 @@ namespace Crevasse
     static constexpr const char *section = "Discretisation";
 
     unsigned int degree = 1;
+    /** full | mean (B-bar: the mean dilatation of each cell). */
+    std::string volumetric_strain = "full";
 
     void
     add_parameters(dealii::ParameterHandler &prm);

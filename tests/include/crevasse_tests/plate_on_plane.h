@@ -24,9 +24,10 @@
 #include <memory>
 #include <string>
 
-/** A plate, five times as long as high, clamped at both ends, its lower edge
- * on a plane from which it may lift off, with the traction 10 cos 5πx on its
- * top: parts of the lip are closed. */
+/** A plate, in space a bar, five times as long as high, clamped at both ends,
+ * its lower edge on a plane from which it may lift off, with the traction 10
+ * cos 5πx on its top: parts of the lip are closed. */
+template <int dim>
 class PlateOnPlane
 {
 public:
@@ -41,11 +42,11 @@ public:
     , strain_operator(space, points)
     , lip(space, Crevasse::Expression("0"))
   {
-    const auto K = Crevasse::isotropic_stiffness<2>(13000., 0.2, true);
+    const auto K = Crevasse::isotropic_stiffness<dim>(13000., 0.2, dim == 2);
     Crevasse::assemble_stiffness(
       space,
       points,
-      Crevasse::PointValues<Crevasse::VoigtMatrix<2>>(K),
+      Crevasse::PointValues<Crevasse::VoigtMatrix<dim>>(K),
       matrix);
     for (const auto &node : lip.nodes())
       {
@@ -57,23 +58,25 @@ public:
 
   /** The nodal forces of a traction on the top. */
   Crevasse::Vector
-  loads(const std::string &traction = "0; 10*cos(5*pi*x)") const
+  loads(const std::string &traction = dim == 2
+                                        ? "0; 10*cos(5*pi*x)"
+                                        : "0; (10 + 30*z)*cos(5*pi*x); 0") const
   {
     Crevasse::LoadParameters parameters;
     parameters.traction = traction;
     Crevasse::Vector b;
     strain_operator.initialize(b);
-    Crevasse::ExternalLoads<2>(space, strain_operator, parameters)
+    Crevasse::ExternalLoads<dim>(space, strain_operator, parameters)
       .evaluate(0., b);
     return b;
   }
 
-  const Crevasse::Space<2>           space;
-  const Crevasse::QuadratureField<2> points;
-  const Crevasse::StrainOperator<2>  strain_operator;
-  const Crevasse::ContactBoundary<2> lip;
-  Crevasse::SparseMatrix             matrix;
-  Crevasse::UnilateralBounds         bounds;
+  const Crevasse::Space<dim>           space;
+  const Crevasse::QuadratureField<dim> points;
+  const Crevasse::StrainOperator<dim>  strain_operator;
+  const Crevasse::ContactBoundary<dim> lip;
+  Crevasse::SparseMatrix               matrix;
+  Crevasse::UnilateralBounds           bounds;
 
 private:
   static Crevasse::BoundaryRoles
@@ -86,14 +89,19 @@ private:
     return roles;
   }
 
-  static std::shared_ptr<const Crevasse::Mesh<2>>
+  static std::shared_ptr<const Crevasse::Mesh<dim>>
   mesh(const MPI_Comm     communicator,
        const unsigned int n,
        const bool         hanging_nodes)
   {
-    auto mesh = std::make_shared<Crevasse::Mesh<2>>(communicator);
+    auto mesh = std::make_shared<Crevasse::Mesh<dim>>(communicator);
+    std::vector<unsigned int> subdivisions(dim, n / 5);
+    subdivisions[0] = n;
+    dealii::Point<dim> corner;
+    for (unsigned int d = 0; d < dim; ++d)
+      corner[d] = d == 0 ? 1. : 0.2;
     dealii::GridGenerator::subdivided_hyper_rectangle(
-      *mesh, {n, n / 5}, {}, {1., 0.2}, true);
+      *mesh, subdivisions, {}, corner, true);
     for (const auto &cell : mesh->active_cell_iterators())
       if (hanging_nodes && cell->is_locally_owned() &&
           cell->center()[0] > 0.5 && cell->center()[1] < 0.1)

@@ -67,21 +67,26 @@ run_test(int argc, char **argv, const Test &test)
   return n_failures == 0 ? 0 : 1;
 }
 
-/** The unit square with n × n cells and boundary ids 0 to 3, its inner vertices
- * moved at random (seeded), two corners refined for hanging nodes. */
-inline std::shared_ptr<const Crevasse::Mesh<2>>
-distorted_square_with_hanging_nodes(const unsigned int n,
-                                    const double       distortion)
+/** The unit square (cube) with n cells a side and boundary ids 0, 1, ... on its
+ * sides, its inner vertices moved at random (seeded), two corners refined for
+ * hanging nodes. */
+template <int dim>
+std::shared_ptr<const Crevasse::Mesh<dim>>
+distorted_cube_with_hanging_nodes(const unsigned int n, const double distortion)
 {
-  auto mesh = std::make_shared<Crevasse::Mesh<2>>(MPI_COMM_WORLD);
+  auto mesh = std::make_shared<Crevasse::Mesh<dim>>(MPI_COMM_WORLD);
   dealii::GridGenerator::subdivided_hyper_cube(*mesh, n, 0., 1., true);
   if (distortion > 0.)
     dealii::GridTools::distort_random(distortion, *mesh, true, 42);
   for (const auto &cell : mesh->active_cell_iterators())
-    if (cell->is_locally_owned() &&
-        (cell->center()[0] + cell->center()[1] < 0.6 ||
-         cell->center()[0] + cell->center()[1] > 1.6))
-      cell->set_refine_flag();
+    if (cell->is_locally_owned())
+      {
+        double mean = 0.;
+        for (unsigned int d = 0; d < dim; ++d)
+          mean += cell->center()[d] / dim;
+        if (mean < 0.3 || mean > 0.8)
+          cell->set_refine_flag();
+      }
   mesh->execute_coarsening_and_refinement();
   return mesh;
 }
