@@ -11,6 +11,7 @@
 
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/scene/collectively.h>
+#include <crevasse/scene/period_mean.h>
 
 #include <deal.II/fe/fe_values.h>
 
@@ -202,6 +203,42 @@ namespace Crevasse
     loads += constant;
     for (const Amplitude &amplitude : amplitudes)
       loads.add(amplitude.factor.value(Point<dim>(), t), amplitude.integrals);
+  }
+
+
+
+  template <int dim>
+  void
+  ExternalLoads<dim>::mean(const Expression &divisor,
+                           const double      period,
+                           Vector           &mean) const
+  {
+    const auto mean_of = [&](const Expression *factor,
+                             const Point<dim> &point) {
+      return period_mean(
+        [&](const double t) {
+          return (factor != nullptr ? factor->value(point, t) : 1.) /
+                 divisor.value(Point<dim>(), t);
+        },
+        period);
+    };
+    mean = 0.;
+    if (!densities.empty())
+      {
+        collectively(mean.get_mpi_communicator(), [&]() {
+          for (const Density &density : densities)
+            for (const WeightedPoint &weighted : density.points)
+              {
+                const double value = mean_of(&density.value, weighted.point);
+                for (const auto &[dof, weight] : weighted.weights)
+                  mean(dof) += value * weight;
+              }
+        });
+        mean.compress(VectorOperation::add);
+      }
+    mean.add(mean_of(nullptr, Point<dim>()), constant);
+    for (const Amplitude &amplitude : amplitudes)
+      mean.add(mean_of(&amplitude.factor, Point<dim>()), amplitude.integrals);
   }
 
 

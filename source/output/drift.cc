@@ -29,6 +29,8 @@ namespace Crevasse
       {
         drift = sample.state.displacement;
         drift -= start;
+        if (sample.secular_flow != nullptr)
+          drift.add(steps.period(), sample.secular_flow->velocity);
       }
   }
 

@@ -24,6 +24,29 @@ namespace Crevasse
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** The strains of one branch of all, in the layout of the stress. */
+    template <int dim>
+    Vector
+    branch_of(const Vector      &strains,
+              const unsigned int branch,
+              const unsigned int n_branches,
+              const Vector      &stress)
+    {
+      if (n_branches == 1)
+        return strains;
+      Vector                 result(stress);
+      constexpr unsigned int n = n_stress_components<dim>;
+      for (unsigned int k = 0; k < stress.locally_owned_size(); ++k)
+        result.local_element(k) =
+          strains.local_element((k / n * n_branches + branch) * n + k % n);
+      return result;
+    }
+  } // namespace
+
+
+
   template <int dim>
   FieldWriter<dim>::FieldWriter(const Space<dim>           &space,
                                 const StressRecovery<dim>  &recovery,
@@ -49,10 +72,17 @@ namespace Crevasse
   void
   FieldWriter<dim>::observe(const Sample &sample)
   {
-    if (wanted[sample.step])
-      snapshots[sample.step] = {sample.time,
-                                sample.state,
-                                sample.viscous_strain};
+    if (!wanted[sample.step])
+      return;
+    Snapshot &snapshot = snapshots[sample.step];
+    snapshot           = {sample.time, sample.state, sample.viscous_strain};
+    if (sample.secular_flow != nullptr)
+      {
+        snapshot.state.displacement.add(sample.time,
+                                        sample.secular_flow->velocity);
+        snapshot.viscous_strain.add(sample.time,
+                                    sample.secular_flow->strain_rate);
+      }
   }
 
 
@@ -122,13 +152,20 @@ namespace Crevasse
     };
     const std::vector<Vector> stress = recovery.recover(snapshot.state.stress);
     add_components(stress, "stress");
-    std::vector<Vector> viscous_strain; // none in an elastic body
-    if (snapshot.viscous_strain.size() > 0)
-      viscous_strain = recovery.recover(snapshot.viscous_strain);
-    // The tensor's components: shear strains are computed as engineering ones.
-    for (unsigned int c = 3; c < viscous_strain.size(); ++c)
-      viscous_strain[c] *= 0.5;
-    add_components(viscous_strain, "viscous_strain");
+    const unsigned int n_branches = // 0 in an elastic body
+      snapshot.viscous_strain.size() / snapshot.state.stress.size();
+    for (unsigned int i = 0; i < n_branches; ++i)
+      {
+        std::vector<Vector> strain = recovery.recover(branch_of<dim>(
+          snapshot.viscous_strain, i, n_branches, snapshot.state.stress));
+        // From engineering shears to components of a tensor.
+        for (unsigned int c = 3; c < strain.size(); ++c)
+          strain[c] *= 0.5;
+        add_components(strain,
+                       n_branches == 1
+                         ? "viscous_strain"
+                         : "viscous_strain_branch_" + std::to_string(i + 1));
+      }
 
     const StressInvariants<dim> invariants =
       stress_invariants(space, recovery, stress);

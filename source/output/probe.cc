@@ -268,6 +268,16 @@ namespace Crevasse
 
 
   template <int dim>
+  double
+  ProbeEvaluator<dim>::normal_component(
+    const Tensor<1, dim> &displacement) const
+  {
+    return displacement * normal;
+  }
+
+
+
+  template <int dim>
   VoigtVector<dim>
   ProbeEvaluator<dim>::stress(const Vector &stress) const
   {

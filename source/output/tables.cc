@@ -50,9 +50,16 @@ namespace Crevasse
   ProbeTable<dim>::observe(const Sample &sample)
   {
     // Collective, also on ranks that do not write.
-    const auto u      = probe.displacement(sample.state.displacement);
+    auto       u      = probe.displacement(sample.state.displacement);
     const auto stress = probe.stress(sample.state.stress);
-    const auto lip    = probe.opening_and_pressure(sample.state);
+    auto       lip    = probe.opening_and_pressure(sample.state);
+    if (sample.secular_flow != nullptr)
+      {
+        const auto drift =
+          sample.time * probe.displacement(sample.secular_flow->velocity);
+        u += drift;
+        lip[0] += probe.normal_component(drift);
+      }
     if (table == nullptr)
       return;
 

@@ -44,7 +44,8 @@ namespace Crevasse
                    time,
                    evolution.state(),
                    r,
-                   evolution.right_hand_side()});
+                   evolution.right_hand_side(),
+                   evolution.secular_flow()});
         };
         if (has_memory())
           integrator->step(f, t, step_list.step(k), r, show);
@@ -76,7 +77,8 @@ namespace Crevasse
              period * step_list.period(),
              evolution.state(),
              r,
-             evolution.right_hand_side()});
+             evolution.right_hand_side(),
+             evolution.secular_flow()});
   }
 
 

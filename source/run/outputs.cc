@@ -136,7 +136,6 @@ namespace Crevasse
     summary["extremes"]["stress"] = largest_stress->value;
     if (contact_table != nullptr)
       summary["extremes"]["opening"] = contact_table->largest_opening();
-    summary["secular"]["on"] = false; // the secular problem is not solved yet
     if (drift != nullptr)
       finish_drift(summary);
     if (comparison != nullptr)

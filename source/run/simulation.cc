@@ -14,6 +14,7 @@
 #include <crevasse/run/libraries.h>
 #include <crevasse/run/outputs.h>
 #include <crevasse/run/relaxation_table.h>
+#include <crevasse/run/secular_problem.h>
 #include <crevasse/run/simulation.h>
 #include <crevasse/run/sizes.h>
 #include <crevasse/run/version.h>
@@ -25,6 +26,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <iomanip>
+#include <numeric>
 #include <sstream>
 
 namespace Crevasse
@@ -88,6 +91,7 @@ namespace Crevasse
                    : nullptr)
     , smallest_relaxation_time(
         body.material.survey(steps.instants_and_middles()))
+    , secular_split(choose_secular_split(scene, body, mean_load))
   {
     if (scene.output.elastic_comparison != "none")
       // Throws if there is nothing to compare with.
@@ -110,16 +114,13 @@ namespace Crevasse
       log.line(scene.title);
     describe_sizes(body, steps, scene, log);
     log.line("  boundaries: " + describe_boundaries<dim>(scene));
-    for (const Effects::Effect &effect : body.effects.list())
+    for (const Effects::Effect &effect : effects())
       {
-        char text[200];
-        std::snprintf(text,
-                      sizeof(text),
-                      "  %-12s %-3s  (%s)",
-                      effect.name.c_str(),
-                      effect.on ? "on" : "off",
-                      effect.why.c_str());
-        log.line(text);
+        std::ostringstream text;
+        text << "  " << std::left << std::setw(18) << effect.name
+             << std::setw(4) << (effect.on ? "on" : "off") << '('
+             << Text::shorten(effect.why) << ')';
+        log.line(text.str());
       }
     std::ostringstream time;
     time << "  time: " << steps.n_steps() << " steps a period, the largest "
@@ -138,6 +139,11 @@ namespace Crevasse
   {
     Timer        timer;
     Solvers<dim> solvers(scene, body, steps, log, phases);
+    if (secular_split.on)
+      {
+        TimerOutput::Scope phase(phases, "secular problem");
+        secular_flow = solve_secular_problem(body, mean_load, solvers);
+      }
     if (!scene.contact.relaxation_table.empty())
       write_relaxation_table(scene, body, solvers, steps, log, directory);
 
@@ -161,6 +167,7 @@ namespace Crevasse
       const PeriodicResult result = march(solvers, outputs.observers());
       summarise(summary, solvers);
       outputs.finish(summary);
+      summarise_secular_flow(summary);
       return result;
     }();
 
@@ -204,12 +211,66 @@ namespace Crevasse
       [&solvers]() { return solvers.statistics().vi_solves; },
       scene.periodic_state.tolerance,
       scene.periodic_state.maximum_periods);
+    if (secular_flow)
+      evolution.split_off(*secular_flow);
     Vector viscous_strain;
     if (body.effects.viscosity.on)
       body.points.initialize(viscous_strain, body.law.branches().size());
     const PeriodicResult result = march.run(viscous_strain, observers);
     rate_evaluations            = evolution.n_rate_evaluations();
     return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<Effects::Effect>
+  Simulation<dim>::effects() const
+  {
+    std::vector<Effects::Effect> all = body.effects.list();
+    all.insert(all.begin() + 2, secular_split);
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::summarise_secular_flow(Summary &summary) const
+  {
+    auto &secular = summary["secular"];
+    secular       = {{"on", secular_split.on}, {"why", secular_split.why}};
+    if (!secular_flow)
+      {
+        // Measured: what the displacement gains over a period.
+        if (!body.effects.viscosity.on)
+          return;
+        secular["largest_rate"] = summary["drift"]["largest_rate"];
+        for (const auto &probe : probes)
+          secular["per_probe"][probe.name()]["beta"] =
+            summary["drift"]["per_probe"][probe.name()];
+        return;
+      }
+
+    State mean;
+    mean.displacement       = secular_flow->velocity;
+    mean.contact_forces     = secular_flow->contact_forces;
+    secular["largest_rate"] = mean.displacement.linfty_norm();
+    secular["contact_force"] =
+      Utilities::MPI::sum(std::accumulate(mean.contact_forces.begin(),
+                                          mean.contact_forces.end(),
+                                          0.),
+                          communicator);
+    for (const auto &probe : probes)
+      {
+        auto      &entry = secular["per_probe"][probe.name()];
+        const auto beta  = probe.displacement(mean.displacement);
+        for (unsigned int d = 0; d < dim; ++d)
+          entry["beta"].push_back(beta[d]);
+        const double pressure = probe.opening_and_pressure(mean)[1];
+        if (probe.on_lip())
+          entry["mean_pressure"] = pressure;
+      }
   }
 
 
@@ -223,7 +284,7 @@ namespace Crevasse
     summary["libraries"] = library_versions();
     summary["dimension"] = dim;
     Sizes(body).add_to(summary);
-    for (const Effects::Effect &effect : body.effects.list())
+    for (const Effects::Effect &effect : effects())
       summary["effects"][effect.name] = {{"on", effect.on},
                                          {"why", effect.why}};
 

@@ -309,6 +309,15 @@ namespace Crevasse
                       "How the periodic state is found: \"march\" computes one "
                       "period after the other.",
                       Patterns::Selection("march"));
+    prm.add_parameter(
+      "Secular split",
+      secular_split,
+      "Whether the flow that a mean load causes is found by itself, from a "
+      "stationary contact problem, and the periodic motion without it: u = "
+      "beta t + q. \"automatic\" does so if there is a mean load and the "
+      "viscosity is a function of place times one of time; \"off\" leaves "
+      "the flow in the displacement, which then grows from period to period.",
+      Patterns::Selection("automatic|on|off"));
     prm.add_parameter("Maximum periods",
                       maximum_periods,
                       "Number of periods after which the march ends even if "

@@ -88,9 +88,18 @@ namespace Crevasse
 
   template <int dim>
   void
-  Evolution<dim>::split_off(const Vector &rate)
+  Evolution<dim>::split_off(const SecularFlow &secular_flow)
   {
-    secular_rate = &rate;
+    flow = &secular_flow;
+  }
+
+
+
+  template <int dim>
+  const SecularFlow *
+  Evolution<dim>::secular_flow() const
+  {
+    return flow;
   }
 
 
@@ -102,9 +111,9 @@ namespace Crevasse
     const Instant<dim>         &instant,
     const InelasticStrain<dim> *inelastic_strain)
   {
-    const double k        = instant.material.stiffness_factor;
-    const auto  &K        = *instant.material.stiffness;
-    last.stiffness_factor = k;
+    const MaterialState<dim> &material = instant.material;
+    const double              k        = material.stiffness_factor;
+    last.stiffness_factor              = k;
     loads.evaluate(t, loading);
     if (inelastic_strain != nullptr)
       {
@@ -140,7 +149,7 @@ namespace Crevasse
     const MaterialState<dim>  &material = instant.material;
     const InelasticStrain<dim> inelastic(material, r);
     solve_for_displacement(t, instant, &inelastic);
-    if (material.is_plain() && secular_rate == nullptr)
+    if (material.is_plain() && flow == nullptr)
       plain_rate(material, r, rate);
     else
       general_rate(inelastic, rate);
@@ -197,8 +206,8 @@ namespace Crevasse
               (K[point] * (mechanical - Field::get(inelastic.r, place)));
             VoigtVector<dim> branch_rate = (*material.fluidity[i])[point] *
                                            stress / material.viscosity_factor;
-            if (secular_rate != nullptr)
-              branch_rate -= Field::get(*secular_rate, place);
+            if (flow != nullptr)
+              branch_rate -= Field::get(flow->strain_rate, place);
             Field::set(rate, place, branch_rate);
           }
       });

@@ -41,6 +41,11 @@ namespace Crevasse
     void
     evaluate(const double t, Vector &loads) const;
 
+    /** The mean of the loads divided by a function of time over a period,
+     * to rounding: see period_mean(). Collective. */
+    void
+    mean(const Expression &divisor, const double period, Vector &mean) const;
+
   private:
     /** f(t) times the integrals of the shape functions. */
     struct Amplitude

@@ -53,6 +53,10 @@ namespace Crevasse
     dealii::Tensor<1, dim>
     displacement(const Vector &displacement) const;
 
+    /** Along the inward normal of the lip; 0 off it. */
+    double
+    normal_component(const dealii::Tensor<1, dim> &displacement) const;
+
     VoigtVector<dim>
     stress(const Vector &stress) const;
 

@@ -29,6 +29,9 @@ namespace Crevasse
     const State  &state;
     const Vector &viscous_strain;
     const Vector &right_hand_side; ///< b of the contact problem
+    /** What is not in displacement and viscous strain, because it was split
+     * off; null: nothing. */
+    const SecularFlow *secular_flow;
   };
 
   /** What is known at the end of a period. */

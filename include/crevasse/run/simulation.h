@@ -26,7 +26,9 @@
 #include <deal.II/base/timer.h>
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace Crevasse
 {
@@ -53,6 +55,14 @@ namespace Crevasse
     run(const std::string &directory);
 
   private:
+    /** Those of the scene, and the secular flow. */
+    std::vector<Effects::Effect>
+    effects() const;
+
+    /** The flow that is split off, or was measured as drift. */
+    void
+    summarise_secular_flow(Summary &summary) const;
+
     PeriodicResult
     march(Solvers<dim> &solvers, const std::vector<Observer *> &observers);
 
@@ -74,6 +84,9 @@ namespace Crevasse
     const StepList                         steps;
     const std::unique_ptr<Integrator>      integrator; // none without viscosity
     const double                           smallest_relaxation_time;
+    Vector                                 mean_load; // where it was needed
+    const Effects::Effect                  secular_split;
+    std::optional<SecularFlow>             secular_flow;
     std::size_t                            rate_evaluations = 0;
   };
 } // namespace Crevasse

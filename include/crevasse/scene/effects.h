@@ -33,6 +33,10 @@ namespace Crevasse
 
     Effect contact;
     Effect viscosity;
+    Effect chain;
+    Effect thermal_strain;
+    Effect varying_stiffness; ///< by a factor or freely
+    Effect varying_viscosity;
     Effect body_force;
     Effect field_output;
 

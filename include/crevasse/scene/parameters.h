@@ -193,6 +193,7 @@ namespace Crevasse
     static constexpr const char *section = "Periodic state";
 
     std::string  method          = "march";
+    std::string  secular_split   = "automatic";
     unsigned int maximum_periods = 100;
     /** Change of stress, relative to its maximum, at which a march ends. 0:
      * all maximum_periods are computed. */

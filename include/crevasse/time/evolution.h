@@ -17,6 +17,7 @@
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/time/secular_flow.h>
 
 #include <functional>
 #include <vector>
@@ -71,10 +72,14 @@ namespace Crevasse
               const ExternalLoads<dim>   &loads,
               const Instants<dim>        &instants);
 
-    /** Subtracts the rates @p secular_rate, in the layout of r, which must
-     * outlive this object. */
+    /** Splits off a secular flow, which must outlive this object: q and r are
+     * periodic then. */
     void
-    split_off(const Vector &secular_rate);
+    split_off(const SecularFlow &flow);
+
+    /** The flow that is split off; null: none. */
+    const SecularFlow *
+    secular_flow() const;
 
     /** ṙ for the viscous strain @p r at the instant @p t of the period. */
     void
@@ -99,7 +104,7 @@ namespace Crevasse
     const StrainOperator<dim> &strain_operator;
     const ExternalLoads<dim>  &loads;
     const Instants<dim>        instants;
-    const Vector              *secular_rate = nullptr; ///< none: unsplit
+    const SecularFlow         *flow = nullptr; ///< none: unsplit
 
     /** Solves the variational inequality.
      *

@@ -1,0 +1,47 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_secular_problem_h
+#define crevasse_run_secular_problem_h
+
+#include <crevasse/run/body.h>
+#include <crevasse/run/solvers.h>
+#include <crevasse/scene/effects.h>
+#include <crevasse/scene/scene.h>
+#include <crevasse/time/secular_flow.h>
+
+#include <optional>
+
+namespace Crevasse
+{
+  /**
+   * Whether a scene is computed in the split form, u = βt + q, and why.
+   *
+   * @param[out] mean_load f̄, in the layout of displacements.
+   * @throw SceneError if [Periodic state] Secular split = on, but the material
+   * has no secular flow that splits off.
+   */
+  template <int dim>
+  Effects::Effect
+  choose_secular_split(const Scene     &scene,
+                       const Body<dim> &body,
+                       Vector          &mean_load);
+
+  /** Solves the secular problem. What it costs is added to the statistics of
+   * the solvers. */
+  template <int dim>
+  SecularFlow
+  solve_secular_problem(const Body<dim> &body,
+                        const Vector    &mean_load,
+                        Solvers<dim>    &solvers);
+} // namespace Crevasse
+
+#endif

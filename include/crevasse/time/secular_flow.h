@@ -1,0 +1,34 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_time_secular_flow_h
+#define crevasse_time_secular_flow_h
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  /** The part of the motion that goes on from period to period (model, §2):
+   * u = βt + q, ξᵢ = αᵢt + rᵢ. */
+  struct SecularFlow
+  {
+    Vector velocity;    ///< β; zero in constrained entries
+    Vector strain_rate; ///< αᵢ, in the layout of r
+    /** ḡ for each local lip node: the mean of g/η₀ over a period. */
+    std::vector<double> contact_forces;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,160 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/periodic/secular.h>
+#include <crevasse/run/secular_problem.h>
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Why no secular flow can be split off; nothing if it can. */
+    template <int dim>
+    std::string
+    obstacle(const Body<dim> &body)
+    {
+      if (!body.effects.viscosity.on)
+        return "without viscosity nothing flows";
+      if (body.law.has_spring())
+        return "the elastic spring of the chain bears the mean load";
+      if (body.material.fluidity_varies())
+        return "the viscosity varies in time, and not by [Material] Viscosity "
+               "time factor alone";
+      const bool has_all = has_viscosity<dim>(body.material.at(0.));
+      if (Utilities::MPI::min(has_all ? 1 : 0, body.space.communicator()) == 0)
+        return "the fluidity is singular: a part of the strain does not flow";
+      return "";
+    }
+
+
+
+    /** The load that counts as none beside this one. */
+    template <int dim>
+    double
+    negligible_load(const Body<dim> &body, const double period)
+    {
+      constexpr unsigned int n_samples = 64;
+      constexpr double       rounding  = 1e-13;
+      Vector                 loads;
+      body.strain_operator.initialize(loads);
+      double largest = 0.;
+      for (unsigned int k = 0; k < n_samples; ++k)
+        {
+          const double t = period * k / n_samples;
+          body.loads.evaluate(t, loads);
+          largest =
+            std::max(largest,
+                     loads.linfty_norm() /
+                       body.law.viscosity_factor().value(Point<dim>(), t));
+        }
+      return rounding * largest;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Effects::Effect
+  choose_secular_split(const Scene     &scene,
+                       const Body<dim> &body,
+                       Vector          &mean_load)
+  {
+    Effects::Effect    effect{"secular flow", false, ""};
+    const std::string &wish    = scene.periodic_state.secular_split;
+    const std::string  setting = "[Periodic state] Secular split = " + wish;
+    if (wish == "off")
+      {
+        effect.why = setting + ": what flows is in the displacement";
+        return effect;
+      }
+    const std::string reason = obstacle(body);
+    if (!reason.empty())
+      {
+        if (wish == "on")
+          throw SceneError(setting + ": " + reason +
+                           ". Set it to automatic or off.");
+        effect.why = reason;
+        return effect;
+      }
+    body.strain_operator.initialize(mean_load);
+    body.loads.mean(body.law.viscosity_factor(), scene.loads.period, mean_load);
+    effect.on =
+      mean_load.linfty_norm() > negligible_load(body, scene.loads.period);
+    effect.why =
+      effect.on ? "the mean load does not vanish" : "the mean load vanishes";
+    return effect;
+  }
+
+
+
+  template <int dim>
+  SecularFlow
+  solve_secular_problem(const Body<dim> &body,
+                        const Vector    &mean_load,
+                        Solvers<dim>    &solvers)
+  {
+    const MaterialState<dim> material = body.material.at(0.);
+    const Viscosity<dim>     viscosity =
+      viscosity_of<dim>(material, body.points.n_local_points());
+    const auto solve = [&](const double time, ContactSolver &contact_solver) {
+      return solve_secular_problem<dim>(body.strain_operator,
+                                        body.points,
+                                        material,
+                                        viscosity,
+                                        mean_load,
+                                        time,
+                                        contact_solver);
+    };
+
+    UnilateralBounds bounds = unilateral_bounds(body.lip);
+    const bool       has_gap =
+      std::any_of(bounds.gap.begin(), bounds.gap.end(), [](const double gap) {
+        return gap != 0.;
+      });
+    const bool is_closed =
+      Utilities::MPI::max(has_gap ? 1 : 0, body.space.communicator()) == 0;
+    // η = τK needs no factorisation of its own.
+    if (const auto tau = body.law.uniform_relaxation_time(); tau && is_closed)
+      return solve(*tau, solvers.current().contact_solver());
+
+    std::fill(bounds.gap.begin(), bounds.gap.end(), 0.);
+    ContactSystem<dim> system(solvers.settings(),
+                              body.space,
+                              body.points,
+                              viscosity.sum,
+                              bounds,
+                              &solvers.current().stiffness());
+    system.contact_solver().judge_by_load(mean_load.linfty_norm());
+    const SecularFlow flow = solve(1., system.contact_solver());
+    solvers.add(system.statistics());
+    return flow;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                 \
+  template Effects::Effect choose_secular_split<dim>(const Scene &,      \
+                                                     const Body<dim> &,  \
+                                                     Vector &);          \
+  template SecularFlow     solve_secular_problem<dim>(const Body<dim> &, \
+                                                  const Vector &,    \
+                                                  Solvers<dim> &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+} // namespace Crevasse

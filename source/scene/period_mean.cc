@@ -1,0 +1,59 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/period_mean.h>
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <limits>
+
+namespace Crevasse
+{
+  double
+  period_mean(const std::function<double(const double t)> &f,
+              const double                                 period)
+  {
+    constexpr unsigned int coarsest = 8, finest = 1024;
+    constexpr double rounding = 8. * std::numeric_limits<double>::epsilon();
+
+    double sum = 0., largest = 0.;
+    for (unsigned int k = 0; k < coarsest; ++k)
+      {
+        const double value = f(period * k / coarsest);
+        sum += value;
+        largest = std::max(largest, std::abs(value));
+      }
+    // Few instants can be blind to a harmonic: two refinements have to agree.
+    unsigned int agreements = 0;
+    double       mean       = sum / coarsest;
+    for (unsigned int n = coarsest; n < finest; n *= 2)
+      {
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            const double value = f(period * (k + 0.5) / n);
+            sum += value;
+            largest = std::max(largest, std::abs(value));
+          }
+        const double finer = sum / (2. * n);
+        agreements =
+          std::abs(finer - mean) <= rounding * largest ? agreements + 1 : 0;
+        mean = finer;
+        if (agreements == 2)
+          return mean;
+      }
+    constexpr unsigned int most_bisections = 30;
+    constexpr double       tolerance       = 1e-13;
+    return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
+             f, 0., period, most_bisections, tolerance) /
+           period;
+  }
+} // namespace Crevasse
