@@ -139,7 +139,7 @@ namespace Crevasse
   {
     Timer        timer;
     Solvers<dim> solvers(scene, body, steps, log, phases);
-    if (secular_split.on)
+    if (secular_split.on && scene.periodic_state.maximum_periods > 0)
       {
         TimerOutput::Scope phase(phases, "secular problem");
         secular_flow = solve_secular_problem(body, mean_load, solvers);

@@ -14,6 +14,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -109,6 +110,28 @@ namespace Crevasse
 
 
 
+    /** Bytes of the stiffness and its factor, or of those of all instants that
+     * are kept. */
+    template <int dim>
+    double
+    bytes_of_solvers(const Sizes                  &sizes,
+                     const Body<dim>              &body,
+                     const StepList               &steps,
+                     const LinearSolverParameters &parameters)
+    {
+      constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
+      constexpr double mebibyte        = 1024. * 1024.;
+      const double     one =
+        bytes_per_entry * solver_entries(sizes, body, parameters);
+      if (!body.material.stiffness_varies())
+        return one;
+      // Two stages a step, of which one may be another step's.
+      const double all = 2. * steps.n_steps() * one;
+      return one + std::min(all, parameters.memory_for_instants * mebibyte);
+    }
+
+
+
     /** Bytes of these, and of what is stored per quadrature point and per
      * unknown while a period is computed. */
     template <int dim>
@@ -121,16 +144,16 @@ namespace Crevasse
       // The stress of all samples of a period is kept to compare with the
       // next; the integrator keeps r, a stage and a rate for each stage. What
       // solvers and observers need besides is measured.
+      const double n_branches = body.law.branches().size();
       const double fields =
-        steps.n_steps() + (body.effects.viscosity.on ? 12. : 2.);
-      const double     vectors         = 30.;
-      constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
+        steps.n_steps() +
+        (body.effects.viscosity.on ? 8. + 4. * n_branches : 2.);
+      const double vectors = 30.;
       return bytes_of_libraries +
              sizeof(double) *
                (fields * n_stress_components<dim> * sizes.quadrature_points +
                 vectors * sizes.unknowns) +
-             bytes_per_entry *
-               solver_entries(sizes, body, scene.linear_solver) +
+             bytes_of_solvers(sizes, body, steps, scene.linear_solver) +
              bytes_of_field_output(sizes,
                                    body,
                                    steps,

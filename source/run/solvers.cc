@@ -59,6 +59,25 @@ namespace Crevasse
         }
       return settings;
     }
+
+
+
+    /** The largest nodal force of the stress that thermal strain would cause
+     * in a body that is held everywhere. */
+    template <int dim>
+    double
+    largest_thermal_load(const Body<dim> &body, const double t)
+    {
+      const MaterialState<dim> material = body.material.at(t);
+      Vector                   forces;
+      body.strain_operator.initialize(forces);
+      body.strain_operator.add_transpose(forces, [&](const std::size_t offset) {
+        const std::size_t point = offset / n_stress_components<dim>;
+        return material.stiffness_factor * ((*material.stiffness)[point] *
+                                            (*material.thermal_strain)[point]);
+      });
+      return forces.linfty_norm();
+    }
   } // namespace
 
 
@@ -223,6 +242,10 @@ namespace Crevasse
                               loads);
           largest = std::max(largest, loads.linfty_norm());
         }
+    if (body.material.has_thermal_strain())
+      for (unsigned int k = 0; k < steps.n_steps(); ++k)
+        largest =
+          std::max(largest, largest_thermal_load(body, steps.instant(k)));
     if (largest != 0. && !(largest >= 1e-70 && largest <= 1e70))
       throw SceneError(
         "[Loads]: the largest force on a node over a period is " +

@@ -86,6 +86,7 @@ def test_problem(results, period, step, is_closed):
 
 results = run(SOURCE / "prm/raous1980.prm", "export",
               ["Contact/Solver=automatic", "Output/Fields=none",
+               "Periodic state/Maximum periods=9",
                "Output/Contact problems=1: 10; 1: 34; 9: 0"])
 test_problem(results, 1, 10, False)
 test_problem(results, 1, 34, True)

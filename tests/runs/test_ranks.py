@@ -72,7 +72,7 @@ def test_flat_cells():
                     "Periodic state/Maximum periods=1",
                     "Periodic state/Tolerance=0"]
         for n_ranks in (1, 2):
-            results = run_on(n_ranks, f"flat_{height}_{n_ranks}",
+            results = run_on(n_ranks, SCENE, f"flat_{height}_{n_ranks}",
                              settings + ["Linear solver/Type=mumps"])
             certificate = results.summary["certificate"]
             print(f"height {height}, {n_ranks} ranks: {certificate}")
