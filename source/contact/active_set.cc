@@ -70,10 +70,10 @@ namespace Crevasse
 
 
   void
-  ActiveSet::start_from(const std::vector<double> &contact_forces)
+  ActiveSet::start_from(const std::vector<bool> &closed_bounds)
   {
-    for (std::size_t k = 0; k < contact_forces.size(); ++k)
-      active[k] = contact_forces[k] > 0.;
+    if (closed_bounds.size() == active.size())
+      active = closed_bounds;
   }
 
 

@@ -60,6 +60,19 @@ namespace Crevasse
 
 
   void
+  CondensedActiveSet::start_from(const std::vector<bool> &closed_bounds)
+  {
+    std::vector<double> flags(lip.n_nodes());
+    std::copy(closed_bounds.begin(),
+              closed_bounds.end(),
+              flags.begin() + lip.first());
+    lip.gather(flags.data());
+    lip_problem.start_from({flags.begin(), flags.end()});
+  }
+
+
+
+  void
   CondensedActiveSet::restrict_to_lip(const Vector           &v,
                                       dealii::Vector<double> &on_lip) const
   {

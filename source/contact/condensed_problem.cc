@@ -80,6 +80,17 @@ namespace Crevasse
 
 
   void
+  CondensedProblem::start_from(const std::vector<bool> &closed_nodes)
+  {
+    active.clear();
+    for (unsigned int i = 0; i < n; ++i)
+      if (closed_nodes[i])
+        active.push_back(i);
+  }
+
+
+
+  void
   CondensedProblem::forces_that_close(const dealii::Vector<double> &opening,
                                       dealii::Vector<double>       &forces)
   {

@@ -262,16 +262,20 @@ namespace Crevasse
 
 
 
-  const std::vector<double> &
-  ContactSolver::contact_forces() const
+  std::vector<bool>
+  ContactSolver::closed_bounds() const
   {
-    return forces;
+    const double      rounding = force_accuracy() * scales.force();
+    std::vector<bool> closed(forces.size());
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      closed[k] = forces[k] > rounding;
+    return closed;
   }
 
 
 
   void
-  ContactSolver::start_from(const std::vector<double> &)
+  ContactSolver::start_from(const std::vector<bool> &)
   {
   }
 

@@ -55,8 +55,7 @@ namespace Crevasse
   ContactSolverChoice
   choose_contact_solver(const ContactParameters  &parameters,
                         const LinearSolverChoice &linear_solver,
-                        const std::size_t         n_bounds,
-                        const bool                stiffness_varies)
+                        const std::size_t         n_bounds)
   {
     if (parameters.solver != "automatic")
       return {parameters.solver, "[Contact] Solver = " + parameters.solver};
@@ -68,10 +67,6 @@ namespace Crevasse
       return {"active set",
               "automatic: without a factor there are no cheap "
               "columns of the compliance"};
-    if (stiffness_varies)
-      return {"active set",
-              "automatic: the stiffness varies in time, and each instant would "
-              "need columns of its own compliance"};
     if (n_bounds > largest_lip)
       return {"active set",
               "automatic: the lip has more than " +

@@ -41,16 +41,16 @@ namespace Crevasse
                              Utilities::MPI::n_mpi_processes(communicator));
       const std::size_t n_bounds =
         Utilities::MPI::sum(body.lip.nodes().size(), communicator);
-      SolverSettings settings{
-        scene.contact,
-        scene.linear_solver,
-        linear,
-        choose_contact_solver(
-          scene.contact, linear, n_bounds, body.material.stiffness_varies()),
-        phases,
-        {},
-        {}};
-      const bool sweeps = settings.contact_choice.name == "projected sor" ||
+      SolverSettings settings{scene.contact,
+                              scene.linear_solver,
+                              linear,
+                              choose_contact_solver(scene.contact,
+                                                    linear,
+                                                    n_bounds),
+                              phases,
+                              {},
+                              {}};
+      const bool     sweeps = settings.contact_choice.name == "projected sor" ||
                           !scene.contact.relaxation_table.empty();
       if (sweeps && scene.contact.relaxed_together == "node")
         {
@@ -131,7 +131,7 @@ namespace Crevasse
                                                  : nullptr);
         if (last_system != nullptr)
           entry.system->contact_solver().start_from(
-            last_system->contact_solver().contact_forces());
+            last_system->contact_solver().closed_bounds());
       }
     return entry;
   }

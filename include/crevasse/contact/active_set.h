@@ -56,7 +56,7 @@ namespace Crevasse
     n_linear_iterations() const override;
 
     void
-    start_from(const std::vector<double> &contact_forces) override;
+    start_from(const std::vector<bool> &closed_bounds) override;
 
   protected:
     std::size_t

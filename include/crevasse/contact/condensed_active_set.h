@@ -39,6 +39,9 @@ namespace Crevasse
     std::string
     description() const override;
 
+    void
+    start_from(const std::vector<bool> &closed_bounds) override;
+
   protected:
     std::size_t
     iterate(const Vector &right_hand_side, Vector &solution) override;

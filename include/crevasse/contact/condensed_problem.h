@@ -59,6 +59,10 @@ namespace Crevasse
     solve(const dealii::Vector<double> &opening_without_contact,
           dealii::Vector<double>       &forces);
 
+    /** Makes these nodes the first set. */
+    void
+    start_from(const std::vector<bool> &closed_nodes);
+
     /** The forces that bring the nodes of the active set from the given
      * opening to none, whatever their sign. */
     void

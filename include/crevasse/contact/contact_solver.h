@@ -52,15 +52,15 @@ namespace Crevasse
     void
     judge_by_load(const double largest_nodal_force);
 
-    /** The forces of the last solution, for each locally owned bound, without
-     * any stiffness factor; empty before there is one. */
-    const std::vector<double> &
-    contact_forces() const;
+    /** Which of the locally owned bounds bear more than rounding in the last
+     * solution; empty before there is one. */
+    std::vector<bool>
+    closed_bounds() const;
 
-    /** Makes the contact that these forces show the first guess, if the method
-     * begins with one. */
+    /** Makes these bounds the first guess, if the method begins with one.
+     * Collective. */
     virtual void
-    start_from(const std::vector<double> &contact_forces);
+    start_from(const std::vector<bool> &closed_bounds);
 
     /** The maxima over all solves so far. */
     const Certificate &

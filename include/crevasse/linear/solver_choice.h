@@ -51,8 +51,7 @@ namespace Crevasse
   ContactSolverChoice
   choose_contact_solver(const ContactParameters  &parameters,
                         const LinearSolverChoice &linear_solver,
-                        const std::size_t         n_bounds,
-                        const bool                stiffness_varies);
+                        const std::size_t         n_bounds);
 } // namespace Crevasse
 
 #endif
