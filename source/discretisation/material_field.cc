@@ -11,6 +11,8 @@
 
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/scene/collectively.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 #include <deal.II/fe/fe_values.h>
 
@@ -74,6 +76,8 @@ namespace Crevasse
             }
       }
 
+    check_requirements({0.});
+    constant.plane_stress = law.is_plane_stress();
     for (const auto &branch : law.branches())
       constant.fractions.push_back(branch.fraction);
     constant.fluidity.resize(law.branches().size());
@@ -116,7 +120,9 @@ namespace Crevasse
 
   template <int dim>
   Place<dim>
-  MaterialField<dim>::place(const std::size_t point, const double t) const
+  MaterialField<dim>::place(const std::size_t point,
+                            const double      t,
+                            const bool        with_temperature) const
   {
     Place<dim> place;
     place.t = t;
@@ -125,7 +131,7 @@ namespace Crevasse
         place.point    = locations[point];
         place.material = materials[point];
       }
-    if (!temperature.is_zero())
+    if (with_temperature)
       place.temperature = temperature.value(place.point, t);
     return place;
   }
@@ -138,9 +144,10 @@ namespace Crevasse
   MaterialField<dim>::evaluate(const Property<Value> &property,
                                const double           t) const
   {
+    const bool with_temperature = property.depends_on("theta");
     if (!varies_in_space(property))
       return std::make_shared<const PointValues<Value>>(
-        property.at(place(0, t)));
+        property.at(place(0, t, with_temperature)));
 
     std::vector<Value>                             distinct;
     std::vector<std::uint32_t>                     which(n_points);
@@ -148,7 +155,7 @@ namespace Crevasse
     std::vector<double>                            values;
     for (std::size_t p = 0; p < n_points; ++p)
       {
-        property.evaluate(place(p, t), values);
+        property.evaluate(place(p, t, with_temperature), values);
         const auto [number, is_new] =
           numbers.emplace(key_of(values), distinct.size());
         if (is_new)
@@ -168,20 +175,17 @@ namespace Crevasse
     const Property<VoigtVector<dim>> &expansion = law.thermal_expansion();
     if (!temperature.depends_on_space() && !varies_in_space(expansion))
       {
-        const Place<dim> anywhere = place(0, t);
+        const Place<dim> anywhere = place(0, t, true);
         return std::make_shared<const Vectors>(expansion.at(anywhere) *
                                                anywhere.temperature);
       }
     std::vector<VoigtVector<dim>> strains(n_points);
-    std::vector<std::uint32_t>    which(n_points);
     for (std::size_t p = 0; p < n_points; ++p)
       {
-        const Place<dim> here = place(p, t);
+        const Place<dim> here = place(p, t, true);
         strains[p]            = expansion.at(here) * here.temperature;
-        which[p]              = p;
       }
-    return std::make_shared<const Vectors>(std::move(strains),
-                                           std::move(which));
+    return std::make_shared<const Vectors>(std::move(strains));
   }
 
 
@@ -257,6 +261,12 @@ namespace Crevasse
   {
     state.stiffness_factor = law.stiffness_factor().value(Point<dim>(), t);
     state.viscosity_factor = law.viscosity_factor().value(Point<dim>(), t);
+    if (!(state.viscosity_factor > 0.))
+      throw NumericalError(
+        Text::parameter(MaterialParameters::section, "Viscosity time factor") +
+        " = " + law.viscosity_factor().formula() + ": is " +
+        Text::from_number(state.viscosity_factor) +
+        " at t = " + Text::from_number(t) + "; it must be greater than 0.");
   }
 
 

@@ -46,11 +46,12 @@ namespace Crevasse
                                 const double           t,
                                 Miss                  &worst) const
   {
+    const bool          with_temperature = property.depends_on("theta");
     std::vector<double> values;
     const std::size_t n = varies_in_space(property) ? n_points : std::size_t(1);
     for (std::size_t p = 0; p < n; ++p)
       {
-        const Place<dim> here = place(p, t);
+        const Place<dim> here = place(p, t, with_temperature);
         property.evaluate(here, values);
         for (const auto &requirement : property.requirements)
           if (const double excess = requirement.excess(values);
@@ -60,6 +61,33 @@ namespace Crevasse
                        Text::from_number(requirement.actual(values)) + ' ' +
                        describe(here) + "; " + requirement.text + '.'};
       }
+  }
+
+
+
+  template <int dim>
+  void
+  MaterialField<dim>::check_requirements(
+    const std::vector<double> &instants) const
+  {
+    Miss       worst;
+    const bool varies = stiffness_varies() || fluidity_varies();
+    collectively(communicator, [&]() {
+      for (const double t : instants)
+        {
+          find_miss(law.stiffness(), t, worst);
+          for (const auto &branch : law.branches())
+            find_miss(branch.fluidity, t, worst);
+          if (!varies)
+            break;
+        }
+    });
+    // The worst of all ranks speaks.
+    const double excess = Utilities::MPI::max(worst.excess, communicator);
+    collectively(communicator, [&]() {
+      if (excess > 0. && worst.excess == excess)
+        throw SceneError(worst.message);
+    });
   }
 
 
@@ -114,31 +142,22 @@ namespace Crevasse
   {
     check_factor(law.stiffness_factor(), "Stiffness time factor", instants);
     check_factor(law.viscosity_factor(), "Viscosity time factor", instants);
-
-    Miss       worst;
-    const bool rates_vary = stiffness_varies() || fluidity_varies();
-    collectively(communicator, [&]() {
+    check_requirements(instants);
+    if (thermal_strain_varies())
       for (const double t : instants)
-        {
-          find_miss(law.stiffness(), t, worst);
-          for (const auto &branch : law.branches())
-            find_miss(branch.fluidity, t, worst);
-          if (!rates_vary)
-            break;
-        }
-    });
-    // The worst of all ranks speaks.
-    const double excess = Utilities::MPI::max(worst.excess, communicator);
-    collectively(communicator, [&]() {
-      if (excess > 0. && worst.excess == excess)
-        throw SceneError(worst.message);
-    });
+        collectively(communicator, [&]() { evaluate_thermal_strain(t); });
+    if (law.branches().empty())
+      return std::numeric_limits<double>::infinity();
 
-    double rate = 0., largest = 0.;
+    const bool rates_vary = stiffness_varies() || fluidity_varies();
+    double     rate = 0., largest = 0.;
     for (const double t : instants)
       {
         if (rates_vary || t == instants.front())
-          rate = largest_rate(at(t));
+          {
+            const MaterialState<dim> state = at(t);
+            collectively(communicator, [&]() { rate = largest_rate(state); });
+          }
         MaterialState<dim> factors;
         set_factors(t, factors);
         largest =
@@ -152,6 +171,10 @@ namespace Crevasse
 
 
 
+  template void
+  MaterialField<2>::check_requirements(const std::vector<double> &) const;
+  template void
+  MaterialField<3>::check_requirements(const std::vector<double> &) const;
   template double
   MaterialField<2>::survey(const std::vector<double> &) const;
   template double

@@ -64,10 +64,6 @@ namespace Crevasse
     const bool is_plane_stress  = dim == 2 && matrix[2].norm_square() == 0.;
     const unsigned int n_normal = is_plane_stress ? 2 : 3;
     const double       shear    = matrix[3][3];
-    // A stiffness has the shear modulus there, a compliance its inverse.
-    const double difference = matrix[0][0] - matrix[0][1];
-    if (!equal(2. * shear, difference) && !equal(shear, 2. * difference))
-      return false;
     for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
       for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
         {

@@ -50,17 +50,19 @@ namespace Crevasse
     : K(stiffness_property<dim>(parameters))
     , maxwell_branches(make_branches<dim>(parameters))
     , expansion(thermal_expansion_property<dim>(parameters))
+    , plane_stress(dim == 2 && parameters.plane_state == "plane stress")
     , k(parameters.stiffness_time_factor)
     , eta_0(parameters.viscosity_time_factor)
   {
+    if (parameters.viscosity != "relaxation time")
+      return;
     const Expression tau(parameters.relaxation_time,
                          Expression::Variables::space_time_and_material);
     bool             is_one = k.is_constant() && k.value(Place<dim>()) == 1. &&
                   eta_0.is_constant() && eta_0.value(Place<dim>()) == 1.;
     for (const Expression &formula : K.formulas)
       is_one = is_one && formula.is_constant();
-    if (is_one && parameters.viscosity == "relaxation time" &&
-        tau.is_constant())
+    if (is_one && tau.is_constant())
       uniform_tau = tau.value(Place<dim>());
   }
 
@@ -107,6 +109,15 @@ namespace Crevasse
   MaxwellLaw<dim>::viscosity_factor() const
   {
     return eta_0;
+  }
+
+
+
+  template <int dim>
+  bool
+  MaxwellLaw<dim>::is_plane_stress() const
+  {
+    return plane_stress;
   }
 
 

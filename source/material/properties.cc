@@ -150,7 +150,7 @@ namespace Crevasse
 
 
 
-    /** Entries beside the formulas of a matrix may stand behind it. */
+    /** @p values may be longer than the matrix. */
     template <int dim>
     VoigtMatrix<dim>
     matrix_of(const Values &values, const std::vector<unsigned int> &places)
@@ -190,7 +190,9 @@ namespace Crevasse
       const auto least = [places](const Values &values) {
         const auto matrix = matrix_of<dim>(values, places);
         return least_relative_eigenvalue<dim>(0.5 *
-                                              (matrix + transpose(matrix)));
+                                                (matrix + transpose(matrix)),
+                                              places.size() <
+                                                n_stress_components<dim>);
       };
       constexpr double definite = 1e-14;
       property.requirements.push_back(

@@ -13,9 +13,7 @@
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/scene/problems.h>
 
-#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,11 +40,11 @@ namespace Crevasse
     /** The components that a matrix works on. */
     template <int dim>
     std::vector<unsigned int>
-    components(const VoigtMatrix<dim> &matrix)
+    components(const bool in_plane_only)
     {
       std::vector<unsigned int> all;
       for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
-        if (i != thickness || !is_in_plane<dim>(matrix))
+        if (i != thickness || !in_plane_only)
           all.push_back(i);
       return all;
     }
@@ -58,19 +56,23 @@ namespace Crevasse
   VoigtMatrix<dim>
   inverse(const VoigtMatrix<dim> &matrix)
   {
-    const auto         places = components<dim>(matrix);
-    const unsigned int n      = places.size();
-    FullMatrix<double> full(n, n);
+    const auto               places = components<dim>(is_in_plane<dim>(matrix));
+    const unsigned int       n      = places.size();
+    LAPACKFullMatrix<double> full(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        full(i, j) = matrix[places[i]][places[j]];
+        full(i, j) =
+          0.5 * (matrix[places[i]][places[j]] + matrix[places[j]][places[i]]);
+    full.set_property(LAPACKSupport::symmetric);
     try
       {
-        full.gauss_jordan();
+        full.compute_cholesky_factorization();
+        full.invert();
       }
     catch (const ExceptionBase &)
       {
-        throw NumericalError("A matrix of the material is singular.");
+        throw NumericalError(
+          "A matrix of [Material] is not positive definite.");
       }
     VoigtMatrix<dim> result;
     for (unsigned int i = 0; i < n; ++i)
@@ -111,9 +113,10 @@ namespace Crevasse
 
   template <int dim>
   double
-  least_relative_eigenvalue(const VoigtMatrix<dim> &matrix)
+  least_relative_eigenvalue(const VoigtMatrix<dim> &matrix,
+                            const bool              in_plane_only)
   {
-    const auto               places  = components<dim>(matrix);
+    const auto               places  = components<dim>(in_plane_only);
     const unsigned int       n       = places.size();
     double                   largest = 0.;
     LAPACKFullMatrix<double> full(n, n);
@@ -146,7 +149,7 @@ namespace Crevasse
         const double tension    = (K[0][0] + (directions - 1.) * K[0][1]) *
                                (H[0][0] + (directions - 1.) * H[0][1]);
         const double shear = (K[0][0] - K[0][1]) * (H[0][0] - H[0][1]);
-        return std::max(tension, shear);
+        return std::max({tension, shear, K[3][3] * H[3][3]});
       }
     // HK is similar to the symmetric √H K √H: its eigenvalues are real, and
     // small enough for the general eigenvalue solver of LAPACK.
@@ -170,7 +173,8 @@ namespace Crevasse
   template VoigtMatrix<dim> inverse<dim>(const VoigtMatrix<dim> &);            \
   template VoigtMatrix<dim> condense_thickness<dim>(const VoigtMatrix<dim> &); \
   template VoigtMatrix<dim> in_plane<dim>(const VoigtMatrix<dim> &);           \
-  template double least_relative_eigenvalue<dim>(const VoigtMatrix<dim> &);    \
+  template double least_relative_eigenvalue<dim>(const VoigtMatrix<dim> &,     \
+                                                 const bool);                  \
   template double largest_relaxation_rate<dim>(const VoigtMatrix<dim> &,       \
                                                const VoigtMatrix<dim> &)
 

@@ -27,9 +27,8 @@ namespace Crevasse
      * which a plate creeps but bears no stress, where K has none. */
     template <int dim>
     VoigtMatrix<dim>
-    bearing_part(const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K)
+    bearing_part(const VoigtMatrix<dim> &H, const bool plane_stress)
     {
-      const bool plane_stress = dim == 2 && K[2].norm_square() == 0.;
       return plane_stress ? in_plane<dim>(H) : H;
     }
 
@@ -37,13 +36,13 @@ namespace Crevasse
 
     template <int dim>
     Matrices<dim>
-    inverse_of(const Matrices<dim>    &fluidity,
-               const VoigtMatrix<dim> &K,
-               const std::size_t       n_points)
+    inverse_of(const Matrices<dim> &fluidity,
+               const bool           plane_stress,
+               const std::size_t    n_points)
     {
       std::vector<VoigtMatrix<dim>> values;
       for (const VoigtMatrix<dim> &H : fluidity.distinct())
-        values.push_back(inverse<dim>(bearing_part<dim>(H, K)));
+        values.push_back(inverse<dim>(bearing_part<dim>(H, plane_stress)));
       if (fluidity.is_uniform())
         return Matrices<dim>(values.front());
       std::vector<std::uint32_t> which(n_points);
@@ -98,7 +97,8 @@ namespace Crevasse
     for (const auto &fluidity : material.fluidity)
       for (const VoigtMatrix<dim> &H : fluidity->distinct())
         if (least_relative_eigenvalue<dim>(
-              bearing_part<dim>(H, (*material.stiffness)[0])) < definite)
+              bearing_part<dim>(H, material.plane_stress),
+              material.plane_stress) < definite)
           return false;
     return true;
   }
@@ -109,10 +109,10 @@ namespace Crevasse
   Viscosity<dim>
   viscosity_of(const MaterialState<dim> &material, const std::size_t n_points)
   {
-    const VoigtMatrix<dim>    &K = material.stiffness->distinct().front();
     std::vector<Matrices<dim>> branches;
     for (const auto &fluidity : material.fluidity)
-      branches.push_back(inverse_of<dim>(*fluidity, K, n_points));
+      branches.push_back(
+        inverse_of<dim>(*fluidity, material.plane_stress, n_points));
     Matrices<dim> sum = sum_of<dim>(branches, n_points);
     return {std::move(branches), std::move(sum)};
   }
@@ -121,13 +121,13 @@ namespace Crevasse
 
   template <int dim>
   SecularFlow
-  solve_secular_problem(const StrainOperator<dim>  &strain_operator,
-                        const QuadratureField<dim> &points,
-                        const MaterialState<dim>   &material,
-                        const Viscosity<dim>       &viscosity,
-                        const Vector               &mean_load,
-                        const double                time,
-                        ContactSolver              &contact_solver)
+  secular_flow_of(const StrainOperator<dim>  &strain_operator,
+                  const QuadratureField<dim> &points,
+                  const MaterialState<dim>   &material,
+                  const Viscosity<dim>       &viscosity,
+                  const Vector               &mean_load,
+                  const double                time,
+                  ContactSolver              &contact_solver)
   {
     using Field                   = QuadratureField<dim>;
     const unsigned int n_branches = material.fluidity.size();
@@ -154,18 +154,17 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                  \
-  template bool           has_viscosity<dim>(const MaterialState<dim> &); \
-  template Viscosity<dim> viscosity_of<dim>(const MaterialState<dim> &,   \
-                                            const std::size_t);           \
-  template SecularFlow    solve_secular_problem<dim>(                     \
-    const StrainOperator<dim> &,                                       \
-    const QuadratureField<dim> &,                                      \
-    const MaterialState<dim> &,                                        \
-    const Viscosity<dim> &,                                            \
-    const Vector &,                                                    \
-    const double,                                                      \
-    ContactSolver &)
+#define INSTANTIATE(dim)                                                     \
+  template bool           has_viscosity<dim>(const MaterialState<dim> &);    \
+  template Viscosity<dim> viscosity_of<dim>(const MaterialState<dim> &,      \
+                                            const std::size_t);              \
+  template SecularFlow    secular_flow_of<dim>(const StrainOperator<dim> &,  \
+                                            const QuadratureField<dim> &, \
+                                            const MaterialState<dim> &,   \
+                                            const Viscosity<dim> &,       \
+                                            const Vector &,               \
+                                            const double,                 \
+                                            ContactSolver &)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

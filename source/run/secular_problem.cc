@@ -48,14 +48,14 @@ namespace Crevasse
     double
     negligible_load(const Body<dim> &body, const double period)
     {
-      constexpr unsigned int n_samples = 64;
-      constexpr double       rounding  = 1e-13;
+      constexpr unsigned int n_samples = 512;
+      constexpr double       rounding  = 1e-12;
       Vector                 loads;
       body.strain_operator.initialize(loads);
       double largest = 0.;
       for (unsigned int k = 0; k < n_samples; ++k)
         {
-          const double t = period * k / n_samples;
+          const double t = period * (k + 0.5) / n_samples;
           body.loads.evaluate(t, loads);
           largest =
             std::max(largest,
@@ -112,13 +112,13 @@ namespace Crevasse
     const Viscosity<dim>     viscosity =
       viscosity_of<dim>(material, body.points.n_local_points());
     const auto solve = [&](const double time, ContactSolver &contact_solver) {
-      return solve_secular_problem<dim>(body.strain_operator,
-                                        body.points,
-                                        material,
-                                        viscosity,
-                                        mean_load,
-                                        time,
-                                        contact_solver);
+      return secular_flow_of<dim>(body.strain_operator,
+                                  body.points,
+                                  material,
+                                  viscosity,
+                                  mean_load,
+                                  time,
+                                  contact_solver);
     };
 
     UnilateralBounds bounds = unilateral_bounds(body.lip);

@@ -27,7 +27,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
-#include <numeric>
 #include <sstream>
 
 namespace Crevasse
@@ -89,8 +88,9 @@ namespace Crevasse
     , integrator(body.effects.viscosity.on
                    ? make_integrator(scene.time_integration)
                    : nullptr)
-    , smallest_relaxation_time(
-        body.material.survey(steps.instants_and_middles()))
+    , smallest_relaxation_time(body.material.survey(steps.survey_instants(
+        integrator != nullptr ? integrator->quadrature().nodes
+                              : std::vector<double>())))
     , secular_split(choose_secular_split(scene, body, mean_load))
   {
     if (scene.output.elastic_comparison != "none")
@@ -211,7 +211,7 @@ namespace Crevasse
       [&solvers]() { return solvers.statistics().vi_solves; },
       scene.periodic_state.tolerance,
       scene.periodic_state.maximum_periods);
-    if (secular_flow)
+    if (secular_flow && scene.periodic_state.secular_split == "on")
       evolution.split_off(*secular_flow);
     Vector viscous_strain;
     if (body.effects.viscosity.on)
@@ -256,11 +256,10 @@ namespace Crevasse
     mean.displacement       = secular_flow->velocity;
     mean.contact_forces     = secular_flow->contact_forces;
     secular["largest_rate"] = mean.displacement.linfty_norm();
-    secular["contact_force"] =
-      Utilities::MPI::sum(std::accumulate(mean.contact_forces.begin(),
-                                          mean.contact_forces.end(),
-                                          0.),
-                          communicator);
+    double force            = 0.;
+    for (std::size_t k = 0; k < mean.contact_forces.size(); ++k)
+      force += body.lip.nodes()[k].force(mean.contact_forces[k]);
+    secular["contact_force"] = Utilities::MPI::sum(force, communicator);
     for (const auto &probe : probes)
       {
         auto      &entry = secular["per_probe"][probe.name()];

@@ -16,6 +16,7 @@
 #include <crevasse/scene/text.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace Crevasse
@@ -54,8 +55,11 @@ namespace Crevasse
     bool
     temperature_varies(const Scene &scene)
     {
-      return Temperature<2>::is_file(scene.loads.temperature) ||
-             Expression(scene.loads.temperature).depends_on_time();
+      const auto &[source, period] =
+        std::tie(scene.loads.temperature, scene.loads.period);
+      return scene.dimension == 2
+               ? Temperature<2>(source, period).depends_on_time()
+               : Temperature<3>(source, period).depends_on_time();
     }
 
 

@@ -221,7 +221,12 @@ namespace Crevasse
     if (parameters.shape == "mesh file")
       read_mesh(parameters.mesh_file, mesh);
     else
-      make_plate(parameters, mesh);
+      {
+        make_plate(parameters, mesh);
+        // deal.II's colours of the parts are not materials.
+        for (const auto &cell : mesh.cell_iterators())
+          cell->set_material_id(0);
+      }
     mesh.refine_global(parameters.refinements);
   }
 

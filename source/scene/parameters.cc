@@ -312,11 +312,13 @@ namespace Crevasse
     prm.add_parameter(
       "Secular split",
       secular_split,
-      "Whether the flow that a mean load causes is found by itself, from a "
-      "stationary contact problem, and the periodic motion without it: u = "
-      "beta t + q. \"automatic\" does so if there is a mean load and the "
-      "viscosity is a function of place times one of time; \"off\" leaves "
-      "the flow in the displacement, which then grows from period to period.",
+      "The flow beta that a mean load causes is the solution of a stationary "
+      "contact problem. \"automatic\" finds it so if there is a mean load and "
+      "the viscosity is a function of place times one of time, and integrates "
+      "the whole motion from rest; \"on\" integrates only the periodic part "
+      "q of u = beta t + q, which has a contact condition of its own: the "
+      "periodic state is the same, the way to it is not; \"off\" only "
+      "measures what the displacement gains over a period.",
       Patterns::Selection("automatic|on|off"));
     prm.add_parameter("Maximum periods",
                       maximum_periods,

@@ -22,24 +22,29 @@ namespace Crevasse
   period_mean(const std::function<double(const double t)> &f,
               const double                                 period)
   {
-    constexpr unsigned int coarsest = 8, finest = 1024;
+    constexpr unsigned int coarsest = 128, finest = 8192;
     constexpr double rounding = 8. * std::numeric_limits<double>::epsilon();
+
+    // Away from the instants that formulas like, such as fractions of T.
+    constexpr double offset = 0.309016994374947;
 
     double sum = 0., largest = 0.;
     for (unsigned int k = 0; k < coarsest; ++k)
       {
-        const double value = f(period * k / coarsest);
+        const double value = f(period * (k + offset) / coarsest);
         sum += value;
         largest = std::max(largest, std::abs(value));
       }
-    // Few instants can be blind to a harmonic: two refinements have to agree.
+    // Equal steps are blind to the harmonics that they divide: two refinements
+    // have to agree, so that only multiples of 512 could deceive.
     unsigned int agreements = 0;
     double       mean       = sum / coarsest;
     for (unsigned int n = coarsest; n < finest; n *= 2)
       {
         for (unsigned int k = 0; k < n; ++k)
           {
-            const double value = f(period * (k + 0.5) / n);
+            const double x     = (k + 0.5) / n + offset / coarsest;
+            const double value = f(period * (x < 1. ? x : x - 1.));
             sum += value;
             largest = std::max(largest, std::abs(value));
           }
@@ -50,7 +55,7 @@ namespace Crevasse
         if (agreements == 2)
           return mean;
       }
-    constexpr unsigned int most_bisections = 30;
+    constexpr unsigned int most_bisections = 50;
     constexpr double       tolerance       = 1e-13;
     return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
              f, 0., period, most_bisections, tolerance) /

@@ -65,7 +65,8 @@ namespace Crevasse
   bool
   Temperature<dim>::depends_on_time() const
   {
-    return table != nullptr || formula->depends_on_time();
+    return table != nullptr ? table->n_instants() > 1
+                            : formula->depends_on_time();
   }
 
 

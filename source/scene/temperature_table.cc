@@ -57,6 +57,9 @@ namespace Crevasse
       std::string   line;
       if (!std::getline(file, line))
         refuse(file_name, "cannot be read, or is empty.");
+      // Some spreadsheets begin a file with a byte order mark.
+      if (line.rfind("\xEF\xBB\xBF", 0) == 0)
+        line.erase(0, 3);
       line.erase(std::remove_if(line.begin(), line.end(), ::isspace),
                  line.end());
       if (line != header<dim>())
@@ -168,6 +171,15 @@ namespace Crevasse
       }
     for (Table<dim, double> &table : tables)
       grids.push_back(std::make_unique<const Grid>(coordinates, table));
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  TemperatureTable<dim>::n_instants() const
+  {
+    return instants.size();
   }
 
 

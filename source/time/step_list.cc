@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace Crevasse
@@ -84,15 +85,17 @@ namespace Crevasse
 
 
   std::vector<double>
-  StepList::instants_and_middles() const
+  StepList::survey_instants(const std::vector<double> &fractions) const
   {
-    std::vector<double> all;
+    std::set<double> all;
     for (unsigned int k = 0; k < n_steps(); ++k)
       {
-        all.push_back(instant(k));
-        all.push_back(instant(k) + 0.5 * step(k));
+        all.insert(instant(k));
+        all.insert(instant(k) + 0.5 * step(k));
+        for (const double fraction : fractions)
+          all.insert(within_period(instant(k) + fraction * step(k)));
       }
-    return all;
+    return {all.begin(), all.end()};
   }
 
 

@@ -34,6 +34,9 @@ namespace Crevasse
     std::vector<std::shared_ptr<const Matrices>> fluidity;  ///< Hᵢ
     std::shared_ptr<const Vectors> thermal_strain; ///< χθ; null: none
 
+    /** Whether stiffness and viscosity have no 33 row. */
+    bool plane_stress = false;
+
     double stiffness_factor = 1.; ///< k
     double viscosity_factor = 1.; ///< η₀
 
@@ -107,7 +110,9 @@ namespace Crevasse
 
     /** Where and in which material a point lies, and its temperature. */
     Place<dim>
-    place(const std::size_t point, const double t) const;
+    place(const std::size_t point,
+          const double      t,
+          const bool        with_temperature) const;
 
     template <typename Value>
     std::shared_ptr<const PointValues<Value>>
@@ -128,6 +133,10 @@ namespace Crevasse
     find_miss(const Property<Value> &property,
               const double           t,
               Miss                  &worst) const;
+
+    /** @throw SceneError with what misses a requirement most. */
+    void
+    check_requirements(const std::vector<double> &instants) const;
 
     void
     check_factor(const Expression          &factor,

@@ -27,6 +27,14 @@ namespace Crevasse
     /** The same value everywhere. */
     explicit PointValues(const Value &value)
       : values(1, value)
+      , uniform(true)
+    {
+    }
+
+    /** Each point has its own. */
+    explicit PointValues(std::vector<Value> &&values)
+      : values(std::move(values))
+      , uniform(false)
     {
     }
 
@@ -34,19 +42,20 @@ namespace Crevasse
     PointValues(std::vector<Value> &&values, std::vector<std::uint32_t> &&which)
       : values(std::move(values))
       , which(std::move(which))
+      , uniform(false)
     {
     }
 
     const Value &
     operator[](const std::size_t point) const
     {
-      return values[which.empty() ? 0 : which[point]];
+      return values[index(point)];
     }
 
     bool
     is_uniform() const
     {
-      return which.empty();
+      return uniform;
     }
 
     /** The values that occur, in no particular order. */
@@ -60,7 +69,7 @@ namespace Crevasse
     std::size_t
     index(const std::size_t point) const
     {
-      return which.empty() ? 0 : which[point];
+      return uniform ? 0 : (which.empty() ? point : which[point]);
     }
 
     std::size_t
@@ -72,7 +81,8 @@ namespace Crevasse
 
   private:
     std::vector<Value>         values;
-    std::vector<std::uint32_t> which; ///< empty: one value for all
+    std::vector<std::uint32_t> which;   ///< empty: one for all or for each
+    bool                       uniform; ///< also on a rank without points
   };
 } // namespace Crevasse
 

@@ -32,9 +32,10 @@ namespace Crevasse
   VoigtMatrix<dim>
   isotropic_compliance(const double young_modulus, const double poisson_ratio);
 
-  /** Whether a matrix has the same row for each direction and for each shear,
-   * perhaps but for the 33 row and column, which then are those of plane
-   * stress. */
+  /** Whether a matrix is that of an isotropic body or at least has, as those of
+   * cubic symmetry, the eigenvectors of one: the same entries for all
+   * directions, the same for all shears, no coupling of the two; perhaps
+   * without the 33 row and column. */
   template <int dim>
   bool
   is_isotropic(const VoigtMatrix<dim> &matrix);

@@ -64,6 +64,10 @@ namespace Crevasse
     const Expression &
     viscosity_factor() const;
 
+    /** Whether stiffness and viscosity have no 33 row. */
+    bool
+    is_plane_stress() const;
+
     /** Whether part of the stiffness does not creep: then there is no secular
      * flow. */
     bool
@@ -80,6 +84,7 @@ namespace Crevasse
     Property<VoigtMatrix<dim>> K;
     std::vector<Branch>        maxwell_branches;
     Property<VoigtVector<dim>> expansion;
+    const bool                 plane_stress;
     Expression                 k;
     Expression                 eta_0;
     std::optional<double>      uniform_tau;

@@ -37,10 +37,11 @@ namespace Crevasse
   in_plane(const VoigtMatrix<dim> &matrix);
 
   /** The least eigenvalue of a symmetric matrix relative to the largest
-   * |entry|, in the plane only if the 33 row is zero. */
+   * |entry|; with @p in_plane_only that of what is left without the 33 row. */
   template <int dim>
   double
-  least_relative_eigenvalue(const VoigtMatrix<dim> &matrix);
+  least_relative_eigenvalue(const VoigtMatrix<dim> &matrix,
+                            const bool              in_plane_only);
 
   /** The largest eigenvalue of H K, both symmetric and positive semidefinite:
    * the rate at which the fastest stress relaxes. Unit: 1/time. */

@@ -56,13 +56,13 @@ namespace Crevasse
    */
   template <int dim>
   SecularFlow
-  solve_secular_problem(const StrainOperator<dim>  &strain_operator,
-                        const QuadratureField<dim> &points,
-                        const MaterialState<dim>   &material,
-                        const Viscosity<dim>       &viscosity,
-                        const Vector               &mean_load,
-                        const double                time,
-                        ContactSolver              &contact_solver);
+  secular_flow_of(const StrainOperator<dim>  &strain_operator,
+                  const QuadratureField<dim> &points,
+                  const MaterialState<dim>   &material,
+                  const Viscosity<dim>       &viscosity,
+                  const Vector               &mean_load,
+                  const double                time,
+                  ContactSolver              &contact_solver);
 } // namespace Crevasse
 
 #endif

@@ -64,6 +64,11 @@ namespace Crevasse
                   const UnilateralBounds              &bounds,
                   const SparseMatrix                  *same_pattern = nullptr);
 
+    // Its parts refer to one another.
+    ContactSystem(const ContactSystem &) = delete;
+    ContactSystem &
+    operator=(const ContactSystem &) = delete;
+
     const SparseMatrix &
     stiffness() const;
 

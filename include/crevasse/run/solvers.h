@@ -44,6 +44,11 @@ namespace Crevasse
             Log                 &log,
             dealii::TimerOutput &phases);
 
+    // Its parts refer to one another.
+    Solvers(const Solvers &) = delete;
+    Solvers &
+    operator=(const Solvers &) = delete;
+
     /** See Instants. */
     Instant<dim>
     at(const double t);

@@ -39,6 +39,9 @@ namespace Crevasse
     double
     value(const dealii::Point<dim> &point, const double t) const;
 
+    std::size_t
+    n_instants() const;
+
   private:
     using Grid = dealii::Functions::InterpolatedTensorProductGridData<dim>;
 

@@ -42,10 +42,11 @@ namespace Crevasse
     double
     largest_step() const;
 
-    /** The beginnings and the middles of all steps, where what holds for the
-     * whole period is looked at. */
+    /** Beginnings and middles of all steps, and the instants at the given
+     * fractions of each, all within the period: where what holds for the whole
+     * period is looked at. */
     std::vector<double>
-    instants_and_middles() const;
+    survey_instants(const std::vector<double> &fractions) const;
 
     /** The step whose beginning is nearest to @p t, as if the period were
      * repeated. */
