@@ -1,0 +1,305 @@
+"""The flow that a mean load causes, beta, from its stationary contact problem:
+against closed forms, against what marching without the split gives, and its
+contact pressure against the mean of that of the periodic state. And what does
+not flow: zero mean loads under a stiffness that varies."""
+
+import math
+
+from crevasse_run import check, check_below, run
+
+SCENE = """
+subsection Geometry
+  set Shape        = edge crack
+  set Subdivisions = 8, 4
+end
+subsection Material
+  set Young modulus   = 13000
+  set Poisson ratio   = 0.2
+  set Relaxation time = 60
+end
+subsection Loads
+  set Period = 600
+end
+subsection Contact
+  set Tolerance = 1e-14
+end
+subsection Periodic state
+  set Maximum periods = 300
+  set Tolerance       = 1e-12
+end
+subsection Output
+  set Probes = mouth: 1, 0; inside: 0.75, 0; near: 0.625, 0; top: 0.25, 1
+  set Fields = none
+end
+"""
+
+PROBES = ("mouth", "inside", "near", "top")
+PERIOD, TAU = 600., 60.
+
+# Means that press the lip together, that pull it open, and that close it near
+# its mouth and open it near its tip or the other way round.
+LOADS = {"compressive": "0; 10*sin(2*pi*t/600) - 4",
+         "tensile": "0; 10*sin(2*pi*t/600) + 4",
+         "mixed": "0; 10*sin(2*pi*t/600) + if(x < 0.75, 10, -14)"}
+
+BIMATERIAL = ["Material/Young modulus=if(x < 0.6, 13000, 40000)",
+              "Material/Relaxation time=if(x < 0.6, 60, 90)"]
+
+
+def beta(results, probe):
+    return results.summary["secular"]["per_probe"][probe]["beta"]
+
+
+def relative(values, others):
+    """Largest difference, relative to the largest value."""
+    size = max(map(abs, values))
+    return max(abs(a - b) for a, b in zip(values, others, strict=True)) / size
+
+
+def last_period(results, table, column):
+    """Samples of the last period, its first instant included, its last not."""
+    rows = results.table(table)
+    n = (len(rows["t"]) - 1) // results.summary["periods"]
+    return rows[column][-n - 1:-1]
+
+
+def stress_difference(one, other):
+    """Of the stress at all probes and of the contact force over the last
+    period."""
+    worst = 0.
+    for probe in PROBES:
+        columns = [[x for results in pair for x in results] for pair in (
+            [[last_period(run_, f"probe_{probe}.csv", f"s_{ij}")
+              for ij in ("11", "22", "12")] for run_ in (one, other)])]
+        worst = max(worst, relative(*columns))
+    return max(worst, relative(*(last_period(run_, "contact.csv", "force")
+                                 for run_ in (one, other)))
+               if max(last_period(one, "contact.csv", "force")) > 1e-6
+               else worst)
+
+
+def beta_difference(one, other):
+    return relative(*([b for probe in PROBES for b in beta(results, probe)]
+                      for results in (one, other)))
+
+
+def mean_pressures(results, weights=None):
+    """Of the samples at the three points of the lip; perhaps weighted."""
+    means = []
+    for probe in PROBES[:3]:
+        pressure = last_period(results, f"probe_{probe}.csv", "pressure")
+        weights = weights or [1. / len(pressure)] * len(pressure)
+        means.append(sum(w * p for w, p in zip(weights, pressure)))
+    return means
+
+
+def secular_pressures(results):
+    per_probe = results.summary["secular"]["per_probe"]
+    return [per_probe[probe]["mean_pressure"] for probe in PROBES[:3]]
+
+
+def test_closed_forms():
+    """beta = (mean F / tau) u_el, u_el from the elastic body under the mean
+    load itself, whose lip is open or closed as the sign of the load has it."""
+    for case, mean in (("open", 15.), ("closed", -15.)):
+        name = f"always_{case}"
+        results = run(SCENE, name, [
+            f"Loads/Traction=0; 10*sin(2*pi*t/600) + {mean}",
+            f"Output/Elastic comparison={case}"])
+        comparison = results.summary["elastic_comparison"]
+        check(results.summary["secular"]["on"], "the flow is split off")
+        check_below(comparison["stress_difference"], 1e-10, name + ": stress")
+        check_below(comparison["drift_difference"], 1e-10, name + ": drift")
+        elastic = run(SCENE, name + "_elastic", [
+            f"Loads/Traction=0; {mean}", "Material/Viscosity=none"])
+        for probe in PROBES:
+            table = elastic.table(f"probe_{probe}.csv")
+            expected = [table[f"u_{d}"][-1] / TAU for d in (1, 2)]
+            check_below(relative(expected, beta(results, probe)), 1e-10,
+                        f"{name}: beta of {probe}")
+            drift = results.summary["drift"]["per_probe"][probe]
+            check_below(relative(expected, drift), 1e-10,
+                        f"{name}: drift of {probe}")
+        # The displacements of the tables are u = beta t + q.
+        rows = results.table("probe_top.csv")
+        n = (len(rows["t"]) - 1) // results.summary["periods"]
+        gain = (rows["u_2"][-1] - rows["u_2"][-n - 1]) / PERIOD
+        check_below(abs(gain / beta(results, "top")[1] - 1), 1e-10,
+                    f"{name}: gain of u_2 in the table")
+        if case == "closed":
+            check_below(relative([-mean] * 3, secular_pressures(results)),
+                        1e-10, "mean pressure")
+
+
+def test_split_and_unsplit():
+    """Both forms, and the mean pressure. At equal steps every scheme averages
+    the load exactly, so that rounding is all there is between the forms;
+    Euler's samples are its stages, whose mean force is then that of the
+    stationary problem."""
+    for body, settings in (("homogeneous", []), ("bimaterial", BIMATERIAL)):
+        for load, traction in LOADS.items():
+            name = f"{body}_{load}"
+            settings_here = settings + [f"Loads/Traction={traction}"]
+            errors = {}
+            for scheme, steps in (("euler", 40), ("heun", 40), ("heun", 80),
+                                  ("heun", 160)):
+                here = settings_here + [
+                    f"Time integration/Scheme={scheme}",
+                    f"Time integration/Steps per period={steps}"]
+                split = run(SCENE, name + "_split", here)
+                check(split.summary["secular"]["on"], name + ": split")
+                errors[scheme, steps] = max(
+                    abs(a - b) for a, b in zip(mean_pressures(split),
+                                               secular_pressures(split)))
+                if (scheme, steps) == ("heun", 160):
+                    continue
+                # The displacement that grows leaves fewer digits.
+                unsplit = run(SCENE, name + "_unsplit", here + [
+                    "Periodic state/Secular split=off",
+                    "Periodic state/Tolerance=1e-10"])
+                check(not unsplit.summary["secular"]["on"], "not split")
+                what = f"{name}, {scheme} {steps}: "
+                check_below(stress_difference(split, unsplit), 1e-9,
+                            what + "stress, split and not")
+                check_below(beta_difference(split, unsplit), 1e-9,
+                            what + "beta, split and not")
+            check_mean_pressure(name, load, split, errors)
+
+
+def check_mean_pressure(name, load, split, errors):
+    pressures = secular_pressures(split)
+    openings = [beta(split, probe)[1] for probe in PROBES[:3]]
+    largest = split.summary["secular"]["largest_rate"]
+    n_open = sum(rate > 1e-6 * largest for rate in openings)
+    print(f"{name}: mean pressures {pressures}, opening rates {openings}")
+    for rate, pressure in zip(openings, pressures):
+        check(rate >= -1e-12 * largest and pressure >= -1e-12
+              and (rate <= 1e-12 * largest or pressure <= 1e-10),
+              name + ": pressure where it is closed only")
+    check(n_open == {"compressive": 0, "tensile": 3}.get(load, n_open)
+          and (load != "mixed" or 0 < n_open < 3), name + ": what flows open")
+    if load == "tensile":
+        check_below(max(map(abs, pressures)), 1e-10, name + ": no pressure")
+        check_below(max(map(abs, mean_pressures(split))), 1e-9,
+                    name + ": no pressure in the end")
+        return
+    size = max(pressures)
+    check(size > 0.1, name + ": a mean pressure")
+    check_below(errors["euler", 40] / size, 1e-10,
+                name + ": mean pressure of Euler's samples")
+    coarse, middle, fine = (errors["heun", n] / size for n in (40, 80, 160))
+    print(f"{name}: mean pressure of Heun's samples off by {coarse:.2e}, "
+          f"{middle:.2e}, {fine:.2e}: orders {math.log2(coarse / middle):.2f},"
+          f" {math.log2(middle / fine):.2f}")
+    check(fine < coarse / 8 and fine < 2e-3, name + ": about order 2")
+
+
+# A stiffness that varies by a factor 10, as a factor and freely, over the same
+# viscosity 1300 x 600.
+VARYING = {"factor": ["Material/Young modulus=1300",
+                      "Material/Relaxation time=600",
+                      "Material/Stiffness time factor="
+                      "5.5 + 4.5*cos(2*pi*t/600)"],
+           "free": ["Material/Young modulus=1300*(5.5 + 4.5*cos(2*pi*t/600))",
+                    "Material/Viscosity=isotropic",
+                    "Material/Viscous modulus=1300*600",
+                    "Material/Viscous Poisson ratio=0.2"]}
+
+
+def test_zero_mean():
+    """Nothing flows under a zero mean load, however the stiffness varies: the
+    gain over a period, relative to the largest displacement, falls to rounding
+    with the change of stress. Equal steps average the load exactly."""
+    for shape in ("rectangle", "edge crack"):
+        tables = {}
+        for way, settings in VARYING.items():
+            for steps in (40, 80):
+                name = f"zero_mean_{way}_{steps}"
+                here = settings + [
+                    f"Time integration/Steps per period={steps}",
+                    "Loads/Traction=0; 10*(1 + x)*sin(2*pi*t/600 + 1)"]
+                if shape == "rectangle":
+                    here += ["Geometry/Shape=rectangle"]
+                results = run(SCENE, name, here)
+                summary = results.summary
+                secular, effects = summary["secular"], summary["effects"]
+                check(not secular["on"], "nothing is split off")
+                kind = effects["variable stiffness"]["why"]
+                check(kind.startswith("by a factor" if way == "factor"
+                                      else "freely"), kind)
+                tables[way, steps] = [
+                    x for probe in PROBES for column in ("s_11", "s_22", "u_2")
+                    for x in last_period(results, f"probe_{probe}.csv",
+                                         column)]
+                largest = max(map(abs, last_period(results, "probe_top.csv",
+                                                   "u_2")))
+                gain = summary["drift"]["largest_rate"] * PERIOD / largest
+                print(f"{shape}, {way}, {steps} steps: periodic after "
+                      f"{summary['periods']} periods")
+                check_below(gain, 1e-10, f"{shape}, {way}: gain in a period")
+        for steps in (40, 80):
+            check_below(relative(tables["factor", steps],
+                                 tables["free", steps]), 1e-10,
+                        f"{shape}: a factor, and the same freely")
+
+
+# eta_0 is the rate of t in the stretched time s. In pieces: half the period as
+# it is, half at twice the pace. Smooth: eta_0 = sqrt(1 + 3t/T), from 1 to 2, so
+# that s = 400 (eta_0 - 1) and t = 200 ((1 + s/400)^2 - 1).
+STRETCHINGS = {
+    "pieces": ("if(t < 300, 1, 0.5)", 900., "if(t < 300, t, 150 + t/2)",
+               lambda s: s if s < 300 else 150 + s / 2),
+    "smooth": ("sqrt(1 + t/200)", 400., "(200*((1 + t/400)^2 - 1))",
+               lambda s: 200 * ((1 + s / 400)**2 - 1))}
+
+
+def stretched(kind, load, scheme, n):
+    """The run with eta_0(t) and the run in the stretched time."""
+    eta_0, period, t_of_s, place = STRETCHINGS[kind]
+    instants = [period * k / n for k in range(n + 1)]
+    time = [f"Time integration/Scheme={scheme}",
+            "Time integration/Step control=list"]
+    one = run(SCENE, f"eta_0_{kind}", time + [
+        "Time integration/Steps=" + ", ".join(repr(place(s))
+                                              for s in instants),
+        f"Material/Viscosity time factor={eta_0}",
+        f"Loads/Traction=0; 10*({load})"])
+    other = run(SCENE, f"stretched_{kind}", time + [
+        "Time integration/Steps=" + ", ".join(map(repr, instants)),
+        f"Loads/Period={period}",
+        "Loads/Traction=0; 10*(" + load.replace("t", t_of_s) + ")"])
+    return one, other, period
+
+
+def stretched_differences(one, other, period):
+    stress = stress_difference(one, other)
+    # beta is per time: the gain over a period is the same.
+    gains = [[b * duration for probe in PROBES for b in beta(results, probe)]
+             for results, duration in ((one, PERIOD), (other, period))]
+    return stress, relative(*gains)
+
+
+def test_stretched_time():
+    """A viscosity eta_0(t) eta is the viscosity eta in another time."""
+    # Loads without letters t but the time, to be replaced.
+    wave = "4*(t/600)*(1 - t/600)"
+    for mean in (-0.3, -0.9):
+        load = f"{wave} + {mean}"
+        for scheme in ("euler", "heun", "rk4"):
+            one, other, period = stretched("pieces", load, scheme, 60)
+            stress, gain = stretched_differences(one, other, period)
+            what = f"eta_0 in pieces, mean {mean}, {scheme}: "
+            check_below(stress, 1e-10, what + "stress")
+            check_below(gain, 1e-10, what + "gain in a period")
+        for scheme, order in (("euler", 1), ("heun", 2)):
+            differences = [stretched_differences(*stretched(
+                "smooth", load, scheme, n)) for n in (40, 80, 160)]
+            for what, values in zip(("stress", "gain"), zip(*differences)):
+                print(f"smooth eta_0, mean {mean}, {scheme}, {what}: ", values)
+
+
+if __name__ == "__main__":
+    test_closed_forms()
+    test_split_and_unsplit()
+    test_zero_mean()
+    test_stretched_time()
