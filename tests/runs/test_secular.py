@@ -42,8 +42,8 @@ LOADS = {"compressive": "0; 10*sin(2*pi*t/600) - 4",
          "tensile": "0; 10*sin(2*pi*t/600) + 4",
          "mixed": "0; 10*sin(2*pi*t/600) + if(x < 0.75, 10, -14)"}
 
-BIMATERIAL = ["Material/Young modulus=if(x < 0.6, 13000, 40000)",
-              "Material/Relaxation time=if(x < 0.6, 60, 90)"]
+BIMATERIAL = ["Material/Young modulus=if(x < 0.6, 13000, 26000)",
+              "Material/Relaxation time=if(x < 0.6, 60, 40)"]
 
 
 def beta(results, probe):
@@ -141,8 +141,8 @@ def test_split_and_unsplit():
             name = f"{body}_{load}"
             settings_here = settings + [f"Loads/Traction={traction}"]
             errors = {}
-            for scheme, steps in (("euler", 40), ("heun", 40), ("heun", 80),
-                                  ("heun", 160)):
+            for scheme, steps in (("euler", 40), ("heun", 40), ("heun", 160),
+                                  ("heun", 640)):
                 here = settings_here + [
                     f"Time integration/Scheme={scheme}",
                     f"Time integration/Steps per period={steps}"]
@@ -151,7 +151,7 @@ def test_split_and_unsplit():
                 errors[scheme, steps] = max(
                     abs(a - b) for a, b in zip(mean_pressures(split),
                                                secular_pressures(split)))
-                if (scheme, steps) == ("heun", 160):
+                if steps > 40:
                     continue
                 # The displacement that grows leaves fewer digits.
                 unsplit = run(SCENE, name + "_unsplit", here + [
@@ -187,11 +187,13 @@ def check_mean_pressure(name, load, split, errors):
     check(size > 0.1, name + ": a mean pressure")
     check_below(errors["euler", 40] / size, 1e-10,
                 name + ": mean pressure of Euler's samples")
-    coarse, middle, fine = (errors["heun", n] / size for n in (40, 80, 160))
+    coarse, middle, fine = (errors["heun", n] / size for n in (40, 160, 640))
     print(f"{name}: mean pressure of Heun's samples off by {coarse:.2e}, "
-          f"{middle:.2e}, {fine:.2e}: orders {math.log2(coarse / middle):.2f},"
-          f" {math.log2(middle / fine):.2f}")
-    check(fine < coarse / 8 and fine < 2e-3, name + ": about order 2")
+          f"{middle:.2e}, {fine:.2e}: orders {math.log(coarse / middle, 4):.2f}"
+          f", {math.log(middle / fine, 4):.2f}")
+    # Where a step meets a change of contact is a matter of chance.
+    check(1.5 < math.log(coarse / fine, 16) < 2.5 and fine < 1e-4,
+          name + ": order 2")
 
 
 # A stiffness that varies by a factor 10, as a factor and freely, over the same
