@@ -108,19 +108,23 @@ def test_matrices():
                 same_digits(one, other, what)
             else:
                 check_below(largest_difference(one, other), allowed, what)
-        # It is these entries that count, each of them.
+        if ratio == 0.:
+            continue
+        # Each entry counts, beside a viscosity that is not in proportion (with
+        # one that is, no strain at all has K_33 of plane strain to do with).
+        flow = ["Material/Viscosity=isotropic",
+                "Material/Viscous modulus=16384*64",
+                "Material/Viscous Poisson ratio=0.4"]
+        one = run(CRACK, "flowing_otherwise", by_matrix + flow)
         for i in range(len(K)):
             for j in range(i + 1):
-                if i == 2 and len(K) == 4 and state == "plane strain":
-                    continue
                 changed = [list(row) for row in K]
                 changed[i][j] += 200.
                 changed[j][i] = changed[i][j]
-                other = run(CRACK, "another_matrix", plane + [
+                other = run(CRACK, "another_matrix", plane + flow + [
                     f"Material/Stiffness matrix={matrix(changed)}"])
-                if ratio > 0:
-                    check(largest_difference(one, other) > 1e-6,
-                          f"{state}: entry {i}, {j} counts")
+                check(largest_difference(one, other) > 1e-6,
+                      f"{state}: entry {i}, {j} counts")
 
 
 READ = CRACK.replace("set Shape        = edge crack", """\
@@ -157,7 +161,7 @@ def test_mesh_materials():
     built_in = run(CRACK, "built_in", ["Geometry/Subdivisions=8, 4"]
                    + settings("x < 0.5"))
     check_below(largest_difference(by_id, built_in), 1e-10, "built-in shape")
-    uniform = run(READ, "uniform", file + settings("material == 10 or 1"))
+    uniform = run(READ, "uniform", file + settings("material > 0"))
     check(largest_difference(by_id, uniform) > 0.01, "it is two materials")
 
 
@@ -178,7 +182,7 @@ subsection Periodic state
   set Secular split   = off
 end
 subsection Output
-  set Probes = one: 0.25, 0.25; other: 0.75, 0.75; end: 0.5, 1
+  set Probes = one: 0, 0.5; other: 1, 0.5; end: 0.5, 1
   set Fields = none
 end
 """
@@ -243,7 +247,8 @@ def test_series():
 
 def test_parallel():
     """Two columns side by side between rigid planes, stretched by a cooling
-    that stays or alternates: each relaxes by itself."""
+    that stays or alternates: each relaxes by itself. The probes are away from
+    the interface, where the recovered stress is the mean of both sides."""
     for name, formula, theta in (
             ("step", "-100", lambda t: -100.),
             ("alternating", "-100*sin(2*pi*t/600)",
@@ -322,7 +327,6 @@ REFUSED = [
     (["Material/Viscosity time factor=1 + x"],
      ["Viscosity time factor", "must not depend on x"]),
     (["Material/Stiffness time factor=1 +* t"], ["Stiffness time factor"]),
-    (["Material/Young modulus=exp(1e4*x)"], ["Young modulus"]),
     (["Material/Thermal expansion=1, 2"],
      ["Thermal expansion", "must have 1, 3 or 4 components"]),
 ]
