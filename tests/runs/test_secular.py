@@ -4,7 +4,6 @@ contact pressure against the mean of that of the periodic state. And what does
 not flow: zero mean loads under a stiffness that varies."""
 
 import math
-import sys
 
 from crevasse_run import check, check_below, run
 
@@ -263,12 +262,12 @@ STRETCHINGS = {
                lambda s: 200 * ((1 + s / 400)**2 - 1))}
 
 
-def stretched(kind, load, scheme, n):
+def stretched(kind, load, scheme, n, settings):
     """The run with eta_0(t) and the run in the stretched time."""
     eta_0, period, t_of_s, place = STRETCHINGS[kind]
     instants = [period * k / n for k in range(n + 1)]
-    time = [f"Time integration/Scheme={scheme}",
-            "Time integration/Step control=list"]
+    time = settings + [f"Time integration/Scheme={scheme}",
+                       "Time integration/Step control=list"]
     one = run(SCENE, f"eta_0_{kind}", time + [
         "Time integration/Steps=" + ", ".join(repr(place(s))
                                               for s in instants),
@@ -290,27 +289,86 @@ def stretched_differences(one, other, period):
 
 
 def test_stretched_time():
-    """A viscosity eta_0(t) eta is the viscosity eta in another time."""
-    # Loads without letters t but the time, to be replaced.
+    """A viscosity eta_0(t) eta is the viscosity eta in another time. With an
+    eta_0 that jumps between steps the steps map exactly, and so does what they
+    compute if no stage lies on the end of its step, as one of rk4's does; with a smooth one this holds to the order of the scheme, also for
+    beta where the flow is not split off. The split form finds beta exactly."""
+    # Without a letter t that is not the time.
     wave = "4*(t/600)*(1 - t/600)"
-    for mean in (-0.3, -0.9):
-        load = f"{wave} + {mean}"
-        for scheme in ("euler", "heun", "rk4"):
-            one, other, period = stretched("pieces", load, scheme, 60)
-            stress, gain = stretched_differences(one, other, period)
-            what = f"eta_0 in pieces, mean {mean}, {scheme}: "
-            check_below(stress, 1e-10, what + "stress")
-            check_below(gain, 1e-10, what + "gain in a period")
+    for case, load, split in (("tensile", wave + " - 0.3", False),
+                              ("compressive", wave + " - 0.9", False),
+                              ("compressive", wave + " - 0.9", True)):
+        settings = ([] if split else ["Periodic state/Secular split=off",
+                                      "Periodic state/Tolerance=1e-10"])
+        what = f"{case}, {'split' if split else 'unsplit'}, "
+        for scheme in ("euler", "heun"):
+            stress, gains = stretched_differences(*stretched(
+                "pieces", load, scheme, 60, settings))
+            check_below(stress, 1e-12, f"eta_0 in pieces, {what}{scheme}: stress")
+            check_below(gains, 1e-12, f"eta_0 in pieces, {what}{scheme}: gain")
         for scheme, order in (("euler", 1), ("heun", 2)):
-            differences = [stretched_differences(*stretched(
-                "smooth", load, scheme, n)) for n in (40, 80, 160)]
-            for what, values in zip(("stress", "gain"), zip(*differences)):
-                print(f"smooth eta_0, mean {mean}, {scheme}, {what}: ", values)
+            runs = [stretched("smooth", load, scheme, n, settings)
+                    for n in (40, 80, 160)]
+            stress, gains = zip(*(stretched_differences(*pair)
+                                  for pair in runs))
+            falls(stress, order, f"smooth eta_0, {what}{scheme}: stress")
+            falls(gains, order, f"smooth eta_0, {what}{scheme}: gain")
+            if split:
+                falls([weighted_pressure_error(one) for one, _, _ in runs],
+                      order, f"smooth eta_0, {what}{scheme}: mean pressure")
+
+
+def falls(errors, order, what):
+    """Errors of steps that are halved are of some order at least, or of
+    rounding."""
+    print(f"{what}: differences", ", ".join(f"{x:.2e}" for x in errors))
+    check(errors[-1] < 1e-10
+          or errors[-1] < 0.03 / 2**order
+          and math.log2(errors[0] / errors[-1]) / 2 > 0.85 * order,
+          f"{what}: order {order}")
+
+
+def weighted_pressure_error(results):
+    """The trapezoidal mean, weighted by 1/eta_0, of the periodic pressure."""
+    errors = []
+    for probe, expected in zip(PROBES, secular_pressures(results)):
+        t = last_period(results, f"probe_{probe}.csv", "t")
+        p = last_period(results, f"probe_{probe}.csv", "pressure")
+        begin, n = t[0], len(t)
+        weighted = [x / math.sqrt(1 + (s - begin) / 200) for s, x in zip(t, p)]
+        # eta_0 is 2 at the end of the period.
+        ends = weighted[1:] + [p[0] / 2]
+        steps = [b - a for a, b in zip(t, t[1:] + [begin + PERIOD])]
+        mean = sum(0.5 * h * (a + b) for h, a, b in
+                   zip(steps, weighted, ends)) / PERIOD
+        errors.append(abs(mean - expected) / expected)
+    return max(errors)
+
+
+def test_unequal_steps():
+    """Steps that do not average the load exactly: the periodic motion drifts
+    by what they miss until the lip holds it, with forces that no step size
+    would show in the body; they vanish with the order of the scheme. Unsplit
+    there are none."""
+    load = ["Loads/Traction=0; 10*(4*(t/600)*(1 - t/600) - 0.3)"]
+    for scheme, order in (("euler", 2), ("heun", 3)):
+        forces = []
+        for steps in (20, 40, 80):
+            here = load + [f"Time integration/Scheme={scheme}",
+                           f"Time integration/Steps per period={steps}"]
+            results = run(SCENE, "unequal", here)
+            forces.append(max(last_period(results, "contact.csv", "force"))
+                          / 5)
+            unsplit = run(SCENE, "unequal_unsplit", here + [
+                "Periodic state/Secular split=off"])
+            check_below(max(last_period(unsplit, "contact.csv", "force")),
+                        1e-10, f"{scheme}, {steps} steps: unsplit force")
+        print(scheme, steps, forces)
 
 
 if __name__ == "__main__":
-    if len(sys.argv)<4:
-        test_closed_forms()
-        test_split_and_unsplit()
-    test_zero_mean()
+    #test_closed_forms()
+    #test_split_and_unsplit()
+    #test_zero_mean()
     test_stretched_time()
+    test_unequal_steps()
