@@ -142,10 +142,13 @@ def test_split_and_unsplit():
             settings_here = settings + [f"Loads/Traction={traction}"]
             errors = {}
             for scheme, steps in (("euler", 40), ("heun", 40), ("heun", 160),
-                                  ("heun", 640)):
+                                  ("heun", 640))[:2 if load == "tensile"
+                                                 else 4]:
                 here = settings_here + [
                     f"Time integration/Scheme={scheme}",
                     f"Time integration/Steps per period={steps}"]
+                if steps > 40:  # for the mean pressure, to five digits
+                    here += ["Periodic state/Tolerance=1e-8"]
                 split = run(SCENE, name + "_split", here)
                 check(split.summary["secular"]["on"], name + ": split")
                 errors[scheme, steps] = max(
@@ -187,7 +190,8 @@ def check_mean_pressure(name, load, split, errors):
     check(size > 0.1, name + ": a mean pressure")
     check_below(errors["euler", 40] / size, 1e-10,
                 name + ": mean pressure of Euler's samples")
-    coarse, middle, fine = (errors["heun", n] / size for n in (40, 160, 640))
+    coarse, middle, fine = (errors["heun", n] / size
+                            for n in (40, 160, 640))
     print(f"{name}: mean pressure of Heun's samples off by {coarse:.2e}, "
           f"{middle:.2e}, {fine:.2e}: orders {math.log(coarse / middle, 4):.2f}"
           f", {math.log(middle / fine, 4):.2f}")
@@ -308,7 +312,7 @@ def test_stretched_time():
             check_below(gains, 1e-12, f"eta_0 in pieces, {what}{scheme}: gain")
         for scheme, order in (("euler", 1), ("heun", 2)):
             stress, gains, pressures = [], [], []
-            for n in (40, 80, 160):
+            for n in (20, 40, 80):
                 runs = stretched("smooth", load, scheme, n, settings)
                 differences = stretched_differences(*runs)
                 stress.append(differences[0])

@@ -219,15 +219,15 @@ def test_coefficients():
             "Thermal expansion": "1e-5*(1 + {}/500)"}
     load = ["Loads/Traction=0; 5*cos(2*pi*t/600)",
             f"Loads/Temperature={theta_of_t}"]
-    runs = [run(CRACK, "coefficients", load + [
-        f"Material/{name}={law.format(variable)}"
-        for name, law in laws.items()])
-        for variable in ("theta", f"({theta_of_t})")]
+    runs = [run(CRACK, name, load + [
+        f"Material/{key}={law.format(variable)}" for key, law in laws.items()])
+        for name, variable in (("of_theta", "theta"),
+                               ("of_t", f"({theta_of_t})"))]
     for probe in PROBES:
         name = f"probe_{probe}.csv"
-        check(*((runs[0].directory / name).read_bytes()
-                == (runs[1].directory / name).read_bytes(),
-                f"theta and the formula of t differ: {name}"))
+        check((runs[0].directory / name).read_bytes()
+              == (runs[1].directory / name).read_bytes(),
+              f"theta and the formula of t differ: {name}")
     print("coefficients of theta and of t: the same digits")
     for name in laws:
         other = run(CRACK, "without_one", load + [
