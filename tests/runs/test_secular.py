@@ -251,7 +251,7 @@ def test_zero_mean():
 def gain(results):
     summary = results.summary
     return (summary["drift"]["largest_rate"] * PERIOD
-            / summary["extremes"]["opening"] if summary["contact_nodes"] else
+            / summary["extremes"]["opening"] if "opening" in summary["extremes"] else
             summary["drift"]["largest_rate"] * PERIOD
             / max(map(abs, last_period(results, "probe_top.csv", "u_2"))))
 
