@@ -47,7 +47,7 @@ def recursion(chain, scheme, steps):
         z = -600 / steps / tau
         factors.append({"euler": 1 + z, "heun": 1 + z + z**2 / 2,
                         "rk4": 1 + z + z**2 / 2 + z**3 / 6 + z**4 / 24}[scheme])
-    return [STRESS * (spring + sum(fraction * factor**k for (fraction, _), factor
+    return [STRESS * (spring + sum(branch[0] * factor**k for branch, factor
                                    in zip(chain, factors)))
             for k in range(2 * steps + 1)]
 

@@ -249,11 +249,11 @@ def test_zero_mean():
 
 
 def gain(results):
+    """Of a period, relative to the largest opening or displacement."""
     summary = results.summary
-    return (summary["drift"]["largest_rate"] * PERIOD
-            / summary["extremes"]["opening"] if "opening" in summary["extremes"] else
-            summary["drift"]["largest_rate"] * PERIOD
-            / max(map(abs, last_period(results, "probe_top.csv", "u_2"))))
+    size = summary["extremes"].get("opening") or max(
+        map(abs, last_period(results, "probe_top.csv", "u_2")))
+    return summary["drift"]["largest_rate"] * PERIOD / size
 
 
 # eta_0 is the rate of t in the stretched time s. In pieces: half the period as
@@ -295,8 +295,9 @@ def stretched_differences(one, other, period):
 def test_stretched_time():
     """A viscosity eta_0(t) eta is the viscosity eta in another time. With an
     eta_0 that jumps between steps the steps map exactly, and so does what they
-    compute if no stage lies on the end of its step, as one of rk4's does; with a smooth one this holds to the order of the scheme, also for
-    beta where the flow is not split off. The split form finds beta exactly."""
+    compute if no stage lies on the end of its step, as one of rk4's does. With
+    a smooth one this holds to the order of the scheme, also for beta where the
+    flow is not split off. The split form finds beta exactly."""
     # Without a letter t that is not the time.
     wave = "4*(t/600)*(1 - t/600)"
     for case, load, split in (("tensile", wave + " - 0.3", False),
@@ -305,11 +306,12 @@ def test_stretched_time():
         settings = ([] if split else ["Periodic state/Secular split=off",
                                       "Periodic state/Tolerance=1e-10"])
         what = f"{case}, {'split' if split else 'unsplit'}, "
+        pieces = "eta_0 in pieces, " + what
         for scheme in ("euler", "heun"):
             stress, gains = stretched_differences(*stretched(
                 "pieces", load, scheme, 60, settings))
-            check_below(stress, 1e-12, f"eta_0 in pieces, {what}{scheme}: stress")
-            check_below(gains, 1e-12, f"eta_0 in pieces, {what}{scheme}: gain")
+            check_below(stress, 1e-12, f"{pieces}{scheme}: stress")
+            check_below(gains, 1e-12, f"{pieces}{scheme}: gain")
         for scheme, order in (("euler", 1), ("heun", 2)):
             stress, gains, pressures = [], [], []
             for n in (20, 40, 80):

@@ -199,13 +199,15 @@ def test_table():
     one = run(CRACK, "from_formula", law + [f"Loads/Temperature={formula}"])
     table = one.table("probe_top.csv")
     check(max(table["s_11"]) > 0.1, "the temperature strains the body")
-    other = run(CRACK, "from_table", law + ["Loads/Temperature=temperature.csv"])
+    other = run(CRACK, "from_table",
+                law + ["Loads/Temperature=temperature.csv"])
     check_below(difference(one, other), 1e-11, "table against formula")
     # One value of the table that is wrong must show.
     lines = pathlib.Path("temperature.csv").read_text().splitlines()
     lines[5] = lines[5].rsplit(",", 1)[0] + ",400"
     pathlib.Path("wrong.csv").write_text("\n".join(lines) + "\n")
-    other = run(CRACK, "from_wrong_table", law + ["Loads/Temperature=wrong.csv"])
+    other = run(CRACK, "from_wrong_table",
+                law + ["Loads/Temperature=wrong.csv"])
     check(difference(one, other) > 1e-3, "each value counts")
 
 
