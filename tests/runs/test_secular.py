@@ -379,9 +379,23 @@ def largest_force(results):
     return max(map(abs, last_period(results, "contact.csv", "force"))) / 5
 
 
+def test_contact_force():
+    """The mean contact force is that of contact.csv under the mean load alone,
+    with the share of the lip that the held crack tip has."""
+    secular = run(SCENE, "mean_force", [
+        "Loads/Traction=0; 10*sin(2*pi*t/600) - 15"]).summary["secular"]
+    force = run(SCENE, "mean_force_elastic", [
+        "Loads/Traction=0; -15", "Material/Viscosity=none"]
+        ).table("contact.csv")["force"][-1]
+    print(f"mean contact force {secular['contact_force']}, expected {force}")
+    check_below(abs(secular["contact_force"] / force - 1), 1e-10,
+                "mean contact force")
+
+
 if __name__ == "__main__":
     test_closed_forms()
     test_split_and_unsplit()
     test_zero_mean()
     test_stretched_time()
     test_inexact_mean()
+    test_contact_force()
