@@ -1,0 +1,227 @@
+"""What a scene does not need costs nothing, and what it needs is made once:
+the counters of summary.json, one test for each effect, and the table of
+effects itself."""
+
+from crevasse_run import check, check_below, run
+
+SCENE = """
+subsection Geometry
+  set Shape        = edge crack
+  set Subdivisions = 6, 4
+end
+subsection Material
+  set Young modulus   = 13000
+  set Poisson ratio   = 0.2
+  set Relaxation time = 60
+end
+subsection Loads
+  set Period   = 600
+  set Traction = 0; 10*sin(2*pi*t/600)
+end
+subsection Periodic state
+  set Maximum periods = 2
+  set Tolerance       = 0
+end
+subsection Output
+  set Probes = mouth: 1, 0; inside: 0.3, 0.6
+  set Fields = none
+end
+"""
+
+STEPS, STAGES = 40, 2
+# Heun's second stage lies within the step: two instants for each.
+INSTANTS = STAGES * STEPS
+
+NAMES = {"contact", "viscosity", "secular flow", "chain", "thermal strain",
+         "varying stiffness", "varying viscosity", "body force",
+         "field output"}
+
+
+def effects(results):
+    return {name: effect["on"]
+            for name, effect in results.summary["effects"].items()}
+
+
+def counters(results, *names):
+    values = [results.summary["counters"][name] for name in names]
+    print(f"{results.directory.name}:", ", ".join(
+        f"{name} {value}" for name, value in zip(names, values)))
+    return values
+
+
+def matrices(results):
+    return counters(results, "assemblies", "factorisations")
+
+
+def difference(one, other):
+    worst = 0.
+    for name in ("probe_mouth.csv", "probe_inside.csv"):
+        mine, theirs = one.table(name), other.table(name)
+        for kind in (("u_1", "u_2", "opening"),
+                     ("s_11", "s_22", "s_12", "pressure")):
+            columns = [column for column in kind if column in mine]
+            size = max(abs(x) for column in columns for x in mine[column])
+            worst = max(worst, *(abs(a - b) / size for column in columns
+                                 for a, b in zip(mine[column], theirs[column],
+                                                 strict=True)))
+    return worst
+
+
+def test_table():
+    """Each effect is named, with a reason, and on where the scene asks for it
+    and nowhere else."""
+    always = {"contact", "viscosity"}
+    for on, settings in (
+            (set(), []),
+            ({"secular flow"}, ["Loads/Traction=0; 10*sin(2*pi*t/600) + 1"]),
+            ({"chain"}, ["Material/Viscosity=chain",
+                         "Material/Chain=0.5: 40; 0.3: 100"]),
+            ({"thermal strain"}, ["Material/Thermal expansion=1e-5",
+                                  "Loads/Temperature=10*y"]),
+            ({"varying stiffness"},
+             ["Material/Stiffness time factor=1 + 0.1*sin(2*pi*t/600)"]),
+            ({"varying stiffness", "varying viscosity"},
+             ["Material/Young modulus=13000*(1 + 0.1*sin(2*pi*t/600))"]),
+            ({"varying viscosity"},
+             ["Material/Relaxation time=60 + 10*sin(2*pi*t/600)"]),
+            ({"varying viscosity"},
+             ["Material/Viscosity time factor=1 + 0.1*cos(2*pi*t/600)"]),
+            # The mean that counts is weighted by 1/eta_0.
+            ({"varying viscosity", "secular flow"},
+             ["Material/Viscosity time factor=1 + 0.1*sin(2*pi*t/600)"]),
+            ({"body force"}, ["Loads/Body force=0; sin(2*pi*t/600)"]),
+            ({"field output"}, ["Output/Fields=vtu"])):
+        table = run(SCENE, "table", settings).summary["effects"]
+        found = {name for name, effect in table.items() if effect["on"]}
+        print("; ".join(f"{name}: {effect['why']}"
+                        for name, effect in table.items()
+                        if effect["on"] or name in on))
+        check(set(table) == NAMES, f"effects {set(table) ^ NAMES}")
+        check(found == always | on, f"{settings}: on are {found}")
+        check(all(len(effect["why"]) > 5 for effect in table.values()),
+              "each with a reason")
+
+
+def test_constant_stiffness():
+    for name, settings in {
+            "constant": [],
+            "stiffness_factor":
+                ["Material/Stiffness time factor=1 + 0.5*sin(2*pi*t/600)"],
+            "viscosity_factor":
+                ["Material/Viscosity time factor=1 + 0.5*cos(2*pi*t/600)"],
+            "varying_viscosity":
+                ["Material/Relaxation time=60 + 10*sin(2*pi*t/600) + x"],
+            "temperature": ["Material/Thermal expansion=1e-5",
+                            "Loads/Temperature=100*x*sin(2*pi*t/600)"],
+            "chain": ["Material/Viscosity=chain",
+                      "Material/Chain=0.5: 40; 0.3: 100"]}.items():
+        check(matrices(run(SCENE, name, settings)) == [1, 1],
+              f"{name}: one matrix, one factor")
+
+
+def test_varying_stiffness():
+    """One matrix for each distinct instant, kept for later periods; without
+    memory made anew, with the same results."""
+    varying = ["Material/Young modulus=13000*(1 + 0.5*x*sin(2*pi*t/600))"]
+    kept = {}
+    for periods in (1, 2, 4):
+        here = varying + [f"Periodic state/Maximum periods={periods}"]
+        kept[periods] = run(SCENE, f"kept_{periods}", here)
+        check(matrices(kept[periods]) == [INSTANTS, INSTANTS],
+              "one for each instant")
+        none = run(SCENE, f"anew_{periods}", here + [
+            "Linear solver/Memory for instants=0"])
+        found = matrices(none)
+        check(found[0] == found[1] and found[0] >= periods * INSTANTS,
+              "one for each instant of each period")
+        check_below(difference(kept[periods], none), 1e-10,
+                    "results with and without memory")
+        if periods == 4:
+            # Some are kept, the others made anew.
+            part = run(SCENE, "part", here + [
+                "Linear solver/Memory for instants=1"])
+            some = matrices(part)
+            check(INSTANTS < some[0] < found[0], "some are kept")
+            check_below(difference(kept[periods], part), 1e-10,
+                        "results with and without some memory")
+    # Equal instants: those of Euler are the beginnings of the steps.
+    check(matrices(run(SCENE, "euler", varying + [
+        "Time integration/Scheme=euler"])) == [STEPS, STEPS],
+        "Euler: one for each step")
+    # rk4: the middle stages share an instant, the last one is the first of the
+    # next step.
+    check(matrices(run(SCENE, "rk4", varying + [
+        "Time integration/Scheme=rk4"])) == [2 * STEPS, 2 * STEPS],
+        "rk4: two for each step")
+
+
+def test_no_contact():
+    summary = run(SCENE, "no_contact", ["Boundary/Contact=none"]).summary
+    counter = summary["counters"]
+    print("without contact:", summary["contact_solver"]["name"], counter)
+    check(summary["contact_solver"]["name"] == "none", "no contact solver")
+    check(not summary["effects"]["contact"]["on"], "no contact")
+    check(summary["contact_nodes"] == 0, "no nodes of it")
+    check(counter["linear_solves"] == counter["vi_iterations"]
+          == counter["vi_solves"] == 2 * INSTANTS + 1, "plain solves only")
+
+
+def test_no_viscosity():
+    results = run(SCENE, "no_viscosity", [
+        "Material/Viscosity=none", "Output/Fields=vtu",
+        "Output/Field times=150", "Loads/Traction=0; 10*sin(2*pi*t/600) + 1"])
+    summary = results.summary
+    counter = summary["counters"]
+    print("without viscosity:", counter)
+    check(counter["rate_evaluations"] == 0, "nothing creeps")
+    # One problem for each step, no stages between.
+    check(counter["vi_solves"] == summary["periods"] * STEPS + 1,
+          "a problem for each step")
+    check("drift" not in summary and not summary["secular"]["on"]
+          and "largest_rate" not in summary["secular"], "nothing flows")
+    fields = "".join(path.read_text(errors="replace") for path in
+                     results.directory.glob("solution*.pvtu"))
+    check("displacement" in fields and "viscous" not in fields,
+          "no field of the viscous strain")
+    fields = "".join(
+        path.read_text(errors="replace") for path in
+        run(SCENE, "viscous", ["Output/Fields=vtu"]).directory.glob(
+            "solution*.pvtu"))
+    check("viscous_strain_11" in fields, "which there is otherwise")
+
+
+def test_secular_flow():
+    """Zero mean: nothing to solve. Otherwise one problem more, with the same
+    matrix for a viscosity in proportion to the stiffness, with one of its own
+    for another."""
+    summary = run(SCENE, "zero_mean").summary
+    base = summary["counters"]["vi_solves"]
+    check(not summary["secular"]["on"] and base == 2 * INSTANTS + 1,
+          "zero mean: off")
+    mean = ["Loads/Traction=0; 10*sin(2*pi*t/600) + 1"]
+    for name, settings, on, matrix in (
+            ("proportional", [], True, 1),
+            ("other", ["Material/Viscosity=isotropic",
+                       "Material/Viscous modulus=13000*60",
+                       "Material/Viscous Poisson ratio=0.45"], True, 2),
+            ("switched_off", ["Periodic state/Secular split=off"], False, 1),
+            ("varying", ["Material/Relaxation time=60 + sin(2*pi*t/600)"],
+             False, 1),
+            ("spring", ["Material/Viscosity=chain", "Material/Chain=0.5: 60"],
+             False, 1)):
+        results = run(SCENE, name, mean + settings)
+        secular = results.summary["secular"]
+        print(f"{name}: {secular['why']}")
+        check(secular["on"] == on, f"{name}: {secular}")
+        check(matrices(results) == [matrix, matrix], f"{name}: matrices")
+        check(counters(results, "vi_solves") == [base + on],
+              f"{name}: problems solved")
+
+
+if __name__ == "__main__":
+    test_table()
+    test_constant_stiffness()
+    test_varying_stiffness()
+    test_no_contact()
+    test_no_viscosity()
+    test_secular_flow()
