@@ -63,16 +63,15 @@ namespace Crevasse
       for (unsigned int j = 0; j < n; ++j)
         full(i, j) =
           0.5 * (matrix[places[i]][places[j]] + matrix[places[j]][places[i]]);
-    full.set_property(LAPACKSupport::symmetric);
     try
       {
-        full.compute_cholesky_factorization();
+        // Unlike roots, pivots round nothing in a diagonal matrix.
+        full.compute_lu_factorization();
         full.invert();
       }
     catch (const ExceptionBase &)
       {
-        throw NumericalError(
-          "A matrix of [Material] is not positive definite.");
+        throw NumericalError("A matrix of [Material] is singular.");
       }
     VoigtMatrix<dim> result;
     for (unsigned int i = 0; i < n; ++i)

@@ -12,12 +12,67 @@
 #include <crevasse/scene/period_mean.h>
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
 #include <limits>
+#include <memory>
 
 namespace Crevasse
 {
+  namespace
+  {
+    using Function = std::function<double(const double t)>;
+
+
+
+    double
+    call(const double t, void *function)
+    {
+      return (*static_cast<const Function *>(function))(t);
+    }
+
+
+
+    /** For functions with kinks and jumps: bisects where the error is largest
+     * until rounding is all that is left of it, or nothing more is gained.
+     *
+     * @param size of the values. */
+    double
+    adaptive_mean(const Function &f, const double period, const double size)
+    {
+      constexpr unsigned int n_parts = 128; // a pulse may hide in one of few
+      constexpr std::size_t  most_intervals = 200;
+      constexpr double       relative       = 2e-14; // the least it takes
+      constexpr double       rounding = std::numeric_limits<double>::epsilon();
+      gsl_set_error_handler_off(); // what is reached is good enough
+      const std::unique_ptr<gsl_integration_workspace,
+                            void (*)(gsl_integration_workspace *)>
+                   workspace(gsl_integration_workspace_alloc(most_intervals),
+                  gsl_integration_workspace_free);
+      gsl_function integrand{call, const_cast<Function *>(&f)};
+      double       sum = 0.;
+      for (unsigned int k = 0; k < n_parts; ++k)
+        {
+          double integral, error;
+          gsl_integration_qag(&integrand,
+                              period * k / n_parts,
+                              period * (k + 1) / n_parts,
+                              rounding * size * period / n_parts,
+                              relative,
+                              most_intervals,
+                              GSL_INTEG_GAUSS15,
+                              workspace.get(),
+                              &integral,
+                              &error);
+          sum += integral;
+        }
+      return sum / period;
+    }
+  } // namespace
+
+
+
   double
   period_mean(const std::function<double(const double t)> &f,
               const double                                 period)
@@ -55,10 +110,6 @@ namespace Crevasse
         if (agreements == 2)
           return mean;
       }
-    constexpr unsigned int most_bisections = 50;
-    constexpr double       tolerance       = 1e-13;
-    return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
-             f, 0., period, most_bisections, tolerance) /
-           period;
+    return adaptive_mean(f, period, largest);
   }
 } // namespace Crevasse

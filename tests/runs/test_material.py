@@ -313,7 +313,7 @@ REFUSED = [
     (["Material/Young modulus=0.5 - x"],
      ["Young modulus = 0.5 - x", "at (0.96", "must be greater than 0"]),
     (["Material/Young modulus=2 - y - 2*t/600"],
-     ["Young modulus", "t = 592.5", ", 0.94", "must be greater than 0"]),
+     ["Young modulus", "t = 595", ", 0.94", "must be greater than 0"]),
     (["Material/Relaxation time=if(x < 0.2 && t >= 300, -5, 60)"],
      ["Relaxation time", "is -5", "t = 300"]),
     (["Material/Poisson ratio=0.3 + 0.3*x"],
