@@ -90,6 +90,23 @@ def run_on(n_ranks, scene, name, settings=()):
     return Results(directory)
 
 
+def probe_difference(one, other):
+    """The largest difference of lengths and of stresses at the probes "mouth"
+    and "inside" of two runs, relative to the largest of its kind."""
+    worst = 0.
+    for probe in ("mouth", "inside"):
+        mine = one.table(f"probe_{probe}.csv")
+        theirs = other.table(f"probe_{probe}.csv")
+        for kind in (("u_1", "u_2", "opening"),
+                     ("s_11", "s_22", "s_12", "pressure")):
+            columns = [column for column in kind if column in mine]
+            size = max(abs(x) for column in columns for x in mine[column])
+            worst = max(worst, *(abs(a - b) / size for column in columns
+                                 for a, b in zip(mine[column], theirs[column],
+                                                 strict=True)))
+    return worst
+
+
 def check(condition, message):
     if not condition:
         raise Failure(message)

@@ -4,7 +4,7 @@ bears the mean load, so that nothing flows."""
 
 import math
 
-from crevasse_run import check, check_below, run
+from crevasse_run import check, check_below, probe_difference, run
 
 # Cooled at once and for ever between two rigid planes: a strain step.
 HELD = """
@@ -125,21 +125,6 @@ end
 """
 
 
-def difference(one, other):
-    """Of lengths and of stresses, relative to the largest."""
-    worst = 0.
-    for name in ("probe_mouth.csv", "probe_inside.csv"):
-        mine, theirs = one.table(name), other.table(name)
-        for kind in (("u_1", "u_2", "opening"),
-                     ("s_11", "s_22", "s_12", "pressure")):
-            columns = [column for column in kind if column in mine]
-            size = max(abs(x) for column in columns for x in mine[column])
-            worst = max(worst, *(abs(a - b) / size for column in columns
-                                 for a, b in zip(mine[column], theirs[column],
-                                                 strict=True)))
-    return worst
-
-
 def test_one_branch():
     """A chain of one body, or of several alike, is the Maxwell body; unsplit
     and with the mean load's flow split off."""
@@ -153,7 +138,7 @@ def test_one_branch():
                     "Material/Viscosity=chain", f"Material/Chain={text}"])
                 check(chain.summary["secular"]["on"] == (split == "on"),
                       "the split form")
-                check_below(difference(plain, chain), 1e-11,
+                check_below(probe_difference(plain, chain), 1e-11,
                             f"chain {text}, split {split}, mean {mean}")
                 rates = [results.summary["secular"]["largest_rate"]
                          for results in (plain, chain)]
@@ -161,7 +146,8 @@ def test_one_branch():
                             f"chain {text}, split {split}: largest rate")
             other = run(CRACK, "chain", here + [
                 "Material/Viscosity=chain", "Material/Chain=1: 61"])
-            check(difference(plain, other) > 1e-4, "the relaxation time counts")
+            check(probe_difference(plain, other) > 1e-4,
+                  "the relaxation time counts")
 
 
 def test_flow_of_a_chain():

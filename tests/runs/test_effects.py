@@ -2,7 +2,7 @@
 the counters of summary.json, one test for each effect, and the table of
 effects itself."""
 
-from crevasse_run import check, check_below, run
+from crevasse_run import check, check_below, probe_difference, run
 
 SCENE = """
 subsection Geometry
@@ -51,20 +51,6 @@ def counters(results, *names):
 
 def matrices(results):
     return counters(results, "assemblies", "factorisations")
-
-
-def difference(one, other):
-    worst = 0.
-    for name in ("probe_mouth.csv", "probe_inside.csv"):
-        mine, theirs = one.table(name), other.table(name)
-        for kind in (("u_1", "u_2", "opening"),
-                     ("s_11", "s_22", "s_12", "pressure")):
-            columns = [column for column in kind if column in mine]
-            size = max(abs(x) for column in columns for x in mine[column])
-            worst = max(worst, *(abs(a - b) / size for column in columns
-                                 for a, b in zip(mine[column], theirs[column],
-                                                 strict=True)))
-    return worst
 
 
 def test_table():
@@ -134,7 +120,7 @@ def test_varying_stiffness():
         found = matrices(none)
         check(found[0] == found[1] and found[0] >= periods * INSTANTS,
               "one for each instant of each period")
-        check_below(difference(kept[periods], none), 1e-10,
+        check_below(probe_difference(kept[periods], none), 1e-10,
                     "results with and without memory")
         if periods == 4:
             # Some are kept, the others made anew.
@@ -142,7 +128,7 @@ def test_varying_stiffness():
                 "Linear solver/Memory for instants=1"])
             some = matrices(part)
             check(INSTANTS < some[0] < found[0], "some are kept")
-            check_below(difference(kept[periods], part), 1e-10,
+            check_below(probe_difference(kept[periods], part), 1e-10,
                         "results with and without some memory")
     # Equal instants: those of Euler are the beginnings of the steps.
     check(matrices(run(SCENE, "euler", varying + [
