@@ -13,6 +13,7 @@
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/scene/problems.h>
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
@@ -78,6 +79,27 @@ namespace Crevasse
       for (unsigned int j = 0; j < n; ++j)
         result[places[i]][places[j]] = 0.5 * (full(i, j) + full(j, i));
     return result;
+  }
+
+
+
+  template <int dim>
+  VoigtMatrix<dim>
+  relaxed_stiffness(const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H)
+  {
+    constexpr unsigned int n  = n_stress_components<dim>;
+    const VoigtMatrix<dim> KH = K * H;
+    FullMatrix<double>     full(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        full(i, j) = (i == j ? 1. : 0.) + KH[i][j];
+    full.gauss_jordan();
+    VoigtMatrix<dim> inverted;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        inverted[i][j] = full(i, j);
+    const VoigtMatrix<dim> result = inverted * K;
+    return 0.5 * (result + transpose(result));
   }
 
 
@@ -170,6 +192,8 @@ namespace Crevasse
 
 #define INSTANTIATE(dim)                                                       \
   template VoigtMatrix<dim> inverse<dim>(const VoigtMatrix<dim> &);            \
+  template VoigtMatrix<dim> relaxed_stiffness<dim>(const VoigtMatrix<dim> &,   \
+                                                   const VoigtMatrix<dim> &);  \
   template VoigtMatrix<dim> condense_thickness<dim>(const VoigtMatrix<dim> &); \
   template VoigtMatrix<dim> in_plane<dim>(const VoigtMatrix<dim> &);           \
   template double least_relative_eigenvalue<dim>(const VoigtMatrix<dim> &,     \

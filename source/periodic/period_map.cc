@@ -13,6 +13,58 @@
 
 namespace Crevasse
 {
+  namespace
+  {
+    /** An equation whose time is brought into the period. */
+    class PeriodicEquation : public RateEquation
+    {
+    public:
+      PeriodicEquation(RateEquation &equation, const StepList &steps)
+        : equation(equation)
+        , steps(steps)
+      {
+      }
+
+
+
+      void
+      rate(const double t, const Vector &r, Vector &rate) override
+      {
+        equation.rate(steps.within_period(t), r, rate);
+      }
+
+
+
+      void
+      implicit_rate(const double  t,
+                    const Vector &known,
+                    const double  c,
+                    Vector       &rate) override
+      {
+        equation.implicit_rate(steps.within_period(t), known, c, rate);
+      }
+
+
+
+      void
+      semi_implicit_rate(const double  t,
+                         const Vector &predicted,
+                         const Vector &known,
+                         const double  c,
+                         Vector       &rate) override
+      {
+        equation.semi_implicit_rate(
+          steps.within_period(t), predicted, known, c, rate);
+      }
+
+    private:
+      RateEquation   &equation;
+      const StepList &steps;
+    };
+  } // namespace
+
+
+
   template <int dim>
   PeriodMap<dim>::PeriodMap(Evolution<dim> &evolution,
                             Integrator     *integrator,
@@ -31,9 +83,9 @@ namespace Crevasse
                           Vector                                    &r,
                           const std::function<void(const Sample &)> &observe)
   {
-    const RateFunction f = [&](const double t, const Vector &y, Vector &rate) {
-      evolution.rate(step_list.within_period(t), y, rate);
-    };
+    PeriodicEquation f(evolution, step_list);
+    if (has_memory())
+      integrator->restart();
     for (unsigned int k = 0; k < step_list.n_steps(); ++k)
       {
         const double t    = step_list.instant(k);

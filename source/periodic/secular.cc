@@ -12,8 +12,6 @@
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/periodic/secular.h>
 
-#include <map>
-
 namespace Crevasse
 {
   namespace
@@ -30,60 +28,6 @@ namespace Crevasse
     bearing_part(const VoigtMatrix<dim> &H, const bool plane_stress)
     {
       return plane_stress ? in_plane<dim>(H) : H;
-    }
-
-
-
-    template <int dim>
-    Matrices<dim>
-    inverse_of(const Matrices<dim> &fluidity,
-               const bool           plane_stress,
-               const std::size_t    n_points)
-    {
-      std::vector<VoigtMatrix<dim>> values;
-      for (const VoigtMatrix<dim> &H : fluidity.distinct())
-        values.push_back(inverse<dim>(bearing_part<dim>(H, plane_stress)));
-      if (fluidity.is_uniform())
-        return Matrices<dim>(values.front());
-      std::vector<std::uint32_t> which(n_points);
-      for (std::size_t p = 0; p < n_points; ++p)
-        which[p] = fluidity.index(p);
-      return Matrices<dim>(std::move(values), std::move(which));
-    }
-
-
-
-    template <int dim>
-    Matrices<dim>
-    sum_of(const std::vector<Matrices<dim>> &branches,
-           const std::size_t                 n_points)
-    {
-      const auto sum_at = [&](const std::size_t p) {
-        VoigtMatrix<dim> sum;
-        for (const auto &branch : branches)
-          sum += branch[p];
-        return sum;
-      };
-      bool is_uniform = true;
-      for (const auto &branch : branches)
-        is_uniform = is_uniform && branch.is_uniform();
-      if (is_uniform)
-        return Matrices<dim>(sum_at(0));
-
-      std::vector<VoigtMatrix<dim>>                     values;
-      std::vector<std::uint32_t>                        which(n_points);
-      std::map<std::vector<std::size_t>, std::uint32_t> numbers;
-      std::vector<std::size_t>                          key(branches.size());
-      for (std::size_t p = 0; p < n_points; ++p)
-        {
-          for (unsigned int i = 0; i < branches.size(); ++i)
-            key[i] = branches[i].index(p);
-          const auto [number, is_new] = numbers.emplace(key, values.size());
-          if (is_new)
-            values.push_back(sum_at(p));
-          which[p] = number->second;
-        }
-      return Matrices<dim>(std::move(values), std::move(which));
     }
   } // namespace
 
@@ -112,8 +56,17 @@ namespace Crevasse
     std::vector<Matrices<dim>> branches;
     for (const auto &fluidity : material.fluidity)
       branches.push_back(
-        inverse_of<dim>(*fluidity, material.plane_stress, n_points));
-    Matrices<dim> sum = sum_of<dim>(branches, n_points);
+        transform(*fluidity, n_points, [&](const VoigtMatrix<dim> &H) {
+          return inverse<dim>(bearing_part<dim>(H, material.plane_stress));
+        }));
+    Matrices<dim> sum = branches.front();
+    for (unsigned int i = 1; i < branches.size(); ++i)
+      sum = combine(sum,
+                    branches[i],
+                    n_points,
+                    [](const VoigtMatrix<dim> &a, const VoigtMatrix<dim> &b) {
+                      return a + b;
+                    });
     return {std::move(branches), std::move(sum)};
   }
 

@@ -152,6 +152,10 @@ namespace Crevasse
     if (integrator != nullptr)
       {
         const TimeQuadrature rule = integrator->quadrature();
+        if (rule.weights.empty())
+          refuse(comparison,
+                 "[Time integration] Scheme = " + integrator->description() +
+                   " weights the loads by how fast they relax.");
         for (unsigned int k = 0; k < steps.n_steps(); ++k)
           for (unsigned int s = 0; s < rule.nodes.size(); ++s)
             if (rule.weights[s] != 0.)

@@ -34,6 +34,8 @@ namespace Crevasse
   InstantCache<dim>::memory_consumption(const InstantEntry<dim> &entry) const
   {
     std::size_t bytes = body.material.memory_of_variation(entry.material);
+    if (entry.moduli != nullptr)
+      bytes += entry.moduli->memory_consumption();
     if (entry.system != nullptr)
       bytes += entry.system->memory_consumption();
     return Utilities::MPI::sum(double(bytes), body.space.communicator());
@@ -46,7 +48,7 @@ namespace Crevasse
   InstantCache<dim>::kept_memory() const
   {
     double bytes = 0.;
-    for (const auto &[t, entry] : kept)
+    for (const auto &[key, entry] : kept)
       bytes += memory_consumption(entry);
     return bytes;
   }
@@ -55,16 +57,16 @@ namespace Crevasse
 
   template <int dim>
   InstantEntry<dim> &
-  InstantCache<dim>::at(const double t, const Make &make)
+  InstantCache<dim>::at(const InstantKey &key, const Make &make)
   {
-    if (const auto found = kept.find(t); found != kept.end())
+    if (const auto found = kept.find(key); found != kept.end())
       return found->second;
-    if (scratch && scratch_time == t)
+    if (scratch && !(scratch_key < key) && !(key < scratch_key))
       return *scratch;
 
     InstantEntry<dim> entry = make();
     if (!is_full && kept_memory() + memory_consumption(entry) <= limit)
-      return kept.emplace(t, std::move(entry)).first->second;
+      return kept.emplace(key, std::move(entry)).first->second;
     if (!is_full)
       log.line("  memory: " + std::to_string(kept.size()) +
                " instants are kept; what varies in time is made anew for the "
@@ -72,8 +74,8 @@ namespace Crevasse
     is_full = true;
     if (scratch && scratch->system != nullptr)
       of_the_past.add(scratch->system->statistics());
-    scratch      = std::move(entry);
-    scratch_time = t;
+    scratch     = std::move(entry);
+    scratch_key = key;
     return *scratch;
   }
 
@@ -84,7 +86,7 @@ namespace Crevasse
   InstantCache<dim>::statistics() const
   {
     SolverStatistics all = of_the_past;
-    for (const auto &[t, entry] : kept)
+    for (const auto &[key, entry] : kept)
       if (entry.system != nullptr)
         all.add(entry.system->statistics());
     if (scratch && scratch->system != nullptr)

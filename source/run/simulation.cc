@@ -20,7 +20,9 @@
 #include <crevasse/run/version.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
+#include <crevasse/time/predictor_corrector.h>
 #include <crevasse/time/runge_kutta.h>
+#include <crevasse/time/sdirk.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -43,6 +45,10 @@ namespace Crevasse
         return std::make_unique<RungeKutta>(euler_tableau());
       if (parameters.scheme == "rk4")
         return std::make_unique<RungeKutta>(rk4_tableau());
+      if (parameters.scheme == "predictor corrector")
+        return std::make_unique<PredictorCorrector>();
+      if (parameters.scheme == "sdirk2")
+        return std::make_unique<Sdirk2>();
       return std::make_unique<RungeKutta>(heun_tableau(parameters.heun_weight));
     }
 
@@ -126,8 +132,15 @@ namespace Crevasse
     time << "  time: " << steps.n_steps() << " steps a period, the largest "
          << steps.largest_step();
     if (integrator != nullptr)
-      time << "; " << integrator->description() << ", stable below "
-           << integrator->stability_limit() * smallest_relaxation_time;
+      {
+        const double limit =
+          integrator->stability_limit() * smallest_relaxation_time;
+        time << "; " << integrator->description() << ", stable ";
+        if (std::isfinite(limit))
+          time << "below " << limit;
+        else
+          time << "with any step";
+      }
     log.line(time.str());
   }
 
@@ -202,9 +215,7 @@ namespace Crevasse
     Evolution<dim>     evolution(body.strain_operator,
                              body.points,
                              body.loads,
-                             [&solvers](const double t) {
-                               return solvers.at(t);
-                             });
+                             solvers);
     PeriodMap<dim>     period_map(evolution, integrator.get(), steps);
     March<dim>         march(
       period_map,

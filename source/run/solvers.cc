@@ -102,24 +102,29 @@ namespace Crevasse
 
 
   template <int dim>
-  InstantEntry<dim>
-  Solvers<dim>::make_entry(const double t)
+  double
+  Solvers<dim>::key_of(const double t) const
   {
-    InstantEntry<dim> entry{body.material.at(t), nullptr};
-    if (only_system == nullptr)
-      {
-        entry.system =
-          std::make_unique<ContactSystem<dim>>(solver_settings,
-                                               body.space,
-                                               body.points,
-                                               *entry.material.stiffness,
-                                               bounds,
-                                               last_system);
-        if (last_system != nullptr)
-          entry.system->contact_solver().start_from(
-            last_system->contact_solver().closed_bounds());
-      }
-    return entry;
+    const bool varies = body.material.stiffness_varies() ||
+                        body.material.fluidity_varies() ||
+                        body.material.thermal_strain_varies();
+    // The only state of a material that does not vary is at t = 0.
+    return varies ? t : 0.;
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<ContactSystem<dim>>
+  Solvers<dim>::make_system(
+    const typename MaterialState<dim>::Matrices &stiffness)
+  {
+    auto system = std::make_unique<ContactSystem<dim>>(
+      solver_settings, body.space, body.points, stiffness, bounds, last_system);
+    if (last_system != nullptr)
+      system->contact_solver().start_from(
+        last_system->contact_solver().closed_bounds());
+    return system;
   }
 
 
@@ -128,16 +133,62 @@ namespace Crevasse
   Instant<dim>
   Solvers<dim>::at(const double t)
   {
-    const bool varies = body.material.stiffness_varies() ||
-                        body.material.fluidity_varies() ||
-                        body.material.thermal_strain_varies();
-    // The only state of a material that does not vary is at t = 0.
-    InstantEntry<dim> &entry =
-      instants.at(varies ? t : 0., [&]() { return make_entry(t); });
+    const bool         varies = only_system == nullptr;
+    InstantEntry<dim> &entry  = instants.at({key_of(t), 0., varies}, [&]() {
+      InstantEntry<dim> made{body.material.at(t), nullptr, nullptr};
+      if (varies)
+        made.system = make_system(*made.material.stiffness);
+      return made;
+    });
     body.material.set_factors(t, entry.material);
-    if (entry.system != nullptr)
-      last_system = entry.system.get();
+    last_system = varies ? entry.system.get() : only_system.get();
     return {entry.material, last_system->contact_solver()};
+  }
+
+
+
+  template <int dim>
+  InstantEntry<dim> &
+  Solvers<dim>::implicit_entry(const double t,
+                               const double c,
+                               const bool   has_system)
+  {
+    MaterialState<dim> factors;
+    body.material.set_factors(t, factors);
+    const double kappa =
+      c * factors.stiffness_factor / factors.viscosity_factor;
+    InstantEntry<dim> &entry =
+      instants.at({key_of(t), kappa, has_system}, [&]() {
+        InstantEntry<dim> made{body.material.at(t), nullptr, nullptr};
+        made.moduli = std::make_unique<AlgorithmicModuli<dim>>(
+          made.material, kappa, body.points.n_local_points());
+        if (has_system)
+          made.system = make_system(made.moduli->sum);
+        return made;
+      });
+    body.material.set_factors(t, entry.material);
+    return entry;
+  }
+
+
+
+  template <int dim>
+  ImplicitInstant<dim>
+  Solvers<dim>::implicit_at(const double t, const double c)
+  {
+    InstantEntry<dim> &entry = implicit_entry(t, c, true);
+    last_system              = entry.system.get();
+    return {entry.material, *entry.moduli, &last_system->contact_solver()};
+  }
+
+
+
+  template <int dim>
+  ImplicitInstant<dim>
+  Solvers<dim>::implicit_material_at(const double t, const double c)
+  {
+    InstantEntry<dim> &entry = implicit_entry(t, c, false);
+    return {entry.material, *entry.moduli, nullptr};
   }
 
 

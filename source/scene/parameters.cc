@@ -273,9 +273,13 @@ namespace Crevasse
   {
     prm.add_parameter("Scheme",
                       scheme,
-                      "Runge-Kutta method for the viscous strain, of order 1, "
-                      "2 or 4.",
-                      Patterns::Selection("euler|heun|rk4"));
+                      "Method for the viscous strain. Explicit, with a limit "
+                      "of the step: \"euler\", \"heun\" and \"rk4\" of "
+                      "order 1, 2 and 4, and \"predictor corrector\" of order "
+                      "2, implicit in the material alone. Implicit, without "
+                      "limit: \"sdirk2\" of order 2.",
+                      Patterns::Selection(
+                        "euler|heun|rk4|predictor corrector|sdirk2"));
     prm.add_parameter("Heun weight",
                       heun_weight,
                       "Weight w of the second stage of the scheme \"heun\", "

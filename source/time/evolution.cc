@@ -74,7 +74,7 @@ namespace Crevasse
   Evolution<dim>::Evolution(const StrainOperator<dim>  &strain_operator,
                             const QuadratureField<dim> &points,
                             const ExternalLoads<dim>   &loads,
-                            const Instants<dim>        &instants)
+                            Instants<dim>              &instants)
     : strain_operator(strain_operator)
     , loads(loads)
     , instants(instants)
@@ -113,7 +113,6 @@ namespace Crevasse
   {
     const MaterialState<dim> &material = instant.material;
     const double              k        = material.stiffness_factor;
-    last.stiffness_factor              = k;
     loads.evaluate(t, loading);
     if (inelastic_strain != nullptr)
       {
@@ -131,10 +130,18 @@ namespace Crevasse
                         (*inelastic_strain)(offset));
           });
       }
-    instant.contact_solver.solve(loading,
-                                 last.displacement,
-                                 last.contact_forces,
-                                 k);
+    solve_for_displacement(instant.contact_solver, k);
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::solve_for_displacement(ContactSolver &contact_solver,
+                                         const double   k)
+  {
+    contact_solver.solve(loading, last.displacement, last.contact_forces, k);
+    last.stiffness_factor = k;
   }
 
 
@@ -145,7 +152,7 @@ namespace Crevasse
   {
     using Field = QuadratureField<dim>;
 
-    const Instant<dim>         instant  = instants(t);
+    const Instant<dim>         instant  = instants.at(t);
     const MaterialState<dim>  &material = instant.material;
     const InelasticStrain<dim> inelastic(material, r);
     solve_for_displacement(t, instant, &inelastic);
@@ -217,9 +224,111 @@ namespace Crevasse
 
   template <int dim>
   void
+  Evolution<dim>::implicit_rate(const double  t,
+                                const Vector &known,
+                                const double  c,
+                                Vector       &rate)
+  {
+    using Field                           = QuadratureField<dim>;
+    const ImplicitInstant<dim>    instant = instants.implicit_at(t, c);
+    const AlgorithmicModuli<dim> &moduli  = instant.moduli;
+    const double                  k       = instant.material.stiffness_factor;
+    const InelasticStrain<dim>    inelastic(instant.material, known);
+
+    loads.evaluate(t, loading);
+    strain_operator.add_transpose(loading, [&](const std::size_t offset) {
+      const std::size_t point  = offset / Field::n_components;
+      VoigtVector<dim>  stress = moduli.sum[point] * inelastic.thermal(offset);
+      for (unsigned int i = 0; i < inelastic.n_branches; ++i)
+        stress +=
+          moduli.branches[i][point] * known_strain(inelastic, offset, i, c);
+      return k * stress;
+    });
+    solve_for_displacement(*instant.contact_solver, k);
+    implicit_rates(instant, known, c, rate);
+    ++rate_evaluations;
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::semi_implicit_rate(const double  t,
+                                     const Vector &predicted,
+                                     const Vector &known,
+                                     const double  c,
+                                     Vector       &rate)
+  {
+    {
+      const Instant<dim>         instant = instants.at(t);
+      const InelasticStrain<dim> inelastic(instant.material, predicted);
+      solve_for_displacement(t, instant, &inelastic);
+    }
+    implicit_rates(instants.implicit_material_at(t, c), known, c, rate);
+    ++rate_evaluations;
+  }
+
+
+
+  template <int dim>
+  VoigtVector<dim>
+  Evolution<dim>::known_strain(const InelasticStrain<dim> &known,
+                               const std::size_t           offset,
+                               const unsigned int          branch,
+                               const double                c) const
+  {
+    const std::size_t place  = known.offset_of_branch(offset, branch);
+    VoigtVector<dim>  strain = QuadratureField<dim>::get(known.r, place);
+    if (flow != nullptr)
+      strain -= c * QuadratureField<dim>::get(flow->strain_rate, place);
+    return strain;
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::implicit_rates(const ImplicitInstant<dim> &instant,
+                                 const Vector               &known,
+                                 const double                c,
+                                 Vector                     &rate)
+  {
+    using Field                            = QuadratureField<dim>;
+    const MaterialState<dim>     &material = instant.material;
+    const AlgorithmicModuli<dim> &moduli   = instant.moduli;
+    const double                  k        = material.stiffness_factor;
+    const InelasticStrain<dim>    inelastic(material, known);
+    strain_operator.for_each_strain(
+      last.displacement,
+      [&](const std::size_t offset, const VoigtVector<dim> &strain) {
+        const std::size_t      point      = offset / Field::n_components;
+        const VoigtVector<dim> mechanical = strain - inelastic.thermal(offset);
+        VoigtVector<dim>       stress     = moduli.sum[point] * mechanical;
+        for (unsigned int i = 0; i < inelastic.n_branches; ++i)
+          {
+            const VoigtMatrix<dim> &modulus = moduli.branches[i][point];
+            const VoigtVector<dim>  relaxed =
+              known_strain(inelastic, offset, i, c);
+            stress -= modulus * relaxed;
+            const std::size_t place = inelastic.offset_of_branch(offset, i);
+            VoigtVector<dim>  branch_rate = (*material.fluidity[i])[point] *
+                                           (modulus * (mechanical - relaxed)) *
+                                           (k / material.viscosity_factor);
+            if (flow != nullptr)
+              branch_rate -= Field::get(flow->strain_rate, place);
+            Field::set(rate, place, branch_rate);
+          }
+        Field::set(last.stress, offset, k * stress);
+      });
+  }
+
+
+
+  template <int dim>
+  void
   Evolution<dim>::elastic_state(const double t)
   {
-    const Instant<dim>         instant  = instants(t);
+    const Instant<dim>         instant  = instants.at(t);
     const MaterialState<dim>  &material = instant.material;
     const Vector               none;
     const InelasticStrain<dim> inelastic(material, none);

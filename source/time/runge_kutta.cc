@@ -22,7 +22,7 @@ namespace Crevasse
 
 
   void
-  RungeKutta::step(const RateFunction          &f,
+  RungeKutta::step(RateEquation                &f,
                    const double                 t,
                    const double                 time_step,
                    Vector                      &r,
@@ -35,7 +35,7 @@ namespace Crevasse
           rate.reinit(r, true);
       }
 
-    f(t, r, rates[0]);
+    f.rate(t, r, rates[0]);
     at_start();
     for (unsigned int s = 1; s < rates.size(); ++s)
       {
@@ -43,7 +43,7 @@ namespace Crevasse
         for (unsigned int i = 0; i < s; ++i)
           if (tableau.matrix[s][i] != 0.)
             stage.add(time_step * tableau.matrix[s][i], rates[i]);
-        f(t + tableau.nodes[s] * time_step, stage, rates[s]);
+        f.rate(t + tableau.nodes[s] * time_step, stage, rates[s]);
       }
     for (unsigned int s = 0; s < rates.size(); ++s)
       if (tableau.weights[s] != 0.)

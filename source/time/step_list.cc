@@ -135,7 +135,7 @@ namespace Crevasse
 
     std::ostringstream message;
     message << "The time step " << largest
-            << " is too large: this explicit scheme is stable below " << limit
+            << " is too large: this scheme is stable below " << limit
             << " times the smallest relaxation time "
             << smallest_relaxation_time << ", that is below " << bound
             << ", whatever the mesh. ";
@@ -144,10 +144,11 @@ namespace Crevasse
         const double n_needed = std::floor(period() / bound * (1 + 1e-12)) + 1.;
         message << "Use at least " << n_needed
                 << " steps: --set \"Time integration/Steps per period="
-                << n_needed << "\".";
+                << n_needed << "\"";
       }
     else
-      message << "Add instants to [Time integration] Steps.";
+      message << "Add instants to [Time integration] Steps";
+    message << ", or Scheme = sdirk2, which is stable with any step.";
     throw NumericalError(message.str());
   }
 } // namespace Crevasse

@@ -56,6 +56,43 @@ namespace
 
 
 
+  /** The same material and solver at all instants. */
+  template <int dim>
+  class ConstantInstant : public Instants<dim>
+  {
+  public:
+    ConstantInstant(const MaterialState<dim> &material,
+                    ContactSolver            &contact_solver)
+      : material(material)
+      , contact_solver(contact_solver)
+    {
+    }
+
+    Instant<dim>
+    at(const double) override
+    {
+      return {material, contact_solver};
+    }
+
+    ImplicitInstant<dim>
+    implicit_at(const double, const double) override
+    {
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
+
+    ImplicitInstant<dim>
+    implicit_material_at(const double, const double) override
+    {
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
+
+  private:
+    const MaterialState<dim> &material;
+    ContactSolver            &contact_solver;
+  };
+
+
+
   /** Statically determinate. */
   template <int dim>
   std::vector<FixedPoint<dim>>
@@ -127,9 +164,8 @@ namespace
     const SignoriniProblem problem(matrix, none);
     Cholesky               cholesky(matrix);
     Unconstrained          solver(problem, cholesky, 1e-12);
-    Evolution<dim> evolution(strain_operator, points, loads, [&](const double) {
-      return Instant<dim>{state, solver};
-    });
+    ConstantInstant<dim>   instants(state, solver);
+    Evolution<dim>         evolution(strain_operator, points, loads, instants);
 
     Vector r;
     points.initialize(r);

@@ -9,14 +9,16 @@
 //
 // ---------------------------------------------------------------------
 
-// Orders of the Runge-Kutta schemes on a nonlinear equation with known
-// solution, their stability limits on a decaying one, and the relaxation times
+// Orders of the schemes on equations with known solutions, their stability
+// limits on decaying ones, and the relaxation times
 // on which the limits are based.
 
 #include <crevasse/material/maxwell_law.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/time/predictor_corrector.h>
 #include <crevasse/time/runge_kutta.h>
+#include <crevasse/time/sdirk.h>
 #include <crevasse/time/step_list.h>
 
 #include <crevasse_tests/tests.h>
@@ -25,55 +27,195 @@ using namespace Crevasse;
 
 namespace
 {
+  /** An equation that only explicit methods can integrate. */
+  class ExplicitEquation : public RateEquation
+  {
+  public:
+    void
+    implicit_rate(const double, const Vector &, const double, Vector &) override
+    {
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
+
+    void
+    semi_implicit_rate(const double,
+                       const Vector &,
+                       const Vector &,
+                       const double,
+                       Vector &) override
+    {
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
+  };
+
   /** r' = −r² (1 + cos t): r = 1 / (1 + t + sin t). */
+  class Quadratic : public ExplicitEquation
+  {
+  public:
+    void
+    rate(const double t, const Vector &r, Vector &rate) override
+    {
+      rate(0) = -r(0) * r(0) * (1. + std::cos(t));
+    }
+
+    static double
+    solution(const double t)
+    {
+      return 1. / (1. + t + std::sin(t));
+    }
+  };
+
+  /** r' = q − r / τ with the "displacement" q = p r / τ + F(t), so that
+   * r' = F − (1 − p) r / τ, and F such that r = 1 + sin t. */
+  class Relaxation : public RateEquation
+  {
+  public:
+    Relaxation(const double tau, const double p)
+      : tau(tau)
+      , p(p)
+    {
+    }
+
+    static double
+    solution(const double t)
+    {
+      return 1. + std::sin(t);
+    }
+
+    virtual double
+    load(const double t) const
+    {
+      return std::cos(t) + (1. - p) / tau * solution(t);
+    }
+
+    void
+    rate(const double t, const Vector &r, Vector &rate) override
+    {
+      rate(0) = load(t) - (1. - p) / tau * r(0);
+    }
+
+    void
+    implicit_rate(const double  t,
+                  const Vector &known,
+                  const double  c,
+                  Vector       &rate) override
+    {
+      rate(0) =
+        (load(t) - (1. - p) / tau * known(0)) / (1. + c * (1. - p) / tau);
+    }
+
+    void
+    semi_implicit_rate(const double  t,
+                       const Vector &predicted,
+                       const Vector &known,
+                       const double  c,
+                       Vector       &rate) override
+    {
+      const double q = p / tau * predicted(0) + load(t);
+      rate(0)        = (q - known(0) / tau) / (1. + c / tau);
+    }
+
+  private:
+    const double tau, p;
+  };
+
   double
-  error(RungeKutta &scheme, const unsigned int n_steps)
+  integrate(Integrator        &scheme,
+            RateEquation      &equation,
+            const double       start,
+            const double       end,
+            const unsigned int n_steps)
   {
     Vector r(1);
-    r(0) = 1.;
+    r(0) = start;
+    scheme.restart();
     for (unsigned int k = 0; k < n_steps; ++k)
-      scheme.step(
-        [](const double t, const Vector &y, Vector &rate) {
-          rate(0) = -y(0) * y(0) * (1. + std::cos(t));
-        },
-        2. * k / n_steps,
-        2. / n_steps,
-        r,
-        []() {});
-    return std::abs(r(0) - 1. / (1. + 2. + std::sin(2.)));
+      scheme.step(equation, end * k / n_steps, end / n_steps, r, []() {});
+    return r(0);
   }
 
+  template <typename Equation>
   void
-  check_order(const std::string &name, RungeKutta scheme, const double order)
+  check_order(const std::string &name,
+              Integrator       &&scheme,
+              Equation           equation,
+              const double       order)
   {
-    const double rate = std::log2(error(scheme, 160) / error(scheme, 320));
+    double errors[2];
+    for (unsigned int i = 0; i < 2; ++i)
+      errors[i] = std::abs(
+        integrate(scheme, equation, equation.solution(0.), 2., 160 * (i + 1)) -
+        equation.solution(2.));
     check_below(name + ": |order - " + std::to_string(int(order)) + "|",
-                std::abs(rate - order),
+                std::abs(std::log2(errors[0] / errors[1]) - order),
                 0.1);
   }
 
-  double
-  decay(RungeKutta &scheme, const double time_step)
+  /** y' = −y */
+  class Decay : public ExplicitEquation
   {
-    Vector r(1);
-    r(0) = 1.;
-    for (unsigned int k = 0; k < 1000; ++k)
-      scheme.step([](const double,
-                     const Vector &y,
-                     Vector       &rate) { rate.equ(-1., y); },
-                  k * time_step,
-                  time_step,
-                  r,
-                  []() {});
-    return std::abs(r(0));
-  }
+  public:
+    void
+    rate(const double, const Vector &r, Vector &rate) override
+    {
+      rate.equ(-1., r);
+    }
+  };
 
   void
   check_stability(const std::string &name, RungeKutta scheme)
   {
+    Decay        equation;
     const double limit = scheme.stability_limit();
+    const auto   decay = [&](const double time_step) {
+      return std::abs(integrate(scheme, equation, 1., 1000. * time_step, 1000));
+    };
     check(name + ": decays below its limit, grows above",
-          decay(scheme, 0.99 * limit) < 1. && decay(scheme, 1.01 * limit) > 1.);
+          decay(0.99 * limit) < 1. && decay(1.01 * limit) > 1.);
+  }
+
+  /** Two bodies in parallel, without load. The first has the share p of the
+   * stiffness, the second does not flow. */
+  class Parallel : public Relaxation
+  {
+  public:
+    explicit Parallel(const double p)
+      : Relaxation(1., p)
+    {
+    }
+
+    double
+    load(const double) const override
+    {
+      return 0.;
+    }
+  };
+
+  void
+  check_predictor_corrector()
+  {
+    PredictorCorrector scheme;
+    const auto         decay = [&](const double p, const double time_step) {
+      Parallel equation(p);
+      return std::abs(integrate(scheme, equation, 1., 1000. * time_step, 1000));
+    };
+    bool decays = true;
+    for (double p = 0.; p < 1.; p += 1. / 64.)
+      decays = decays && decay(p, 0.99 * scheme.stability_limit()) < 1.;
+    check("predictor corrector: decays below its limit whatever the shares",
+          decays);
+    check("predictor corrector: grows above it with the shares 1:2",
+          decay(1. / 3., 1.01 * scheme.stability_limit()) > 1.);
+  }
+
+  void
+  check_l_stability()
+  {
+    Sdirk2   scheme;
+    Parallel equation(0.);
+    check_below("sdirk2: what a step of 1e6 relaxation times leaves",
+                std::abs(integrate(scheme, equation, 1., 1e6, 1)),
+                1e-5);
   }
 
   double
@@ -145,15 +287,24 @@ int
 main(int argc, char **argv)
 {
   return run_test(argc, argv, []() {
-    check_order("euler", RungeKutta(euler_tableau()), 1.);
+    check_order("euler", RungeKutta(euler_tableau()), Quadratic(), 1.);
     for (const double weight : {0.5, 0.75, 1.})
       check_order("heun with weight " + std::to_string(weight),
                   RungeKutta(heun_tableau(weight)),
+                  Quadratic(),
                   2.);
-    check_order("rk4", RungeKutta(rk4_tableau()), 4.);
+    check_order("rk4", RungeKutta(rk4_tableau()), Quadratic(), 4.);
+    check_order("predictor corrector",
+                PredictorCorrector(),
+                Relaxation(0.5, 0.6),
+                2.);
+    check_order("sdirk2", Sdirk2(), Relaxation(0.5, 0.6), 2.);
+    check_order("sdirk2, stiff", Sdirk2(), Relaxation(1e-9, 0.6), 2.);
     check_stability("euler", RungeKutta(euler_tableau()));
     check_stability("heun", RungeKutta(heun_tableau(0.75)));
     check_stability("rk4", RungeKutta(rk4_tableau()));
+    check_predictor_corrector();
+    check_l_stability();
     check_relaxation_times();
     check_step_list();
   });

@@ -13,6 +13,8 @@
 #define crevasse_discretisation_point_values_h
 
 #include <cstdint>
+#include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -72,6 +74,13 @@ namespace Crevasse
       return uniform ? 0 : (which.empty() ? point : which[point]);
     }
 
+    /** Whether each point has its own value. */
+    bool
+    is_individual() const
+    {
+      return !uniform && which.empty();
+    }
+
     std::size_t
     memory_consumption() const
     {
@@ -84,6 +93,62 @@ namespace Crevasse
     std::vector<std::uint32_t> which;   ///< empty: one for all or for each
     bool                       uniform; ///< also on a rank without points
   };
+
+  /** f(value) at each of n_points points, computed once where it is shared. */
+  template <typename Value, typename Function>
+  auto
+  transform(const PointValues<Value> &values,
+            const std::size_t         n_points,
+            const Function           &f)
+  {
+    using Result = std::decay_t<decltype(f(values[0]))>;
+    std::vector<Result> results;
+    results.reserve(values.distinct().size());
+    for (const Value &value : values.distinct())
+      results.push_back(f(value));
+    if (values.is_uniform())
+      return PointValues<Result>(results.front());
+    if (values.is_individual())
+      return PointValues<Result>(std::move(results));
+    std::vector<std::uint32_t> which(n_points);
+    for (std::size_t p = 0; p < n_points; ++p)
+      which[p] = values.index(p);
+    return PointValues<Result>(std::move(results), std::move(which));
+  }
+
+  /** f(a, b) at each of n_points points, computed once for each pair that
+   * points share. */
+  template <typename A, typename B, typename Function>
+  auto
+  combine(const PointValues<A> &a,
+          const PointValues<B> &b,
+          const std::size_t     n_points,
+          const Function       &f)
+  {
+    using Result = std::decay_t<decltype(f(a[0], b[0]))>;
+    if (a.is_uniform() && b.is_uniform())
+      return PointValues<Result>(f(a[0], b[0]));
+    std::vector<Result> results;
+    if (a.is_individual() || b.is_individual())
+      {
+        results.resize(n_points);
+        for (std::size_t p = 0; p < n_points; ++p)
+          results[p] = f(a[p], b[p]);
+        return PointValues<Result>(std::move(results));
+      }
+    std::vector<std::uint32_t> which(n_points);
+    std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> numbers;
+    for (std::size_t p = 0; p < n_points; ++p)
+      {
+        const auto [number, is_new] =
+          numbers.emplace(std::make_pair(a.index(p), b.index(p)),
+                          results.size());
+        if (is_new)
+          results.push_back(f(a[p], b[p]));
+        which[p] = number->second;
+      }
+    return PointValues<Result>(std::move(results), std::move(which));
+  }
 } // namespace Crevasse
 
 #endif

@@ -26,6 +26,12 @@ namespace Crevasse
   VoigtMatrix<dim>
   inverse(const VoigtMatrix<dim> &matrix);
 
+  /** (I + K H)⁻¹ K, for two symmetric matrices, positive semidefinite: what K
+   * bears where H gives way. */
+  template <int dim>
+  VoigtMatrix<dim>
+  relaxed_stiffness(const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H);
+
   /** What is left of a stiffness where the strain 33 follows from s₃₃ = 0. */
   template <int dim>
   VoigtMatrix<dim>

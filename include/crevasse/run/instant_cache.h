@@ -12,6 +12,7 @@
 #ifndef crevasse_run_instant_cache_h
 #define crevasse_run_instant_cache_h
 
+#include <crevasse/discretisation/algorithmic_moduli.h>
 #include <crevasse/output/log.h>
 #include <crevasse/run/body.h>
 #include <crevasse/run/contact_system.h>
@@ -20,6 +21,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
 
 namespace Crevasse
 {
@@ -27,8 +29,25 @@ namespace Crevasse
   template <int dim>
   struct InstantEntry
   {
-    MaterialState<dim>                  material;
-    std::unique_ptr<ContactSystem<dim>> system; ///< null: that of all instants
+    MaterialState<dim>                      material;
+    std::unique_ptr<AlgorithmicModuli<dim>> moduli; ///< null: r is explicit
+    /** Of these, or of the stiffness; null: that of all instants, or none. */
+    std::unique_ptr<ContactSystem<dim>> system;
+  };
+
+  /** What distinguishes them. */
+  struct InstantKey
+  {
+    double t;                  ///< 0 for all if nothing varies freely
+    double kappa      = 0.;    ///< see AlgorithmicModuli; 0: r is explicit
+    bool   has_system = false; ///< of its own
+
+    bool
+    operator<(const InstantKey &other) const
+    {
+      return std::tie(t, kappa, has_system) <
+             std::tie(other.t, other.kappa, other.has_system);
+    }
   };
 
   /**
@@ -49,7 +68,7 @@ namespace Crevasse
     /** The entry of an instant, made if need be; it lasts until the next call.
      * Collective. */
     InstantEntry<dim> &
-    at(const double t, const Make &make);
+    at(const InstantKey &key, const Make &make);
 
     /** Of all systems that there were. */
     SolverStatistics
@@ -68,11 +87,11 @@ namespace Crevasse
     const double     limit;
     Log             &log;
 
-    std::map<double, InstantEntry<dim>> kept;
-    std::optional<InstantEntry<dim>>    scratch; ///< an instant not kept
-    double                              scratch_time = 0.;
-    bool                                is_full      = false;
-    SolverStatistics                    of_the_past;
+    std::map<InstantKey, InstantEntry<dim>> kept;
+    std::optional<InstantEntry<dim>>        scratch; ///< an instant not kept
+    InstantKey                              scratch_key{0.};
+    bool                                    is_full = false;
+    SolverStatistics                        of_the_past;
   };
 } // namespace Crevasse
 

@@ -17,7 +17,7 @@
 #include <crevasse/run/contact_system.h>
 #include <crevasse/run/instant_cache.h>
 #include <crevasse/scene/scene.h>
-#include <crevasse/time/evolution.h>
+#include <crevasse/time/instants.h>
 #include <crevasse/time/step_list.h>
 
 #include <memory>
@@ -31,7 +31,7 @@ namespace Crevasse
    * each instant has its own, which InstantCache keeps.
    */
   template <int dim>
-  class Solvers
+  class Solvers : public Instants<dim>
   {
   public:
     /** All arguments must outlive this object. */
@@ -46,9 +46,14 @@ namespace Crevasse
     Solvers &
     operator=(const Solvers &) = delete;
 
-    /** See Instants. */
     Instant<dim>
-    at(const double t);
+    at(const double t) override;
+
+    ImplicitInstant<dim>
+    implicit_at(const double t, const double c) override;
+
+    ImplicitInstant<dim>
+    implicit_material_at(const double t, const double c) override;
 
     /** The stiffness without its factor, and its contact problem, of the
      * instant for which at() was called last; before, that of t = 0. */
@@ -78,8 +83,15 @@ namespace Crevasse
     summarise(Summary &summary) const;
 
   private:
-    InstantEntry<dim>
-    make_entry(const double t);
+    /** The instant by which the cache knows t. */
+    double
+    key_of(const double t) const;
+
+    std::unique_ptr<ContactSystem<dim>>
+    make_system(const typename MaterialState<dim>::Matrices &stiffness);
+
+    InstantEntry<dim> &
+    implicit_entry(const double t, const double c, const bool has_system);
 
     const Scene     &scene;
     const Body<dim> &body;

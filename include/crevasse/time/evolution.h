@@ -12,14 +12,13 @@
 #ifndef crevasse_time_evolution_h
 #define crevasse_time_evolution_h
 
-#include <crevasse/contact/contact_solver.h>
 #include <crevasse/discretisation/external_loads.h>
-#include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/time/instants.h>
+#include <crevasse/time/rate_equation.h>
 #include <crevasse/time/secular_flow.h>
 
-#include <functional>
 #include <vector>
 
 namespace Crevasse
@@ -36,20 +35,6 @@ namespace Crevasse
   template <int dim>
   class InelasticStrain;
 
-  /** What an evaluation at one instant works with. */
-  template <int dim>
-  struct Instant
-  {
-    const MaterialState<dim> &material;
-    /** Of the stiffness without its factor k. */
-    ContactSolver &contact_solver;
-  };
-
-  /** Both for any instant of the period; they need not outlive the next
-   * call. */
-  template <int dim>
-  using Instants = std::function<Instant<dim>(const double t)>;
-
   /**
    * The right-hand side of the ODE (model, §2, and MaxwellLaw): for given
    * viscous strains rᵢ of the branches, and r = Σ wᵢ rᵢ,
@@ -59,18 +44,19 @@ namespace Crevasse
    *     ṙᵢ = η₀⁻¹ Hᵢ sᵢ − αᵢ,                sᵢ = k wᵢ K (D q − χθ − rᵢ)
    *
    * with the secular rates αᵢ of the split form; none in the unsplit one.
-   * Each evaluation solves one variational inequality, started from the last
-   * solution.
+   * Where r is implicit, rᵢ = r̂ᵢ + c ṙᵢ, it is eliminated: the moduli are the
+   * AlgorithmicModuli, and r̂ᵢ − cαᵢ stands for rᵢ. Each evaluation solves one
+   * variational inequality, started from the last solution.
    */
   template <int dim>
-  class Evolution
+  class Evolution : public RateEquation
   {
   public:
     /** All arguments must outlive this object. */
     Evolution(const StrainOperator<dim>  &strain_operator,
               const QuadratureField<dim> &points,
               const ExternalLoads<dim>   &loads,
-              const Instants<dim>        &instants);
+              Instants<dim>              &instants);
 
     /** Splits off a secular flow, which must outlive this object: q and r are
      * periodic then. */
@@ -81,9 +67,21 @@ namespace Crevasse
     const SecularFlow *
     secular_flow() const;
 
-    /** ṙ for the viscous strain @p r at the instant @p t of the period. */
     void
-    rate(const double t, const Vector &r, Vector &rate);
+    rate(const double t, const Vector &r, Vector &rate) override;
+
+    void
+    implicit_rate(const double  t,
+                  const Vector &known,
+                  const double  c,
+                  Vector       &rate) override;
+
+    void
+    semi_implicit_rate(const double  t,
+                       const Vector &predicted,
+                       const Vector &known,
+                       const double  c,
+                       Vector       &rate) override;
 
     /** The state of a body without viscous strain at the instant @p t. */
     void
@@ -103,7 +101,7 @@ namespace Crevasse
   private:
     const StrainOperator<dim> &strain_operator;
     const ExternalLoads<dim>  &loads;
-    const Instants<dim>        instants;
+    Instants<dim>             &instants;
     const SecularFlow         *flow = nullptr; ///< none: unsplit
 
     /** Solves the variational inequality.
@@ -113,6 +111,26 @@ namespace Crevasse
     solve_for_displacement(const double                t,
                            const Instant<dim>         &instant,
                            const InelasticStrain<dim> *inelastic_strain);
+
+    /** The same for q; what is inelastic is in the loads already.
+     *
+     * @param k the factor of the contact solver's stiffness. */
+    void
+    solve_for_displacement(ContactSolver &contact_solver, const double k);
+
+    /** r̂ᵢ − cαᵢ */
+    VoigtVector<dim>
+    known_strain(const InelasticStrain<dim> &known,
+                 const std::size_t           offset,
+                 const unsigned int          branch,
+                 const double                c) const;
+
+    /** Stress and rates with r implicit, for the last displacement. */
+    void
+    implicit_rates(const ImplicitInstant<dim> &instant,
+                   const Vector               &known,
+                   const double                c,
+                   Vector                     &rate);
 
     /** Stress and rate of one Maxwell body that is the same everywhere. */
     void

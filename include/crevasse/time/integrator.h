@@ -12,7 +12,7 @@
 #ifndef crevasse_time_integrator_h
 #define crevasse_time_integrator_h
 
-#include <deal.II/lac/la_parallel_vector.h>
+#include <crevasse/time/rate_equation.h>
 
 #include <functional>
 #include <string>
@@ -20,17 +20,11 @@
 
 namespace Crevasse
 {
-  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
-
-  /** ṙ = f(r,t): writes f into the last argument. */
-  using RateFunction =
-    std::function<void(const double t, const Vector &r, Vector &rate)>;
-
   /** A rule on [0,1]: Σ weight × f(node), the weights sum up to 1. */
   struct TimeQuadrature
   {
     std::vector<double> nodes;
-    std::vector<double> weights;
+    std::vector<double> weights; ///< empty if steps follow no such rule
   };
 
   /** Advances the ODE ṙ = f(r,t) step by step. */
@@ -39,24 +33,32 @@ namespace Crevasse
   public:
     virtual ~Integrator() = default;
 
+    /** Forgets what the last step knows about the beginning of the next:
+     * r was changed, or the time. */
+    virtual void
+    restart();
+
     /**
-     * One step from (t, r) to t + Δt; the first evaluation of f is at (t, r).
+     * One step from (t, r) to t + Δt.
      *
-     * @param at_start called right after that evaluation, when what f has
-     * solved on its way (the state at t) can be observed.
+     * @param at_start called when the last evaluation of f was that at (t, r),
+     * so that what f has solved on its way (the state at t) can be observed.
      */
     virtual void
-    step(const RateFunction          &f,
+    step(RateEquation                &f,
          const double                 t,
          const double                 time_step,
          Vector                      &r,
          const std::function<void()> &at_start) = 0;
 
-    /** Largest Δt / τ_min for which decaying solutions decay. */
+    /** Largest Δt / τ_min for which decaying solutions decay; infinite for
+     * implicit methods. */
     virtual double
     stability_limit() const = 0;
 
-    /** The rule by which a step integrates an f that does not depend on r. */
+    /** The instants of a step at which f is evaluated, as fractions of the
+     * step, and the rule by which it integrates an f that does not depend on
+     * r. */
     virtual TimeQuadrature
     quadrature() const = 0;
 

@@ -26,7 +26,7 @@ namespace Crevasse
     explicit RungeKutta(const ButcherTableau &tableau);
 
     void
-    step(const RateFunction          &f,
+    step(RateEquation                &f,
          const double                 t,
          const double                 time_step,
          Vector                      &r,

@@ -1,0 +1,47 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_discretisation_algorithmic_moduli_h
+#define crevasse_discretisation_algorithmic_moduli_h
+
+#include <crevasse/discretisation/material_field.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * What stands for the stiffness where the viscous strain is implicit,
+   * rᵢ = r̂ᵢ + c ṙᵢ (model, §3): each branch bears
+   *
+   *     sᵢ = k K̂ᵢ (e − χθ − r̂ᵢ),   K̂ᵢ = (I + κ wᵢ K Hᵢ)⁻¹ wᵢ K,   κ = c k/η₀
+   *
+   * and the spring what it always bears. It is symmetric, positive definite,
+   * and zero where K is.
+   */
+  template <int dim>
+  struct AlgorithmicModuli
+  {
+    using Matrices = PointValues<VoigtMatrix<dim>>;
+
+    AlgorithmicModuli(const MaterialState<dim> &material,
+                      const double              kappa,
+                      const std::size_t         n_points);
+
+    std::vector<Matrices> branches; ///< K̂ᵢ
+    Matrices              sum;      ///< with the spring
+
+    std::size_t
+    memory_consumption() const;
+  };
+} // namespace Crevasse
+
+#endif

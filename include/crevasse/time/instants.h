@@ -1,0 +1,61 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_time_instants_h
+#define crevasse_time_instants_h
+
+#include <crevasse/contact/contact_solver.h>
+#include <crevasse/discretisation/algorithmic_moduli.h>
+#include <crevasse/discretisation/material_field.h>
+
+namespace Crevasse
+{
+  /** What an evaluation at one instant works with. */
+  template <int dim>
+  struct Instant
+  {
+    const MaterialState<dim> &material;
+    /** Of the stiffness without its factor k. */
+    ContactSolver &contact_solver;
+  };
+
+  /** The same where the viscous strain is implicit. */
+  template <int dim>
+  struct ImplicitInstant
+  {
+    const MaterialState<dim>     &material;
+    const AlgorithmicModuli<dim> &moduli;
+    /** Of the sum of these moduli; null if only the material is implicit. */
+    ContactSolver *contact_solver;
+  };
+
+  /** Provides these for any instant of the period. They last until the next
+   * call. */
+  template <int dim>
+  class Instants
+  {
+  public:
+    virtual ~Instants() = default;
+
+    virtual Instant<dim>
+    at(const double t) = 0;
+
+    /** For r = r̂ + c ṙ. */
+    virtual ImplicitInstant<dim>
+    implicit_at(const double t, const double c) = 0;
+
+    /** The same without contact solver. */
+    virtual ImplicitInstant<dim>
+    implicit_material_at(const double t, const double c) = 0;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,56 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_time_rate_equation_h
+#define crevasse_time_rate_equation_h
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+namespace Crevasse
+{
+  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  /** The ODE ṙ = f(r,t) as integrators see it. */
+  class RateEquation
+  {
+  public:
+    virtual ~RateEquation() = default;
+
+    /** f(r,t) */
+    virtual void
+    rate(const double t, const Vector &r, Vector &rate) = 0;
+
+    /**
+     * f(r,t) for the r that satisfies r = r̂ + c f(r,t): the stage of a
+     * diagonally implicit method, with c = γΔt > 0.
+     *
+     * @param known r̂
+     */
+    virtual void
+    implicit_rate(const double  t,
+                  const Vector &known,
+                  const double  c,
+                  Vector       &rate) = 0;
+
+    /**
+     * The same with the displacement of a predicted r instead of that of r:
+     * only the material is implicit, and A stays what it is.
+     */
+    virtual void
+    semi_implicit_rate(const double  t,
+                       const Vector &predicted,
+                       const Vector &known,
+                       const double  c,
+                       Vector       &rate) = 0;
+  };
+} // namespace Crevasse
+
+#endif

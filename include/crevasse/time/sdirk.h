@@ -1,0 +1,57 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_time_sdirk_h
+#define crevasse_time_sdirk_h
+
+#include <crevasse/time/integrator.h>
+
+namespace Crevasse
+{
+  /**
+   * The L-stable diagonally implicit method of two stages and order 2
+   * (Alexander, SIAM J. Numer. Anal. 14, 1977), γ = 1 − √2/2:
+   *
+   *     r₁ = r + γΔt f(r₁, t + γΔt)
+   *     r₂ = r + (1−γ)Δt f₁ + γΔt f(r₂, t + Δt),     r(t + Δt) = r₂
+   *
+   * Its last stage is the state at the end of the step: one that goes on from
+   * there needs no evaluation of its own to show it.
+   */
+  class Sdirk2 : public Integrator
+  {
+  public:
+    void
+    restart() override;
+
+    void
+    step(RateEquation                &f,
+         const double                 t,
+         const double                 time_step,
+         Vector                      &r,
+         const std::function<void()> &at_start) override;
+
+    double
+    stability_limit() const override;
+
+    TimeQuadrature
+    quadrature() const override;
+
+    std::string
+    description() const override;
+
+  private:
+    bool   goes_on = false; ///< the last evaluation was at the last step's end
+    Vector rate;
+  };
+} // namespace Crevasse
+
+#endif

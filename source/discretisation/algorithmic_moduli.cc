@@ -1,0 +1,68 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/discretisation/algorithmic_moduli.h>
+#include <crevasse/material/voigt_matrix.h>
+
+namespace Crevasse
+{
+  template <int dim>
+  AlgorithmicModuli<dim>::AlgorithmicModuli(const MaterialState<dim> &material,
+                                            const double              kappa,
+                                            const std::size_t         n_points)
+    : sum(*material.stiffness)
+  {
+    double spring = 1.;
+    for (const double fraction : material.fractions)
+      spring -= fraction;
+    constexpr double rounding = 1e-12;
+    if (spring < rounding)
+      spring = 0.;
+    sum = transform(sum, n_points, [spring](const VoigtMatrix<dim> &K) {
+      return spring * K;
+    });
+
+    for (unsigned int i = 0; i < material.fluidity.size(); ++i)
+      {
+        const double w = material.fractions[i];
+        branches.push_back(combine(
+          *material.stiffness,
+          *material.fluidity[i],
+          n_points,
+          [w, kappa](const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H) {
+            return w * relaxed_stiffness<dim>(K, kappa * w * H);
+          }));
+        sum = combine(sum,
+                      branches.back(),
+                      n_points,
+                      [](const VoigtMatrix<dim> &a, const VoigtMatrix<dim> &b) {
+                        return a + b;
+                      });
+      }
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  AlgorithmicModuli<dim>::memory_consumption() const
+  {
+    std::size_t bytes = sum.memory_consumption();
+    for (const Matrices &branch : branches)
+      bytes += branch.memory_consumption();
+    return bytes;
+  }
+
+
+
+  template struct AlgorithmicModuli<2>;
+  template struct AlgorithmicModuli<3>;
+} // namespace Crevasse

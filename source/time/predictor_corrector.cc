@@ -1,0 +1,59 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/time/predictor_corrector.h>
+
+namespace Crevasse
+{
+  void
+  PredictorCorrector::step(RateEquation                &f,
+                           const double                 t,
+                           const double                 time_step,
+                           Vector                      &r,
+                           const std::function<void()> &at_start)
+  {
+    rate.reinit(r, true);
+    f.rate(t, r, rate);
+    at_start();
+
+    predicted = r;
+    predicted.add(time_step, rate);
+    const double half = 0.5 * time_step;
+    r.add(half, rate);
+    f.semi_implicit_rate(t + time_step, predicted, r, half, rate);
+    r.add(half, rate);
+  }
+
+
+
+  double
+  PredictorCorrector::stability_limit() const
+  {
+    return 6.;
+  }
+
+
+
+  TimeQuadrature
+  PredictorCorrector::quadrature() const
+  {
+    // How the two rates are weighted depends on the relaxation.
+    return {{0., 1.}, {}};
+  }
+
+
+
+  std::string
+  PredictorCorrector::description() const
+  {
+    return "predictor corrector";
+  }
+} // namespace Crevasse
