@@ -49,6 +49,33 @@ namespace Crevasse
     {
       return std::isspace(static_cast<unsigned char>(character)) != 0;
     }
+
+
+
+    /** A parser that calls itself for each element within another one would
+     * not survive thousands of them, of which a damaged or hostile file may
+     * have any number. */
+    bool
+    nests_too_deep(const std::string &text)
+    {
+      constexpr int deepest = 100;
+
+      int depth = 0;
+      for (std::size_t tag = text.find('<');
+           tag != std::string::npos && depth <= deepest;
+           tag = text.find('<', tag + 1))
+        {
+          const char        next = text[tag + 1]; // a string ends with '\0'
+          const std::size_t end  = text.find_first_of("<>", tag + 1);
+          const bool        is_closed =
+            end != std::string::npos && text[end - 1] == '/';
+          if (next == '/')
+            --depth;
+          else if (next != '?' && next != '!' && !is_closed)
+            ++depth;
+        }
+      return depth > deepest;
+    }
   } // namespace
 
 
@@ -91,6 +118,8 @@ namespace Crevasse
         text.replace(tag_end + 1, end - tag_end - 1, "");
       }
 
+    if (nests_too_deep(text))
+      refuse("has elements within elements, more than a file of VTK has.");
     Element            document;
     std::istringstream stream(text);
     try
