@@ -147,7 +147,8 @@ namespace Crevasse
                                : " of instant " + std::to_string(instant + 1) +
                                    " of " + std::to_string(snapshots.size())) +
         ", further than " + Text::from_number(CellLocator<dim>::largest_gap) +
-        " of the size of the cells there.");
+        " of the size of the cells there; the mesh must cover the "
+        "body, in the same unit of length.");
     return *value;
   }
 
