@@ -157,9 +157,9 @@ namespace Crevasse
 
   template <int dim>
   Body<dim>::Body(const Scene &scene, const MPI_Comm communicator)
-    : effects(scene, boundary_roles(scene))
+    : temperature(scene.loads.temperature, scene.loads.period)
+    , effects(scene, boundary_roles(scene), temperature.depends_on_time())
     , law(scene.material)
-    , temperature(scene.loads.temperature, scene.loads.period)
     , space(make_distributed_mesh<dim>(scene.geometry, communicator),
             scene.discretisation.degree,
             boundary_roles(scene),

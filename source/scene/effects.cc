@@ -52,22 +52,10 @@ namespace Crevasse
 
 
 
-    bool
-    temperature_varies(const Scene &scene)
-    {
-      const auto &[source, period] =
-        std::tie(scene.loads.temperature, scene.loads.period);
-      return scene.dimension == 2
-               ? Temperature<2>(source, period).depends_on_time()
-               : Temperature<3>(source, period).depends_on_time();
-    }
-
-
-
     /** The first of some parameters that depends on time; nothing if none
      * does. */
     std::string
-    first_that_varies(const Formulas &parameters, const Scene &scene)
+    first_that_varies(const Formulas &parameters, const bool temperature_varies)
     {
       for (const auto &[name, formulas] : parameters)
         for (const Expression &formula : parse(formulas))
@@ -77,7 +65,7 @@ namespace Crevasse
               formulas;
             if (formula.depends_on_time())
               return what + " depends on t";
-            if (formula.depends_on("theta") && temperature_varies(scene))
+            if (formula.depends_on("theta") && temperature_varies)
               return what + " depends on theta";
           }
       return "";
@@ -124,13 +112,14 @@ namespace Crevasse
               const Formulas    &formulas,
               const char        *factor_name,
               const std::string &factor,
-              const Scene       &scene)
+              const bool         temperature_varies)
     {
-      const std::string reason = first_that_varies(formulas, scene);
+      const std::string reason =
+        first_that_varies(formulas, temperature_varies);
       if (!reason.empty())
         return {name, true, "freely: " + reason};
       const std::string varying_factor =
-        first_that_varies({{factor_name, factor}}, scene);
+        first_that_varies({{factor_name, factor}}, temperature_varies);
       if (!varying_factor.empty())
         return {name, true, "by a factor: " + varying_factor};
       return {name, false, "no coefficient depends on time"};
@@ -139,7 +128,9 @@ namespace Crevasse
 
 
 
-  Effects::Effects(const Scene &scene, const BoundaryRoles &roles)
+  Effects::Effects(const Scene         &scene,
+                   const BoundaryRoles &roles,
+                   const bool           temperature_varies)
   {
     const MaterialParameters &material = scene.material;
 
@@ -171,13 +162,13 @@ namespace Crevasse
                                   stiffness_formulas(material),
                                   "Stiffness time factor",
                                   material.stiffness_time_factor,
-                                  scene);
+                                  temperature_varies);
     varying_viscosity = viscosity.on
                           ? variation("varying viscosity",
                                       viscosity_formulas(material),
                                       "Viscosity time factor",
                                       material.viscosity_time_factor,
-                                      scene)
+                                      temperature_varies)
                           : Effect{"varying viscosity", false, "no viscosity"};
 
     body_force = {"body force",

@@ -162,10 +162,13 @@ namespace Crevasse
                       "Change of the temperature theta against that at which "
                       "nothing is strained. It strains the body by Thermal "
                       "expansion, and the formulas of the material may depend "
-                      "on it. Allowed: a formula of x, y, z, t, or a .csv file "
+                      "on it. Allowed: a formula of x, y, z, t; a .csv file "
                       "with the columns t, x, y, theta (t, x, y, z, theta in "
                       "three dimensions): a rectangular grid of points, the "
-                      "same at each instant, between which is interpolated");
+                      "same at each instant, between which is interpolated; "
+                      "or fields on meshes of their own with a scalar theta, "
+                      "temperature or T at their points: a .vtu or .pvtu "
+                      "file, or a .pvd file for several instants");
     prm.add_parameter("Body force",
                       body_force,
                       "Force per volume; nothing: none. Allowed: one formula "

@@ -10,15 +10,31 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/scene/temperature.h>
+#include <crevasse/scene/temperature_series.h>
 #include <crevasse/scene/temperature_table.h>
+
+#include <filesystem>
 
 namespace Crevasse
 {
+  namespace
+  {
+    std::string
+    suffix_of(const std::string &source)
+    {
+      return std::filesystem::path(source).extension().string();
+    }
+  } // namespace
+
+
+
   template <int dim>
   Temperature<dim>::Temperature(const std::string &source, const double period)
   {
-    if (is_file(source))
-      table = std::make_unique<TemperatureTable<dim>>(source, period);
+    if (suffix_of(source) == ".csv")
+      file = std::make_unique<TemperatureTable<dim>>(source, period);
+    else if (is_file(source))
+      file = std::make_unique<TemperatureSeries<dim>>(source, period);
     else
       formula = std::make_unique<Expression>(source);
   }
@@ -34,11 +50,9 @@ namespace Crevasse
   bool
   Temperature<dim>::is_file(const std::string &source)
   {
-    const std::string suffix = ".csv";
-    return source.size() > suffix.size() &&
-           source.compare(source.size() - suffix.size(),
-                          suffix.size(),
-                          suffix) == 0;
+    const std::string suffix = suffix_of(source);
+    return suffix == ".csv" || suffix == ".vtu" || suffix == ".pvtu" ||
+           suffix == ".pvd";
   }
 
 
@@ -47,7 +61,7 @@ namespace Crevasse
   double
   Temperature<dim>::value(const dealii::Point<dim> &point, const double t) const
   {
-    return table != nullptr ? table->value(point, t) : formula->value(point, t);
+    return file != nullptr ? file->value(point, t) : formula->value(point, t);
   }
 
 
@@ -65,8 +79,8 @@ namespace Crevasse
   bool
   Temperature<dim>::depends_on_time() const
   {
-    return table != nullptr ? table->n_instants() > 1
-                            : formula->depends_on_time();
+    return file != nullptr ? file->n_instants() > 1
+                           : formula->depends_on_time();
   }
 
 
@@ -75,7 +89,7 @@ namespace Crevasse
   bool
   Temperature<dim>::depends_on_space() const
   {
-    return table != nullptr || formula->depends_on_space();
+    return file != nullptr || formula->depends_on_space();
   }
 
 

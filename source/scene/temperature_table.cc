@@ -115,17 +115,11 @@ namespace Crevasse
   template <int dim>
   TemperatureTable<dim>::TemperatureTable(const std::string &file_name,
                                           const double       period)
-    : file_name(file_name)
-    , period(period)
+    : TemperatureFile<dim>(file_name, period)
   {
-    const std::vector<Row<dim>> rows = read_rows<dim>(file_name);
-    instants                         = values_of<dim>(rows, 0);
-    if (instants.front() < 0. || instants.back() > period)
-      refuse(file_name,
-             "its instants go from " + Text::from_number(instants.front()) +
-               " to " + Text::from_number(instants.back()) +
-               "; they must be within the period, from 0 to [Loads] Period = " +
-               Text::from_number(period) + ".");
+    const std::vector<Row<dim>> rows     = read_rows<dim>(file_name);
+    const std::vector<double>   instants = values_of<dim>(rows, 0);
+    this->set_instants(instants);
 
     std::array<std::vector<double>, dim> coordinates;
     TableIndices<dim>                    size;
@@ -134,20 +128,18 @@ namespace Crevasse
       {
         coordinates[d] = values_of<dim>(rows, d + 1);
         if (coordinates[d].size() < 2)
-          refuse(file_name,
-                 "its points do not differ in coordinate " +
-                   std::to_string(d + 1) + "; a grid needs two at least.");
+          this->refuse("its points do not differ in coordinate " +
+                       std::to_string(d + 1) + "; a grid needs two at least.");
         size[d] = coordinates[d].size();
         n_points *= coordinates[d].size();
         lower[d] = coordinates[d].front();
         upper[d] = coordinates[d].back();
       }
     if (rows.size() != n_points * instants.size())
-      refuse(file_name,
-             "has " + std::to_string(rows.size()) + " rows; " +
-               std::to_string(instants.size()) + " instants of a grid of " +
-               std::to_string(n_points) + " points make " +
-               std::to_string(instants.size() * n_points) + ".");
+      this->refuse("has " + std::to_string(rows.size()) + " rows; " +
+                   std::to_string(instants.size()) + " instants of a grid of " +
+                   std::to_string(n_points) + " points make " +
+                   std::to_string(instants.size() * n_points) + ".");
 
     std::vector<Table<dim, double>> tables(instants.size());
     for (Table<dim, double> &table : tables)
@@ -164,9 +156,8 @@ namespace Crevasse
           }
         const std::size_t instant = index_of(instants, row[0]);
         if (!filled.emplace(instant, number).second)
-          refuse(file_name,
-                 "has two rows for t = " + Text::from_number(row[0]) +
-                   " at the same point.");
+          this->refuse("has two rows for t = " + Text::from_number(row[0]) +
+                       " at the same point.");
         tables[instant](place) = row[dim + 1];
       }
     for (Table<dim, double> &table : tables)
@@ -176,37 +167,18 @@ namespace Crevasse
 
 
   template <int dim>
-  std::size_t
-  TemperatureTable<dim>::n_instants() const
-  {
-    return instants.size();
-  }
-
-
-
-  template <int dim>
   double
-  TemperatureTable<dim>::value(const Point<dim> &point, const double t) const
+  TemperatureTable<dim>::value_at_instant(const Point<dim> &point,
+                                          const std::size_t instant) const
   {
     for (unsigned int d = 0; d < dim; ++d)
       if (const double margin = 1e-10 * (upper[d] - lower[d]);
           point[d] < lower[d] - margin || point[d] > upper[d] + margin)
-        refuse(file_name,
-               "the body has the point " + Text::from_point(point) +
-                 ", which lies outside of the grid from " +
-                 Text::from_point(lower) + " to " + Text::from_point(upper) +
-                 ".");
-
-    // The last instant is followed by the first of the next period.
-    const std::size_t next =
-      std::upper_bound(instants.begin(), instants.end(), t) - instants.begin();
-    const std::size_t n      = instants.size();
-    const std::size_t before = (next + n - 1) % n, after = next % n;
-    const double      begin  = instants[before] - (next == 0 ? period : 0.);
-    const double      end    = instants[after] + (next == n ? period : 0.);
-    const double      weight = end > begin ? (t - begin) / (end - begin) : 0.;
-    return (1. - weight) * grids[before]->value(point) +
-           weight * grids[after]->value(point);
+        this->refuse("the body has the point " + Text::from_point(point) +
+                     ", which lies outside of the grid from " +
+                     Text::from_point(lower) + " to " +
+                     Text::from_point(upper) + ".");
+    return grids[instant]->value(point);
   }
 
 

@@ -44,9 +44,9 @@ namespace Crevasse
     /** @throw SceneError, or NumericalError if a rigid motion is left free. */
     Body(const Scene &scene, const MPI_Comm communicator);
 
+    const Temperature<dim>     temperature;
     const Effects              effects;
     const MaxwellLaw<dim>      law;
-    const Temperature<dim>     temperature;
     const Space<dim>           space;
     const QuadratureField<dim> points;
     const MaterialField<dim>   material;

@@ -40,7 +40,10 @@ namespace Crevasse
     Effect body_force;
     Effect field_output;
 
-    Effects(const Scene &scene, const BoundaryRoles &roles);
+    /** @param temperature_varies whether [Loads] Temperature does in time. */
+    Effects(const Scene         &scene,
+            const BoundaryRoles &roles,
+            const bool           temperature_varies);
 
     /** All of them, in a fixed order, for tables. */
     std::vector<Effect>

@@ -110,7 +110,7 @@ namespace Crevasse
      * if there is no such load. */
     std::string traction;
     std::string body_force;
-    /** Change of temperature: a formula of x, y, z, t, or a .csv file. */
+    /** Change of temperature: a formula of x, y, z, t, or a file. */
     std::string temperature = "0";
 
     void

@@ -22,20 +22,21 @@
 namespace Crevasse
 {
   template <int dim>
-  class TemperatureTable;
+  class TemperatureFile;
 
-  /** The change of temperature θ(x,t): a formula, or a table in a file. */
+  /** The change of temperature θ(x,t): a formula, or a file: a table
+   * (.csv), or fields on meshes (.vtu, .pvtu; a .pvd for several instants). */
   template <int dim>
   class Temperature
   {
   public:
     /** @param source [Loads] Temperature.
-     * @throw SceneError if the formula or the table cannot be used. */
+     * @throw SceneError if the formula or the file cannot be used. */
     Temperature(const std::string &source, const double period);
     ~Temperature();
 
-    /** @throw SceneError if the point is outside of the table; NumericalError
-     * if a formula has no finite value. */
+    /** @throw SceneError if the point is outside of what the file covers;
+     * NumericalError if a formula has no finite value. */
     double
     value(const dealii::Point<dim> &point, const double t) const;
 
@@ -51,8 +52,8 @@ namespace Crevasse
     is_file(const std::string &source);
 
   private:
-    std::unique_ptr<const Expression>            formula; ///< or
-    std::unique_ptr<const TemperatureTable<dim>> table;
+    std::unique_ptr<const Expression>           formula; ///< or
+    std::unique_ptr<const TemperatureFile<dim>> file;
   };
 } // namespace Crevasse
 

@@ -12,6 +12,8 @@
 #ifndef crevasse_scene_temperature_table_h
 #define crevasse_scene_temperature_table_h
 
+#include <crevasse/scene/temperature_file.h>
+
 #include <deal.II/base/function_lib.h>
 
 #include <memory>
@@ -22,10 +24,10 @@ namespace Crevasse
 {
   /**
    * A temperature that is known at the points of a rectangular grid at some
-   * instants of the period: multilinear in space, linear in time, and periodic.
+   * instants of the period: multilinear in space.
    */
   template <int dim>
-  class TemperatureTable
+  class TemperatureTable : public TemperatureFile<dim>
   {
   public:
     /** Reads a .csv file with the columns t, x, y[, z], theta and a header
@@ -35,19 +37,14 @@ namespace Crevasse
      * an instant is outside of the period. */
     TemperatureTable(const std::string &file_name, const double period);
 
-    /** @throw SceneError if the point lies outside of the grid. */
-    double
-    value(const dealii::Point<dim> &point, const double t) const;
-
-    std::size_t
-    n_instants() const;
-
   private:
     using Grid = dealii::Functions::InterpolatedTensorProductGridData<dim>;
 
-    const std::string                        file_name;
-    const double                             period;
-    std::vector<double>                      instants;
+    /** @throw SceneError if the point lies outside of the grid. */
+    double
+    value_at_instant(const dealii::Point<dim> &point,
+                     const std::size_t         instant) const override;
+
     std::vector<std::unique_ptr<const Grid>> grids; ///< one for each instant
     dealii::Point<dim>                       lower, upper;
   };
