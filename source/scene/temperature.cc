@@ -20,7 +20,10 @@ namespace Crevasse
     if (is_file(source))
       table = std::make_unique<TemperatureTable<dim>>(source, period);
     else
-      formula = std::make_unique<Expression>(source);
+      formula =
+        std::make_unique<Expression>(source,
+                                     Expression::Variables::space_and_time,
+                                     "[Loads] Temperature");
   }
 
 

@@ -30,12 +30,13 @@ namespace Crevasse
   {
   public:
     /** @param source [Loads] Temperature.
-     * @throw SceneError if the formula or the table cannot be used. */
+     * @throw SceneError if the formula or the table cannot be used, FileError
+     * if there is no table to read. */
     Temperature(const std::string &source, const double period);
     ~Temperature();
 
-    /** @throw SceneError if the point is outside of the table; NumericalError
-     * if a formula has no finite value. */
+    /** @throw SceneError if the point is outside of the table, or if a formula
+     * has no finite value. */
     double
     value(const dealii::Point<dim> &point, const double t) const;
 
