@@ -268,11 +268,14 @@ namespace Crevasse
     std::vector<std::string> all   = unused_parameters(scene);
     constexpr double         small = 0.1;
     if (largest_thermal_strain > small)
-      all.push_back(
-        "[Material] Thermal expansion and [Loads] Temperature: the "
-        "thermal strain is up to " +
-        Text::from_number(largest_thermal_strain) +
-        "; the theory is one of small strains, much less than 1");
+      {
+        std::ostringstream text;
+        text << "[Material] Thermal expansion and [Loads] Temperature: the "
+                "thermal strain is up to "
+             << largest_thermal_strain
+             << "; the theory is one of small strains, much less than 1";
+        all.push_back(text.str());
+      }
     return all;
   }
 

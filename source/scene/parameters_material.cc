@@ -127,22 +127,13 @@ namespace Crevasse
 
 
 
-    /** A number among the coefficients must lie in its range; of a formula
-     * this is known when there are points.
-     *
-     * @param value of the parameter. */
-    void
-    check_range(const char        *name,
-                const std::string &value,
-                const Expression  &coefficient,
-                const Range       &range,
-                const Checker     &checker)
+    /** A number must lie in its range; of a formula this is known when there
+     * are points. */
+    bool
+    may_lie_in(const Range &range, const Expression &coefficient)
     {
-      checker.demand(!coefficient.is_constant() ||
-                       range.contains(coefficient.value(Place<2>())),
-                     name,
-                     value,
-                     range.text);
+      return !coefficient.is_constant() ||
+             range.contains(coefficient.value(Place<2>()));
     }
 
 
@@ -155,8 +146,10 @@ namespace Crevasse
                       const Checker     &checker)
     {
       checker.demand_readable(name, formula, [&]() {
-        check_range(
-          name, formula, Expression(formula, variables), range, checker);
+        checker.demand(may_lie_in(range, Expression(formula, variables)),
+                       name,
+                       formula,
+                       range.text);
       });
     }
 
@@ -169,10 +162,16 @@ namespace Crevasse
                   const std::string &value,
                   const Checker     &checker)
     {
+      const Range &range = Ranges::any_number;
       checker.demand_readable(name, value, [&]() {
+        bool fulfilled = true;
         for (const std::string &row : Text::split(value, ';'))
           for (const Expression &entry : Expression::parse_row(row, variables))
-            check_range(name, value, entry, Ranges::any_number, checker);
+            fulfilled = fulfilled && may_lie_in(range, entry);
+        checker.demand(fulfilled,
+                       name,
+                       value,
+                       "every entry " + std::string(range.text));
       });
     }
 
@@ -186,7 +185,10 @@ namespace Crevasse
     {
       checker.demand_readable(name, formula, [&]() {
         const Expression factor(formula, variables);
-        check_range(name, formula, factor, Ranges::positive, checker);
+        checker.demand(may_lie_in(Ranges::positive, factor),
+                       name,
+                       formula,
+                       Ranges::positive.text);
         for (const char *variable : {"x", "y", "z", "theta", "material"})
           checker.demand(!factor.depends_on(variable),
                          name,

@@ -206,9 +206,9 @@ CASES = [
          ["Material/Viscosity=chain", "Material/Chain=0.5: 1/(theta-7)",
           "Loads/Temperature=7"]),
     Case("time_factor_without_value", 2,
-         [r'\[Material\] Viscosity time factor: the formula "1/\(t-300\)" has '
+         [r'\[Material\] Viscosity time factor: the formula "1/\(t-300\)\^2" has '
           r"no finite value at t = 300: "],
-         ["Material/Viscosity time factor=1/(t-300)"]),
+         ["Material/Viscosity time factor=1/(t-300)^2"]),
     Case("temperature_without_value", 2,
          [r'\[Loads\] Temperature: the formula "sqrt\(300-t\)" has no finite '
           r"value at t = 330: "],
@@ -219,12 +219,13 @@ CASES = [
          ["Loads/Temperature=20 +"]),
     Case("thermal_strain_beyond_all_numbers", 2,
          [r"\[Material\] Thermal expansion and \[Loads\] Temperature: the "
-          r"thermal strain is \S+ at \(\S+, \S+\), t = 15 .*; it must be at "
+          r"thermal strain is \S+ at \(\S+, \S+\), t = \S+ .*; it must be at "
           r"most 1e70"],
          ["Material/Thermal expansion=1e30",
           "Loads/Temperature=1e50*t*x"]),
     Case("thermal_expansion_beyond_all_numbers", 2,
-         [r"\[Material\] Thermal expansion = 1e80: must be from -1e70 to 1e70"],
+         [r"\[Material\] Thermal expansion = 1e80: every entry must be "
+          r"from -1e70 to 1e70"],
          ["Material/Thermal expansion=1e80"]),
     Case("no_matrix", 2,
          [r'--set "Material/Viscosity matrix=": \[Material\] Viscosity matrix = '
@@ -245,12 +246,13 @@ CASES = [
                "  set Stiffness matrix = 9, 2, 2, 0; 2, 1; 2, 2, 9, 0; 0\n"
                "  set Plane state = plane strain\nend\n"),
     Case("matrix_beyond_all_numbers", 2,
-         [r"\[Material\] Viscosity matrix = .*: must be from -1e70 to 1e70"],
+         [r"\[Material\] Viscosity matrix = .*: every entry must be from "
+          "-1e70 to 1e70"],
          ["Material/Viscosity=matrix",
           "Material/Viscosity matrix=1e200, 0, 0; 0, 1e200, 0; 0, 0, 1e200"]),
     Case("matrix_beyond_all_numbers_somewhere", 2,
-         [r"\[Material\] Stiffness matrix = .*: has the norm \S+ at .*; must be "
-          "from 1e-70 to 1e70"],
+         [r"\[Material\] Stiffness matrix = .*: has the largest entry \S+ at "
+          ".*; must be from 1e-70 to 1e70"],
          ["Material/Stiffness matrix=1e200*x, 0, 0; 0, 1e200*x, 0; "
           "0, 0, 1e200*x"]),
     Case("components_of_traction", 2,
@@ -644,6 +646,9 @@ def test_not_yet_periodic():
 UNUSED = [  # settings, and the warnings that they give
     (["Geometry/Thickness=2"],
      [r"\[Geometry\] Thickness = 2 is not used: Dimension = 2"]),
+    (IN_SPACE + ["Material/Plane state=plane strain", "Loads/Traction=",
+                 "Output/Probes="],
+     [r"\[Material\] Plane state = plane strain is not used: Dimension = 3"]),
     (["Geometry/Shape=rectangle", "Geometry/Crack length=0.4"],
      [r"\[Geometry\] Crack length = 0\.4 is not used: Shape = rectangle"]),
     (["Boundary/Contact=none", "Boundary/Gap=-1",
