@@ -72,6 +72,15 @@ namespace Crevasse
 
 
 
+  std::size_t
+  CondensedActiveSet::memory_consumption() const
+  {
+    return ContactSolver::memory_consumption() +
+           lip_problem.memory_consumption() + loads.memory_consumption();
+  }
+
+
+
   void
   CondensedActiveSet::restrict_to_lip(const Vector           &v,
                                       dealii::Vector<double> &on_lip) const

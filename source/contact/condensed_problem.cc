@@ -115,6 +115,17 @@ namespace Crevasse
 
 
 
+  std::size_t
+  CondensedProblem::memory_consumption() const
+  {
+    std::size_t bytes = factor.memory_consumption();
+    for (const dealii::Vector<double> &column : columns)
+      bytes += column.memory_consumption();
+    return bytes;
+  }
+
+
+
   void
   CondensedProblem::require_columns(const Set &set)
   {

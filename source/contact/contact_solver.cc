@@ -23,6 +23,23 @@ namespace Crevasse
     /** However bad the rounding, no solution with a larger error is accepted:
      * it is also the largest tolerance that a scene may ask for. */
     constexpr double coarsest = 1e-2;
+
+    /** Runs a timer until the end of a scope, by an exception too. */
+    struct Running
+    {
+      explicit Running(dealii::Timer &timer)
+        : timer(timer)
+      {
+        timer.start();
+      }
+
+      ~Running()
+      {
+        timer.stop();
+      }
+
+      dealii::Timer &timer;
+    };
   } // namespace
 
 
@@ -55,7 +72,7 @@ namespace Crevasse
                        std::vector<double> &contact_forces,
                        const double         stiffness_factor)
   {
-    timer.start();
+    const Running running(timer);
     scales_of_solutions.judge_by_load(load / stiffness_factor);
     if (stiffness_factor == 1.)
       solve_and_certify(right_hand_side, solution);
@@ -72,7 +89,6 @@ namespace Crevasse
     contact_forces = forces;
     for (double &force : contact_forces)
       force *= stiffness_factor;
-    timer.stop();
   }
 
 
@@ -317,6 +333,16 @@ namespace Crevasse
   ContactSolver::n_linear_iterations() const
   {
     return 0;
+  }
+
+
+
+  std::size_t
+  ContactSolver::memory_consumption() const
+  {
+    return scaled_right_hand_side.memory_consumption() +
+           defect.memory_consumption() + correction.memory_consumption() +
+           residual.memory_consumption() + forces.size() * sizeof(double);
   }
 
 

@@ -16,7 +16,7 @@
 
 #include <deal.II/fe/fe_values.h>
 
-#include <cstring>
+#include <algorithm>
 #include <map>
 #include <string>
 #include <unordered_map>
@@ -27,12 +27,33 @@ namespace Crevasse
 
   namespace
   {
+    /** A material with more values than these is taken as one that varies from
+     * point to point: looking for equal ones would be in vain. */
+    constexpr std::size_t worth_sharing = 1000;
+
+
+
     /** The bytes of some values, as the key of what they make. */
     std::string
     key_of(const std::vector<double> &values)
     {
       return {reinterpret_cast<const char *>(values.data()),
               values.size() * sizeof(double)};
+    }
+
+
+
+    template <int dim>
+    bool
+    has_thermal_expansion(const MaxwellLaw<dim> &law)
+    {
+      const std::vector<Expression> &components =
+        law.thermal_expansion().formulas;
+      return !std::all_of(components.begin(),
+                          components.end(),
+                          [](const Expression &component) {
+                            return component.is_zero();
+                          });
     }
   } // namespace
 
@@ -46,8 +67,15 @@ namespace Crevasse
     : communicator(space.communicator())
     , law(law)
     , temperature(temperature)
+    , expands(has_thermal_expansion(law) && !temperature.is_zero())
+    , stiffness_is_free(varies_in_time(law.stiffness()))
+    , thermal_strain_is_free(expands &&
+                             (temperature.depends_on_time() ||
+                              varies_in_time(law.thermal_expansion())))
     , n_points(points.n_local_points())
   {
+    for (const auto &branch : law.branches())
+      fluidity_is_free.push_back(varies_in_time(branch.fluidity));
     bool of_importance =
       varies_in_space(law.stiffness()) ||
       (has_thermal_strain() && (temperature.depends_on_space() ||
@@ -85,7 +113,7 @@ namespace Crevasse
       if (!stiffness_varies())
         constant.stiffness = evaluate(law.stiffness(), 0.);
       for (unsigned int i = 0; i < constant.fluidity.size(); ++i)
-        if (!varies_in_time(law.branches()[i].fluidity))
+        if (!fluidity_is_free[i])
           constant.fluidity[i] = evaluate(law.branches()[i].fluidity, 0.);
       if (has_thermal_strain() && !thermal_strain_varies())
         constant.thermal_strain = evaluate_thermal_strain(0.);
@@ -155,6 +183,8 @@ namespace Crevasse
     std::vector<double>                            values;
     for (std::size_t p = 0; p < n_points; ++p)
       {
+        if (distinct.size() > worth_sharing)
+          return evaluate_at_each_point(property, t);
         property.evaluate(place(p, t, with_temperature), values);
         const auto [number, is_new] =
           numbers.emplace(key_of(values), distinct.size());
@@ -164,6 +194,21 @@ namespace Crevasse
       }
     return std::make_shared<const PointValues<Value>>(std::move(distinct),
                                                       std::move(which));
+  }
+
+
+
+  template <int dim>
+  template <typename Value>
+  std::shared_ptr<const PointValues<Value>>
+  MaterialField<dim>::evaluate_at_each_point(const Property<Value> &property,
+                                             const double           t) const
+  {
+    const bool         with_temperature = property.depends_on("theta");
+    std::vector<Value> values(n_points);
+    for (std::size_t p = 0; p < n_points; ++p)
+      values[p] = property.at(place(p, t, with_temperature));
+    return std::make_shared<const PointValues<Value>>(std::move(values));
   }
 
 
@@ -194,7 +239,7 @@ namespace Crevasse
   bool
   MaterialField<dim>::stiffness_varies() const
   {
-    return varies_in_time(law.stiffness());
+    return stiffness_is_free;
   }
 
 
@@ -203,10 +248,8 @@ namespace Crevasse
   bool
   MaterialField<dim>::fluidity_varies() const
   {
-    for (const auto &branch : law.branches())
-      if (varies_in_time(branch.fluidity))
-        return true;
-    return false;
+    return std::find(fluidity_is_free.begin(), fluidity_is_free.end(), true) !=
+           fluidity_is_free.end();
   }
 
 
@@ -215,10 +258,7 @@ namespace Crevasse
   bool
   MaterialField<dim>::has_thermal_strain() const
   {
-    bool is_zero = true;
-    for (const Expression &component : law.thermal_expansion().formulas)
-      is_zero = is_zero && component.is_zero();
-    return !is_zero && !temperature.is_zero();
+    return expands;
   }
 
 
@@ -227,8 +267,24 @@ namespace Crevasse
   bool
   MaterialField<dim>::thermal_strain_varies() const
   {
-    return has_thermal_strain() && (temperature.depends_on_time() ||
-                                    varies_in_time(law.thermal_expansion()));
+    return thermal_strain_is_free;
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  MaterialField<dim>::memory_of_variation(const MaterialState<dim> &state) const
+  {
+    std::size_t bytes = 0;
+    if (stiffness_is_free)
+      bytes += state.stiffness->memory_consumption();
+    for (unsigned int i = 0; i < fluidity_is_free.size(); ++i)
+      if (fluidity_is_free[i])
+        bytes += state.fluidity[i]->memory_consumption();
+    if (thermal_strain_is_free)
+      bytes += state.thermal_strain->memory_consumption();
+    return bytes;
   }
 
 

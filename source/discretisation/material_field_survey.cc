@@ -46,23 +46,34 @@ namespace Crevasse
   void
   MaterialField<dim>::find_miss(const Property<Value> &property,
                                 const double           t,
+                                unsigned int          &n_checked,
                                 Miss                  &worst) const
   {
     const bool          with_temperature = property.depends_on("theta");
-    std::vector<double> values;
+    std::vector<double> values, last_values;
     const std::size_t n = varies_in_space(property) ? n_points : std::size_t(1);
     for (std::size_t p = 0; p < n; ++p)
       {
         const Place<dim> here = place(p, t, with_temperature);
         property.evaluate(here, values);
-        for (const auto &requirement : property.requirements)
-          if (const double excess = requirement.excess(values);
-              excess > worst.excess)
-            worst = {excess,
-                     requirement.name + ": " + requirement.shown + ' ' +
-                       Text::from_number(requirement.actual(values)) + ' ' +
-                       describe(here) + "; " + requirement.text + '.'};
+        if (values == last_values)
+          continue;
+        last_values = values;
+        for (unsigned int i = 0; i < property.requirements.size(); ++i)
+          {
+            const auto  &requirement = property.requirements[i];
+            const double excess      = requirement.excess(values);
+            if (excess > 0. &&
+                (n_checked + i < worst.requirement ||
+                 (n_checked + i == worst.requirement && excess > worst.excess)))
+              worst = {n_checked + i,
+                       excess,
+                       requirement.name + ": " + requirement.shown + ' ' +
+                         Text::from_number(requirement.actual(values)) + ' ' +
+                         describe(here) + "; " + requirement.text + '.'};
+          }
       }
+    n_checked += property.requirements.size();
   }
 
 
@@ -77,17 +88,22 @@ namespace Crevasse
     collectively(communicator, [&]() {
       for (const double t : instants)
         {
-          find_miss(law.stiffness(), t, worst);
+          unsigned int n_checked = 0;
+          find_miss(law.stiffness(), t, n_checked, worst);
           for (const auto &branch : law.branches())
-            find_miss(branch.fluidity, t, worst);
+            find_miss(branch.fluidity, t, n_checked, worst);
           if (!varies)
             break;
         }
     });
-    // The worst of all ranks speaks.
-    const double excess = Utilities::MPI::max(worst.excess, communicator);
+    // Of all ranks, that which misses the same requirement most speaks.
+    const unsigned int first =
+      Utilities::MPI::min(worst.requirement, communicator);
+    const double excess =
+      Utilities::MPI::max(worst.requirement == first ? worst.excess : 0.,
+                          communicator);
     collectively(communicator, [&]() {
-      if (excess > 0. && worst.excess == excess)
+      if (excess > 0. && worst.requirement == first && worst.excess == excess)
         throw SceneError(worst.message);
     });
   }

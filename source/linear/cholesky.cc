@@ -18,26 +18,57 @@
 #include <algorithm>
 #include <cholmod.h>
 #include <sstream>
+#include <utility>
 
 namespace Crevasse
 {
   using namespace dealii;
 
-  struct Cholesky::Factor
+  namespace
   {
-    Factor()
+    /** CHOLMOD's settings and workspace. */
+    struct Common : cholmod_common
     {
-      cholmod_start(&common);
-      common.print = 0; // errors become exceptions
+      Common()
+      {
+        cholmod_start(this);
+        print = 0; // errors become exceptions
+      }
+
+      ~Common()
+      {
+        cholmod_finish(this);
+      }
+
+      Common(const Common &) = delete;
+      Common &
+      operator=(const Common &) = delete;
+    };
+  } // namespace
+
+
+
+  struct Cholesky::Analysis
+  {
+    ~Analysis()
+    {
+      cholmod_free_factor(&pattern, &common);
     }
 
+    Common          common;
+    cholmod_factor *pattern = nullptr; ///< without numbers
+  };
+
+
+
+  struct Cholesky::Factor
+  {
     ~Factor()
     {
       cholmod_free_dense(&solution, &common);
       cholmod_free_dense(&work_1, &common);
       cholmod_free_dense(&work_2, &common);
       cholmod_free_factor(&L, &common);
-      cholmod_finish(&common);
     }
 
     void
@@ -71,7 +102,7 @@ namespace Crevasse
       std::copy(x, x + L->n * n_columns, solutions);
     }
 
-    cholmod_common  common;
+    Common          common;
     cholmod_factor *L = nullptr;
 
     // Kept from solve to solve, so that a solve allocates nothing.
@@ -120,12 +151,48 @@ namespace Crevasse
       p[n] = k;
       return upper;
     }
+
+
+
+    void
+    require(const cholmod_common &common)
+    {
+      if (common.status < CHOLMOD_OK)
+        throw NumericalError("CHOLMOD failed with status " +
+                             std::to_string(common.status) +
+                             (common.status == CHOLMOD_OUT_OF_MEMORY
+                                ? ": the factor does not fit into memory."
+                                : "."));
+    }
   } // namespace
 
 
 
-  Cholesky::Cholesky(const Matrix &matrix)
-    : factor(std::make_unique<Factor>())
+  std::shared_ptr<const Cholesky::Analysis>
+  Cholesky::analyse(cholmod_sparse *upper)
+  {
+    auto            analysis = std::make_shared<Analysis>();
+    cholmod_common &common   = analysis->common;
+    // CHOLMOD's own choice, approximate minimum degree, is the quickest to
+    // find; on larger matrices nested dissection leaves a smaller factor
+    // (measured: doc/contact_solvers.md).
+    constexpr unsigned int large = 300000;
+    if (upper->nrow > large)
+      {
+        common.nmethods           = 1;
+        common.method[0].ordering = CHOLMOD_NESDIS;
+      }
+    analysis->pattern = cholmod_analyze(upper, &common);
+    require(common);
+    return analysis;
+  }
+
+
+
+  Cholesky::Cholesky(const Matrix                   &matrix,
+                     std::shared_ptr<const Analysis> same_pattern)
+    : shared_analysis(std::move(same_pattern))
+    , factor(std::make_unique<Factor>())
   {
     if (Utilities::MPI::n_mpi_processes(matrix.get_mpi_communicator()) > 1)
       throw SceneError(
@@ -133,38 +200,36 @@ namespace Crevasse
         "program without mpirun, or choose automatic, mumps or amg.");
 
     cholmod_common &common = factor->common;
-    // CHOLMOD's own choice, approximate minimum degree, is the quickest to
-    // find; on larger matrices nested dissection leaves a smaller factor
-    // (measured: doc/contact_solvers.md).
-    constexpr unsigned int large = 300000;
-    if (matrix.m() > large)
-      {
-        common.nmethods           = 1;
-        common.method[0].ordering = CHOLMOD_NESDIS;
-      }
-    cholmod_sparse *upper = upper_triangle(matrix, common);
-    factor->L             = cholmod_analyze(upper, &common);
-    if (factor->L != nullptr)
-      cholmod_factorize(upper, factor->L, &common);
-    cholmod_free_sparse(&upper, &common);
-
+    const auto      free   = [&common](cholmod_sparse *sparse) {
+      cholmod_free_sparse(&sparse, &common);
+    };
+    const std::unique_ptr<cholmod_sparse, decltype(free)> upper(
+      upper_triangle(matrix, common), free);
+    if (shared_analysis == nullptr)
+      shared_analysis = analyse(upper.get());
+    factor->L = cholmod_copy_factor(shared_analysis->pattern, &common);
+    require(common);
+    cholmod_factorize(upper.get(), factor->L, &common);
+    require(common);
     if (common.status == CHOLMOD_NOT_POSDEF)
       throw NumericalError(
         "CHOLMOD: the stiffness is not positive definite (pivot " +
         std::to_string(factor->L->minor) + " of " + std::to_string(matrix.m()) +
         "). Check the moduli of [Material], the supports of [Boundary], and "
         "the mesh for inverted cells or parts that hang together by nothing.");
-    if (common.status < CHOLMOD_OK)
-      throw NumericalError("CHOLMOD failed with status " +
-                           std::to_string(common.status) +
-                           (common.status == CHOLMOD_OUT_OF_MEMORY
-                              ? ": the factor does not fit into memory."
-                              : "."));
   }
 
 
 
   Cholesky::~Cholesky() = default;
+
+
+
+  std::shared_ptr<const Cholesky::Analysis>
+  Cholesky::analysis() const
+  {
+    return shared_analysis;
+  }
 
 
 
@@ -182,7 +247,7 @@ namespace Crevasse
     std::ostringstream text;
     text << "sparse Cholesky (CHOLMOD), "
          << (factor->L->is_super != 0 ? "supernodal" : "simplicial") << ", "
-         << factor->common.lnz << " entries in the factor";
+         << shared_analysis->common.lnz << " entries in the factor";
     return text.str();
   }
 

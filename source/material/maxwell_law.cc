@@ -70,11 +70,10 @@ namespace Crevasse
       return;
     const Expression tau(parameters.relaxation_time,
                          Expression::Variables::space_time_and_material);
-    bool             is_one = k.is_constant() && k.value(Place<dim>()) == 1. &&
-                  eta_0.is_constant() && eta_0.value(Place<dim>()) == 1.;
-    for (const Expression &formula : K.formulas)
-      is_one = is_one && formula.is_constant();
-    if (is_one && tau.is_constant())
+    const bool has_factors = !k.is_constant() || k.value(Place<dim>()) != 1. ||
+                             !eta_0.is_constant() ||
+                             eta_0.value(Place<dim>()) != 1.;
+    if (!has_factors && tau.is_constant())
       uniform_tau = tau.value(Place<dim>());
   }
 

@@ -15,7 +15,6 @@
 #include <crevasse/contact/unconstrained.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/linear/amg_cg.h>
-#include <crevasse/linear/cholesky.h>
 #include <crevasse/linear/mumps.h>
 #include <crevasse/run/contact_system.h>
 
@@ -32,14 +31,15 @@ namespace Crevasse
     const QuadratureField<dim>          &points,
     const PointValues<VoigtMatrix<dim>> &stiffness,
     const UnilateralBounds              &bounds,
-    const SparseMatrix                  *same_pattern)
+    const ContactSystem                 *similar)
     : settings(settings)
     , space(space)
+    , analysis(similar != nullptr ? similar->analysis : nullptr)
   {
     {
       TimerOutput::Scope phase(settings.phases, "assembly");
-      if (same_pattern != nullptr)
-        matrix.reinit(*same_pattern);
+      if (similar != nullptr)
+        matrix.reinit(similar->matrix);
       assemble_stiffness(space, points, stiffness, matrix);
       ++setups.assemblies;
     }
@@ -97,7 +97,9 @@ namespace Crevasse
     ++setups.factorisations;
     if (settings.linear_choice.type == LinearSolverChoice::mumps)
       return std::make_unique<Mumps>(matrix);
-    return std::make_unique<Cholesky>(matrix);
+    auto cholesky = std::make_unique<Cholesky>(matrix, analysis);
+    analysis      = cholesky->analysis();
+    return cholesky;
   }
 
 
@@ -175,7 +177,7 @@ namespace Crevasse
   std::size_t
   ContactSystem<dim>::memory_consumption() const
   {
-    return matrix.memory_consumption() +
+    return matrix.memory_consumption() + contact->memory_consumption() +
            (open_solver != nullptr ? open_solver->memory_consumption() : 0);
   }
 

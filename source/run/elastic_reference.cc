@@ -9,7 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/run/elastic_displacement.h>
 #include <crevasse/run/elastic_reference.h>
+#include <crevasse/run/largest_load.h>
 #include <crevasse/scene/problems.h>
 
 #include <algorithm>
@@ -164,14 +166,14 @@ namespace Crevasse
 
   template <int dim>
   ElasticComparison::Reference
-  elastic_reference(const Body<dim>   &body,
-                    Solvers<dim>      &solvers,
-                    const StepList    &steps,
-                    const Integrator  *integrator,
-                    const std::string &comparison)
+  elastic_reference(const Scene      &scene,
+                    const Body<dim>  &body,
+                    Solvers<dim>     &solvers,
+                    const StepList   &steps,
+                    const Integrator *integrator)
   {
     const LoadFactors factors =
-      load_factors(body, steps, integrator, comparison);
+      load_factors(body, steps, integrator, scene.output.elastic_comparison);
     const Vector loads =
       loads_at(body, steps.instant(step_of_largest_load(body, steps)));
 
@@ -181,8 +183,8 @@ namespace Crevasse
     if (integrator != nullptr)
       reference.drift_factor =
         factors.integral / *body.law.uniform_relaxation_time();
-    reference.displacement =
-      solvers.elastic_displacement(loads, comparison == "closed");
+    reference.displacement = elastic_displacement(
+      scene, body, solvers, loads, scene.output.elastic_comparison == "closed");
     body.points.initialize(reference.stress);
     const MaterialState<dim> material = body.material.at(0.);
     body.strain_operator.for_each_strain(
@@ -209,15 +211,15 @@ namespace Crevasse
                   const Integrator *,
                   const std::string &);
   template ElasticComparison::Reference
-  elastic_reference<2>(const Body<2> &,
+  elastic_reference<2>(const Scene &,
+                       const Body<2> &,
                        Solvers<2> &,
                        const StepList &,
-                       const Integrator *,
-                       const std::string &);
+                       const Integrator *);
   template ElasticComparison::Reference
-  elastic_reference<3>(const Body<3> &,
+  elastic_reference<3>(const Scene &,
+                       const Body<3> &,
                        Solvers<3> &,
                        const StepList &,
-                       const Integrator *,
-                       const std::string &);
+                       const Integrator *);
 } // namespace Crevasse

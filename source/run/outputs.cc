@@ -84,8 +84,8 @@ namespace Crevasse
       drift = add<Drift>(steps);
     if (scene.output.elastic_comparison != "none")
       {
-        ElasticComparison::Reference reference = elastic_reference(
-          body, solvers, steps, integrator, scene.output.elastic_comparison);
+        ElasticComparison::Reference reference =
+          elastic_reference(scene, body, solvers, steps, integrator);
         comparison = add<ElasticComparison>(std::move(reference));
       }
     if (body.effects.field_output.on)

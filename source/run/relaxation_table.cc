@@ -11,6 +11,8 @@
 
 #include <crevasse/contact/relaxation_factor.h>
 #include <crevasse/output/csv_table.h>
+#include <crevasse/run/elastic_displacement.h>
+#include <crevasse/run/largest_load.h>
 #include <crevasse/run/relaxation_table.h>
 #include <crevasse/scene/problems.h>
 
@@ -91,7 +93,8 @@ namespace Crevasse
         "[Contact] Relaxation table: nothing is loaded, so that "
         "there is nothing to iterate for. Set [Loads] or leave "
         "the table empty.");
-    const Vector direct = solvers.elastic_displacement(loads, false);
+    const Vector direct =
+      elastic_displacement(scene, body, solvers, loads, false);
     const double target = residual_norm(matrix, direct, loads);
     const double target_1980 =
       residual_norm(matrix, in_single_precision_of_1980(direct), loads);

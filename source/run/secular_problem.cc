@@ -16,6 +16,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace Crevasse
 {
@@ -63,6 +64,34 @@ namespace Crevasse
                        body.law.viscosity_factor().value(Point<dim>(), t));
         }
       return rounding * largest;
+    }
+
+
+
+    /** The τ of a body whose viscosity is τK everywhere: then A serves the
+     * secular problem too. Nothing if it is another body. Collective. */
+    template <int dim>
+    std::optional<double>
+    uniform_relaxation_time(const Body<dim>          &body,
+                            const Viscosity<dim>     &viscosity,
+                            const MaterialState<dim> &material)
+    {
+      constexpr double  rounding     = 1e-12;
+      const auto       &eta          = viscosity.sum;
+      const auto       &K            = *material.stiffness;
+      const std::size_t n_points     = body.points.n_local_points();
+      const MPI_Comm    communicator = body.space.communicator();
+
+      const double tau =
+        Utilities::MPI::max(n_points > 0 ? eta[0].norm() / K[0].norm() : 0.,
+                            communicator);
+      bool is_uniform = true;
+      for (std::size_t p = 0; p < n_points && is_uniform; ++p)
+        is_uniform =
+          (eta[p] - tau * K[p]).norm() <= rounding * tau * K[p].norm();
+      if (Utilities::MPI::min(is_uniform ? 1 : 0, communicator) == 0)
+        return {};
+      return tau;
     }
   } // namespace
 
@@ -130,17 +159,21 @@ namespace Crevasse
       });
     const bool is_closed =
       Utilities::MPI::max(has_gap ? 1 : 0, body.space.communicator()) == 0;
-    // η = τK needs no factorisation of its own.
-    if (const auto tau = body.law.uniform_relaxation_time(); tau && is_closed)
-      return solve(*tau, solvers.current().contact_solver());
+    if (const auto tau = uniform_relaxation_time(body, viscosity, material);
+        tau && is_closed)
+      return solve(*tau, solvers.at(0.).contact_solver);
 
+    SolverSettings settings    = solvers.settings();
+    settings.relaxation_factor = [&](const SparseMatrix &matrix) {
+      return solvers.relaxation_factor(matrix, mean_load);
+    };
     std::fill(bounds.gap.begin(), bounds.gap.end(), 0.);
-    ContactSystem<dim> system(solvers.settings(),
+    ContactSystem<dim> system(settings,
                               body.space,
                               body.points,
                               viscosity.sum,
                               bounds,
-                              &solvers.current().stiffness());
+                              &solvers.current());
     system.contact_solver().judge_by_load(mean_load.linfty_norm());
     const SecularFlow flow = solve(1., system.contact_solver());
     solvers.add(system.statistics());

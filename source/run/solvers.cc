@@ -10,16 +10,12 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/contact/relaxation_factor.h>
-#include <crevasse/contact/unconstrained.h>
 #include <crevasse/discretisation/node_blocks.h>
+#include <crevasse/run/largest_load.h>
 #include <crevasse/run/solvers.h>
-#include <crevasse/scene/problems.h>
-#include <crevasse/scene/text.h>
 
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
-#include <utility>
 
 namespace Crevasse
 {
@@ -62,22 +58,6 @@ namespace Crevasse
 
 
 
-    /** The largest nodal force of the stress that thermal strain would cause
-     * in a body that is held everywhere. */
-    template <int dim>
-    double
-    largest_thermal_load(const Body<dim> &body, const double t)
-    {
-      const MaterialState<dim> material = body.material.at(t);
-      Vector                   forces;
-      body.strain_operator.initialize(forces);
-      body.strain_operator.add_transpose(forces, [&](const std::size_t offset) {
-        const std::size_t point = offset / n_stress_components<dim>;
-        return material.stiffness_factor * ((*material.stiffness)[point] *
-                                            (*material.thermal_strain)[point]);
-      });
-      return forces.linfty_norm();
-    }
   } // namespace
 
 
@@ -93,11 +73,19 @@ namespace Crevasse
     , log(log)
     , bounds(unilateral_bounds(body.lip))
     , solver_settings(make_settings(scene, body, phases))
+    , instants(body,
+               1024. * 1024. * scene.linear_solver.memory_for_instants,
+               log)
   {
     solver_settings.relaxation_factor = [this, &steps](const SparseMatrix &A) {
-      return relaxation_factor(A, steps);
+      if (!sor_factor)
+        sor_factor = relaxation_factor(
+          A,
+          loads_at(this->body,
+                   steps.instant(step_of_largest_load(this->body, steps))));
+      return *sor_factor;
     };
-    solver_settings.largest_load = largest_load(steps);
+    solver_settings.largest_load = largest_load(body, steps);
     if (!body.material.stiffness_varies())
       {
         only_system =
@@ -114,10 +102,10 @@ namespace Crevasse
 
 
   template <int dim>
-  typename Solvers<dim>::Entry
+  InstantEntry<dim>
   Solvers<dim>::make_entry(const double t)
   {
-    Entry entry{body.material.at(t), nullptr};
+    InstantEntry<dim> entry{body.material.at(t), nullptr};
     if (only_system == nullptr)
       {
         entry.system =
@@ -126,65 +114,12 @@ namespace Crevasse
                                                body.points,
                                                *entry.material.stiffness,
                                                bounds,
-                                               last_system != nullptr
-                                                 ? &last_system->stiffness()
-                                                 : nullptr);
+                                               last_system);
         if (last_system != nullptr)
           entry.system->contact_solver().start_from(
             last_system->contact_solver().closed_bounds());
       }
     return entry;
-  }
-
-
-
-  template <int dim>
-  std::size_t
-  Solvers<dim>::memory_consumption(const Entry &entry) const
-  {
-    std::size_t bytes =
-      entry.system != nullptr ? entry.system->memory_consumption() : 0;
-    if (body.material.stiffness_varies())
-      bytes += entry.material.stiffness->memory_consumption();
-    if (body.material.fluidity_varies())
-      for (const auto &fluidity : entry.material.fluidity)
-        bytes += fluidity->memory_consumption();
-    if (body.material.thermal_strain_varies())
-      bytes += entry.material.thermal_strain->memory_consumption();
-    return bytes;
-  }
-
-
-
-  template <int dim>
-  typename Solvers<dim>::Entry &
-  Solvers<dim>::entry_at(const double t)
-  {
-    if (const auto found = kept.find(t); found != kept.end())
-      return found->second;
-    if (scratch && scratch_time == t)
-      return *scratch;
-
-    Entry             entry = make_entry(t);
-    const std::size_t bytes =
-      Utilities::MPI::sum(memory_consumption(entry), body.space.communicator());
-    constexpr double mebibyte = 1024. * 1024.;
-    if (!is_full && kept_bytes + bytes <=
-                      scene.linear_solver.memory_for_instants * mebibyte)
-      {
-        kept_bytes += bytes;
-        return kept.emplace(t, std::move(entry)).first->second;
-      }
-    if (!is_full)
-      log.line("  memory: " + std::to_string(kept.size()) +
-               " instants are kept; what varies in time is made anew for the "
-               "others ([Linear solver] Memory for instants)");
-    is_full = true;
-    if (scratch && scratch->system != nullptr)
-      of_the_past.add(scratch->system->statistics());
-    scratch      = std::move(entry);
-    scratch_time = t;
-    return *scratch;
   }
 
 
@@ -197,7 +132,8 @@ namespace Crevasse
                         body.material.fluidity_varies() ||
                         body.material.thermal_strain_varies();
     // The only state of a material that does not vary is at t = 0.
-    Entry &entry = entry_at(varies ? t : 0.);
+    InstantEntry<dim> &entry =
+      instants.at(varies ? t : 0., [&]() { return make_entry(t); });
     body.material.set_factors(t, entry.material);
     if (entry.system != nullptr)
       last_system = entry.system.get();
@@ -228,110 +164,27 @@ namespace Crevasse
 
   template <int dim>
   double
-  Solvers<dim>::largest_load(const StepList &steps) const
-  {
-    // Between the samples too, where the stages of the integrators are.
-    Vector loads;
-    body.strain_operator.initialize(loads);
-    double largest = 0.;
-    for (unsigned int k = 0; k < steps.n_steps(); ++k)
-      for (const double fraction : {0., 0.25, 0.5, 0.75})
-        {
-          body.loads.evaluate(steps.within_period(steps.instant(k) +
-                                                  fraction * steps.step(k)),
-                              loads);
-          largest = std::max(largest, loads.linfty_norm());
-        }
-    if (body.material.has_thermal_strain())
-      for (unsigned int k = 0; k < steps.n_steps(); ++k)
-        largest =
-          std::max(largest, largest_thermal_load(body, steps.instant(k)));
-    if (largest != 0. && !(largest >= 1e-70 && largest <= 1e70))
-      throw SceneError(
-        "[Loads]: the largest force on a node over a period is " +
-        Text::from_number(largest) +
-        "; it must be from 1e-70 to 1e70. Choose other units.");
-    return largest;
-  }
-
-
-
-  template <int dim>
-  double
   Solvers<dim>::relaxation_factor(const SparseMatrix &matrix,
-                                  const StepList     &steps)
+                                  const Vector       &loads) const
   {
     if (scene.contact.relaxation_factor != "automatic")
       return Utilities::string_to_double(scene.contact.relaxation_factor);
-    if (sor_factor)
-      return *sor_factor;
+    const double norm = loads.linfty_norm();
+    if (norm == 0.)
+      return 1.; // any factor solves A q = 0
 
     log.line("  searching for the relaxation factor of projected SOR");
     // As the paper does, without constraints; eight digits show the asymptotic
     // contraction.
-    TimerOutput::Scope phase(solver_settings.phases, "relaxation factor");
-    const Vector       loads =
-      loads_at(body, steps.instant(step_of_largest_load(body, steps)));
-    const double norm = loads.linfty_norm();
-    sor_factor        = 1.; // nothing is loaded: any factor solves A q = 0
-    if (norm > 0.)
-      {
-        const UnilateralBounds none;
-        const SignoriniProblem unconstrained(matrix, none);
-        sor_factor =
-          find_relaxation_factor(unconstrained,
-                                 *make_sweep(unconstrained,
-                                             solver_settings.unknown_blocks),
-                                 loads,
-                                 1e-8 * norm,
-                                 scene.contact.maximum_iterations);
-      }
-    return *sor_factor;
-  }
-
-
-
-  template <int dim>
-  Vector
-  Solvers<dim>::elastic_displacement(const Vector &loads, const bool lip_closed)
-  {
+    TimerOutput::Scope     phase(solver_settings.phases, "relaxation factor");
     const UnilateralBounds none;
-    std::vector<double>    no_forces;
-    Vector                 displacement(loads);
-    displacement = 0.;
-    if (!lip_closed)
-      {
-        const SignoriniProblem unconstrained(current().stiffness(), none);
-        Unconstrained(unconstrained,
-                      current().linear_solver(),
-                      scene.contact.tolerance)
-          .solve(loads, displacement, no_forces);
-        return displacement;
-      }
-
-    // A closed lip is a symmetry plane. The other space's constraints agree
-    // with this one's but for the lip, where the loads then do not count.
-    BoundaryRoles roles = body.space.roles();
-    roles.symmetry.insert(roles.contact.begin(), roles.contact.end());
-    roles.contact.clear();
-    const Space<dim>   closed_space(body.space.shared_mesh(),
-                                  body.space.finite_element().degree,
-                                  roles,
-                                  fixed_points<dim>(scene),
-                                  body.space.volumetric_strain());
-    ContactSystem<dim> closed(solver_settings,
-                              closed_space,
-                              body.points,
-                              *body.material.at(0.).stiffness,
-                              none);
-    Vector             closed_loads(loads);
-    closed_space.constraints().set_zero(closed_loads);
-    closed.contact_solver().solve(closed_loads, displacement, no_forces);
-    SolverStatistics statistics = closed.statistics();
-    // It is no contact problem of the run.
-    statistics.vi_solves = statistics.vi_iterations = 0;
-    of_the_past.add(statistics);
-    return displacement;
+    const SignoriniProblem unconstrained(matrix, none);
+    return find_relaxation_factor(unconstrained,
+                                  *make_sweep(unconstrained,
+                                              solver_settings.unknown_blocks),
+                                  loads,
+                                  1e-8 * norm,
+                                  scene.contact.maximum_iterations);
   }
 
 
@@ -343,11 +196,7 @@ namespace Crevasse
     SolverStatistics all = of_the_past;
     if (only_system != nullptr)
       all.add(only_system->statistics());
-    for (const auto &[t, entry] : kept)
-      if (entry.system != nullptr)
-        all.add(entry.system->statistics());
-    if (scratch && scratch->system != nullptr)
-      all.add(scratch->system->statistics());
+    all.add(instants.statistics());
     return all;
   }
 
@@ -373,46 +222,6 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  Vector
-  loads_at(const Body<dim> &body, const double t)
-  {
-    Vector loads;
-    body.strain_operator.initialize(loads);
-    body.loads.evaluate(t, loads);
-    return loads;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  step_of_largest_load(const Body<dim> &body, const StepList &steps)
-  {
-    unsigned int largest = 0;
-    double       norm    = -1.;
-    for (unsigned int k = 0; k < steps.n_steps(); ++k)
-      {
-        const double here = loads_at(body, steps.instant(k)).l2_norm();
-        if (here > norm)
-          {
-            norm    = here;
-            largest = k;
-          }
-      }
-    return largest;
-  }
-
-
-
   template class Solvers<2>;
   template class Solvers<3>;
-  template Vector
-  loads_at<2>(const Body<2> &, const double);
-  template Vector
-  loads_at<3>(const Body<3> &, const double);
-  template unsigned int
-  step_of_largest_load<2>(const Body<2> &, const StepList &);
-  template unsigned int
-  step_of_largest_load<3>(const Body<3> &, const StepList &);
 } // namespace Crevasse

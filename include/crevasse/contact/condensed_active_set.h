@@ -42,6 +42,9 @@ namespace Crevasse
     void
     start_from(const std::vector<bool> &closed_bounds) override;
 
+    std::size_t
+    memory_consumption() const override;
+
   protected:
     std::size_t
     iterate(const Vector &right_hand_side, Vector &solution) override;

@@ -73,6 +73,10 @@ namespace Crevasse
     const std::vector<unsigned int> &
     active_set() const;
 
+    /** Bytes of the columns and the factor. */
+    std::size_t
+    memory_consumption() const;
+
     /** How often the second method had to finish. */
     unsigned int
     n_rescues() const;

@@ -87,6 +87,10 @@ namespace Crevasse
     virtual std::size_t
     n_linear_iterations() const;
 
+    /** Bytes on this rank, without those of the linear solver. */
+    virtual std::size_t
+    memory_consumption() const;
+
     /** Wall time spent in solve(), certificates included. */
     double
     seconds() const;

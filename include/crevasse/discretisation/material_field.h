@@ -85,6 +85,10 @@ namespace Crevasse
     bool
     has_thermal_strain() const;
 
+    /** Bytes of what a state has besides that which does not vary. */
+    std::size_t
+    memory_of_variation(const MaterialState<dim> &state) const;
+
     /**
      * Looks at all points and the given instants whether the material is one:
      * symmetric, positive definite, finite. Collective.
@@ -123,20 +127,28 @@ namespace Crevasse
     std::shared_ptr<const PointValues<Value>>
     evaluate(const Property<Value> &property, const double t) const;
 
+    template <typename Value>
+    std::shared_ptr<const PointValues<Value>>
+    evaluate_at_each_point(const Property<Value> &property,
+                           const double           t) const;
+
     std::shared_ptr<const Vectors>
     evaluate_thermal_strain(const double t) const;
 
-    /** What misses a requirement of a property most. */
+    /** The first requirement that is missed, in the order of checking, and
+     * where it is missed most. */
     struct Miss
     {
-      double      excess = 0.;
-      std::string message;
+      unsigned int requirement = dealii::numbers::invalid_unsigned_int;
+      double       excess      = 0.;
+      std::string  message;
     };
 
     template <typename Value>
     void
     find_miss(const Property<Value> &property,
               const double           t,
+              unsigned int          &n_checked,
               Miss                  &worst) const;
 
     /** @throw SceneError with what misses a requirement most. */
@@ -154,6 +166,12 @@ namespace Crevasse
     const MPI_Comm          communicator;
     const MaxwellLaw<dim>  &law;
     const Temperature<dim> &temperature;
+    const bool              expands; ///< by temperature
+
+    // Whether these depend on time.
+    const bool        stiffness_is_free;
+    std::vector<bool> fluidity_is_free; ///< of each branch
+    const bool        thermal_strain_is_free;
 
     std::size_t                     n_points;
     std::vector<dealii::Point<dim>> locations; ///< empty if of no importance

@@ -16,16 +16,29 @@
 
 #include <memory>
 
+struct cholmod_sparse_struct;
+
 namespace Crevasse
 {
   /** Sparse Cholesky factorisation by CHOLMOD (SuiteSparse), on one rank. */
   class Cholesky : public DirectSolver
   {
   public:
-    /** Factorises. @throw NumericalError if the matrix is not positive
-     * definite; SceneError on several ranks. */
-    explicit Cholesky(const Matrix &matrix);
+    /** Ordering and pattern of the factor. */
+    struct Analysis;
+
+    /** Factorises.
+     *
+     * @param same_pattern the analysis of a matrix with the same pattern, or
+     * null. @throw NumericalError if the matrix is not positive definite;
+     * SceneError on several ranks. */
+    explicit Cholesky(const Matrix                   &matrix,
+                      std::shared_ptr<const Analysis> same_pattern = nullptr);
     ~Cholesky() override;
+
+    /** For other matrices with the same pattern. */
+    std::shared_ptr<const Analysis>
+    analysis() const;
 
     std::size_t
     memory_consumption() const override;
@@ -41,7 +54,12 @@ namespace Crevasse
 
   private:
     struct Factor; // keeps cholmod.h out of every includer
-    std::unique_ptr<Factor> factor;
+
+    static std::shared_ptr<const Analysis>
+    analyse(cholmod_sparse_struct *upper_triangle);
+
+    std::shared_ptr<const Analysis> shared_analysis;
+    std::unique_ptr<Factor>         factor;
   };
 } // namespace Crevasse
 

@@ -17,6 +17,7 @@
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/stiffness.h>
+#include <crevasse/linear/cholesky.h>
 #include <crevasse/linear/solver_choice.h>
 #include <crevasse/run/solver_statistics.h>
 
@@ -54,15 +55,16 @@ namespace Crevasse
   {
   public:
     /** Assembles, and prepares the contact solver. All arguments but
-     * @p stiffness and @p same_pattern must outlive this object.
+     * @p stiffness and @p similar must outlive this object.
      *
-     * @param same_pattern a stiffness of the same space, or null. */
+     * @param similar a system of the same space, whose sparsity pattern and its
+     * analysis are used again, or null. */
     ContactSystem(const SolverSettings                &settings,
                   const Space<dim>                    &space,
                   const QuadratureField<dim>          &points,
                   const PointValues<VoigtMatrix<dim>> &stiffness,
                   const UnilateralBounds              &bounds,
-                  const SparseMatrix                  *same_pattern = nullptr);
+                  const ContactSystem                 *similar = nullptr);
 
     // Its parts refer to one another.
     ContactSystem(const ContactSystem &) = delete;
@@ -100,8 +102,9 @@ namespace Crevasse
     std::unique_ptr<ContactSolver>
     make_contact_solver();
 
-    const SolverSettings &settings;
-    const Space<dim>     &space;
+    const SolverSettings                     &settings;
+    const Space<dim>                         &space;
+    std::shared_ptr<const Cholesky::Analysis> analysis; ///< if there is one
 
     SparseMatrix                            matrix;
     std::unique_ptr<const SignoriniProblem> signorini_problem;

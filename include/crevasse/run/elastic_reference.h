@@ -49,11 +49,11 @@ namespace Crevasse
    * largest load, by the direct solver, and F. */
   template <int dim>
   ElasticComparison::Reference
-  elastic_reference(const Body<dim>   &body,
-                    Solvers<dim>      &solvers,
-                    const StepList    &steps,
-                    const Integrator  *integrator,
-                    const std::string &comparison);
+  elastic_reference(const Scene      &scene,
+                    const Body<dim>  &body,
+                    Solvers<dim>     &solvers,
+                    const StepList   &steps,
+                    const Integrator *integrator);
 } // namespace Crevasse
 
 #endif

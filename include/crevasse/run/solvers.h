@@ -15,11 +15,11 @@
 #include <crevasse/output/log.h>
 #include <crevasse/run/body.h>
 #include <crevasse/run/contact_system.h>
+#include <crevasse/run/instant_cache.h>
 #include <crevasse/scene/scene.h>
 #include <crevasse/time/evolution.h>
 #include <crevasse/time/step_list.h>
 
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -28,10 +28,7 @@ namespace Crevasse
   /**
    * The material and the contact system of any instant. With a stiffness that
    * is constant but for a factor there is one system for all of them. Otherwise
-   * each instant has its own, which is kept for the same instant of later
-   * periods as long as the memory that the scene grants lasts; what does not
-   * fit is made anew each time. Those that were made first are kept: where
-   * instants come in turn, dropping the oldest would always drop the next.
+   * each instant has its own, which InstantCache keeps.
    */
   template <int dim>
   class Solvers
@@ -62,10 +59,10 @@ namespace Crevasse
     const SolverSettings &
     settings() const;
 
-    /** The elastic displacement under the given loads with the lip open or
-     * held at u_N = 0. For a constant stiffness. */
-    Vector
-    elastic_displacement(const Vector &loads, const bool lip_closed);
+    /** The factor of projected SOR for a matrix: what the scene says, or the
+     * best one for the given loads. */
+    double
+    relaxation_factor(const SparseMatrix &matrix, const Vector &loads) const;
 
     /** Of all systems that there were. */
     SolverStatistics
@@ -81,29 +78,8 @@ namespace Crevasse
     summarise(Summary &summary) const;
 
   private:
-    /** What belongs to one instant. */
-    struct Entry
-    {
-      MaterialState<dim>                  material;
-      std::unique_ptr<ContactSystem<dim>> system; ///< null: the only one
-    };
-
-    Entry
+    InstantEntry<dim>
     make_entry(const double t);
-
-    std::size_t
-    memory_consumption(const Entry &entry) const;
-
-    /** The entry of an instant, made if need be. */
-    Entry &
-    entry_at(const double t);
-
-    /** By the largest nodal force of all steps. */
-    double
-    largest_load(const StepList &steps) const;
-
-    double
-    relaxation_factor(const SparseMatrix &matrix, const StepList &steps);
 
     const Scene     &scene;
     const Body<dim> &body;
@@ -115,23 +91,9 @@ namespace Crevasse
     std::unique_ptr<ContactSystem<dim>> only_system; ///< constant stiffness
     ContactSystem<dim>                 *last_system = nullptr;
 
-    std::map<double, Entry> kept;
-    std::optional<Entry>    scratch; ///< an instant that is not kept
-    double                  scratch_time = 0.;
-    std::size_t             kept_bytes   = 0;
-    bool                    is_full      = false;
-    SolverStatistics        of_the_past;
+    InstantCache<dim> instants;
+    SolverStatistics  of_the_past;
   };
-
-  /** The step of a period at which the load vector is largest. */
-  template <int dim>
-  unsigned int
-  step_of_largest_load(const Body<dim> &body, const StepList &steps);
-
-  /** The load vector at an instant of the period. */
-  template <int dim>
-  Vector
-  loads_at(const Body<dim> &body, const double t);
 } // namespace Crevasse
 
 #endif

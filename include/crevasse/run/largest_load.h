@@ -1,0 +1,38 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_largest_load_h
+#define crevasse_run_largest_load_h
+
+#include <crevasse/run/body.h>
+#include <crevasse/time/step_list.h>
+
+namespace Crevasse
+{
+  /** The load vector at an instant of the period. */
+  template <int dim>
+  Vector
+  loads_at(const Body<dim> &body, const double t);
+
+  /** The step of a period at which the load vector is largest. */
+  template <int dim>
+  unsigned int
+  step_of_largest_load(const Body<dim> &body, const StepList &steps);
+
+  /** The largest force on a node over all steps and the stages between them;
+   * for thermal strain, that which holds the body still.
+   * @throw SceneError if it is too small or too large to compute with. */
+  template <int dim>
+  double
+  largest_load(const Body<dim> &body, const StepList &steps);
+} // namespace Crevasse
+
+#endif

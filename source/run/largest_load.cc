@@ -1,0 +1,112 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/run/largest_load.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** The largest nodal force of the stress that thermal strain would cause
+     * in a body that is held everywhere. */
+    template <int dim>
+    double
+    largest_thermal_load(const Body<dim> &body, const double t)
+    {
+      const MaterialState<dim> material = body.material.at(t);
+      Vector                   forces;
+      body.strain_operator.initialize(forces);
+      body.strain_operator.add_transpose(forces, [&](const std::size_t offset) {
+        const std::size_t point = offset / n_stress_components<dim>;
+        return material.stiffness_factor * ((*material.stiffness)[point] *
+                                            (*material.thermal_strain)[point]);
+      });
+      return forces.linfty_norm();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Vector
+  loads_at(const Body<dim> &body, const double t)
+  {
+    Vector loads;
+    body.strain_operator.initialize(loads);
+    body.loads.evaluate(t, loads);
+    return loads;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  step_of_largest_load(const Body<dim> &body, const StepList &steps)
+  {
+    unsigned int largest = 0;
+    double       norm    = -1.;
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      {
+        const double here = loads_at(body, steps.instant(k)).l2_norm();
+        if (here > norm)
+          {
+            norm    = here;
+            largest = k;
+          }
+      }
+    return largest;
+  }
+
+
+
+  template <int dim>
+  double
+  largest_load(const Body<dim> &body, const StepList &steps)
+  {
+    // Between the samples too, where the stages of the integrators are.
+    Vector loads;
+    body.strain_operator.initialize(loads);
+    double largest = 0.;
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      for (const double fraction : {0., 0.25, 0.5, 0.75})
+        {
+          body.loads.evaluate(steps.within_period(steps.instant(k) +
+                                                  fraction * steps.step(k)),
+                              loads);
+          largest = std::max(largest, loads.linfty_norm());
+        }
+    if (body.material.has_thermal_strain())
+      for (unsigned int k = 0; k < steps.n_steps(); ++k)
+        largest =
+          std::max(largest, largest_thermal_load(body, steps.instant(k)));
+    if (largest != 0. && !(largest >= 1e-70 && largest <= 1e70))
+      throw SceneError(
+        "[Loads]: the largest force on a node over a period is " +
+        Text::from_number(largest) +
+        "; it must be from 1e-70 to 1e70. Choose other units.");
+    return largest;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                \
+  template Vector       loads_at<dim>(const Body<dim> &, const double); \
+  template unsigned int step_of_largest_load<dim>(const Body<dim> &,    \
+                                                  const StepList &);    \
+  template double       largest_load<dim>(const Body<dim> &, const StepList &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+} // namespace Crevasse
