@@ -356,16 +356,7 @@ namespace Crevasse
   double
   ContactBoundary<dim>::gap_at(const Point<dim> &point) const
   {
-    double value;
-    try
-      {
-        value = gap.value(point);
-      }
-    catch (const NumericalError &error)
-      {
-        // The gap is known before anything is computed.
-        throw SceneError(std::string("[Boundary] Gap: ") + error.what());
-      }
+    const double value = gap.value(point);
     if (value > 0.)
       {
         std::ostringstream message;

@@ -12,6 +12,7 @@
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/period_mean.h>
+#include <crevasse/scene/text.h>
 
 #include <deal.II/fe/fe_values.h>
 
@@ -123,10 +124,14 @@ namespace Crevasse
                                     const LoadParameters      &parameters)
   {
     strain_operator.initialize(constant);
-    std::vector<Expression> traction =
-      Expression::parse_list(parameters.traction);
+    const auto parse = [](const char *name, const std::string &formulas) {
+      return Expression::parse_list(formulas,
+                                    Text::parameter(LoadParameters::section,
+                                                    name));
+    };
+    std::vector<Expression> traction = parse("Traction", parameters.traction);
     std::vector<Expression> body_force =
-      Expression::parse_list(parameters.body_force);
+      parse("Body force", parameters.body_force);
     for (unsigned int d = 0; d < traction.size(); ++d)
       add(std::move(traction[d]),
           d,
@@ -203,6 +208,25 @@ namespace Crevasse
     loads += constant;
     for (const Amplitude &amplitude : amplitudes)
       loads.add(amplitude.factor.value(Point<dim>(), t), amplitude.integrals);
+  }
+
+
+
+  template <int dim>
+  void
+  ExternalLoads<dim>::survey(const std::vector<double> &instants,
+                             const MPI_Comm             communicator) const
+  {
+    collectively(communicator, [&]() {
+      for (const double t : instants)
+        {
+          for (const Amplitude &amplitude : amplitudes)
+            amplitude.factor.value(Point<dim>(), t);
+          for (const Density &density : densities)
+            for (const WeightedPoint &weighted : density.points)
+              density.value.value(weighted.point, t);
+        }
+    });
   }
 
 

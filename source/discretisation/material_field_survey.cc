@@ -13,11 +13,13 @@
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/range.h>
 #include <crevasse/scene/text.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Crevasse
@@ -116,11 +118,11 @@ namespace Crevasse
   {
     for (const double t : instants)
       if (const double value = factor.value(Point<dim>(), t);
-          !(value >= 1e-70 && value <= 1e70))
+          !Ranges::size.contains(value))
         throw SceneError(
           Text::parameter(MaterialParameters::section, name) + " = " +
           factor.formula() + ": is " + Text::from_number(value) +
-          " at t = " + Text::from_number(t) + "; must be from 1e-70 to 1e70.");
+          " at t = " + Text::from_number(t) + "; " + Ranges::size.text + '.');
   }
 
 
@@ -159,9 +161,6 @@ namespace Crevasse
     check_factor(law.stiffness_factor(), "Stiffness time factor", instants);
     check_factor(law.viscosity_factor(), "Viscosity time factor", instants);
     check_requirements(instants);
-    if (thermal_strain_varies())
-      for (const double t : instants)
-        collectively(communicator, [&]() { evaluate_thermal_strain(t); });
     if (law.branches().empty())
       return std::numeric_limits<double>::infinity();
 
@@ -187,6 +186,45 @@ namespace Crevasse
 
 
 
+  template <int dim>
+  double
+  MaterialField<dim>::largest_thermal_strain(
+    const std::vector<double> &instants) const
+  {
+    if (!has_thermal_strain())
+      return 0.;
+    const Property<VoigtVector<dim>> &expansion = law.thermal_expansion();
+    const bool                        varies =
+      temperature.depends_on_space() || varies_in_space(expansion);
+    const std::size_t n       = varies ? n_points : std::size_t(1);
+    double            largest = 0.;
+    collectively(communicator, [&]() {
+      for (const double t : instants)
+        {
+          for (std::size_t p = 0; p < n; ++p)
+            {
+              const Place<dim>       here = place(p, t, true);
+              const VoigtVector<dim> strain =
+                here.temperature * expansion.at(here);
+              for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+                largest = std::max(largest, std::abs(strain[i]));
+              if (!(largest <= Ranges::largest))
+                throw SceneError(
+                  "[Material] Thermal expansion and [Loads] Temperature: the "
+                  "thermal strain is " +
+                  Text::from_number(largest) + ' ' + describe(here) +
+                  "; it must be at most 1e70, and the theory of small strains "
+                  "is for much less than 1.");
+            }
+          if (!thermal_strain_varies())
+            break;
+        }
+    });
+    return Utilities::MPI::max(largest, communicator);
+  }
+
+
+
   template void
   MaterialField<2>::check_requirements(const std::vector<double> &) const;
   template void
@@ -195,4 +233,8 @@ namespace Crevasse
   MaterialField<2>::survey(const std::vector<double> &) const;
   template double
   MaterialField<3>::survey(const std::vector<double> &) const;
+  template double
+  MaterialField<2>::largest_thermal_strain(const std::vector<double> &) const;
+  template double
+  MaterialField<3>::largest_thermal_strain(const std::vector<double> &) const;
 } // namespace Crevasse

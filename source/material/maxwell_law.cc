@@ -12,6 +12,7 @@
 #include <crevasse/material/maxwell_law.h>
 #include <crevasse/material/properties.h>
 #include <crevasse/scene/chain.h>
+#include <crevasse/scene/text.h>
 
 namespace Crevasse
 {
@@ -41,6 +42,16 @@ namespace Crevasse
                                                          branch.fraction)});
       return branches;
     }
+
+
+
+    Expression
+    time_factor(const char *name, const std::string &formula)
+    {
+      return Expression(formula,
+                        Expression::Variables::space_and_time,
+                        Text::parameter(MaterialParameters::section, name));
+    }
   } // namespace
 
 
@@ -51,8 +62,9 @@ namespace Crevasse
     , maxwell_branches(make_branches<dim>(parameters))
     , expansion(thermal_expansion_property<dim>(parameters))
     , plane_stress(dim == 2 && parameters.plane_state == "plane stress")
-    , k(parameters.stiffness_time_factor)
-    , eta_0(parameters.viscosity_time_factor)
+    , k(time_factor("Stiffness time factor", parameters.stiffness_time_factor))
+    , eta_0(
+        time_factor("Viscosity time factor", parameters.viscosity_time_factor))
   {
     if (parameters.viscosity != "relaxation time")
       return;

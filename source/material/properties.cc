@@ -12,22 +12,18 @@
 #include <crevasse/material/isotropic.h>
 #include <crevasse/material/properties.h>
 #include <crevasse/material/voigt_matrix.h>
-#include <crevasse/scene/problems.h>
+#include <crevasse/scene/range.h>
+#include <crevasse/scene/tensor_formulas.h>
 #include <crevasse/scene/text.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace Crevasse
 {
   namespace
   {
     using Values = std::vector<double>;
-
-    constexpr double least_positive = 1e-70, most_positive = 1e70;
-
-
 
     template <int dim>
     bool
@@ -38,11 +34,19 @@ namespace Crevasse
 
 
 
-    Expression
-    coefficient(const std::string &formula)
+    std::string
+    parameter(const std::string &name)
     {
-      return Expression(formula,
-                        Expression::Variables::space_time_and_material);
+      return Text::parameter(MaterialParameters::section, name);
+    }
+
+
+
+    /** By how much a value lies outside of its range. */
+    double
+    excess(const double value, const Range &range)
+    {
+      return std::max(range.least - value, value - range.most);
     }
 
 
@@ -53,36 +57,19 @@ namespace Crevasse
     add_formula(Property<Value>   &property,
                 const std::string &name,
                 const std::string &formula,
-                const double       least,
-                const double       most,
-                const std::string &text)
+                const Range       &range)
     {
       const std::size_t i = property.formulas.size();
-      property.formulas.push_back(coefficient(formula));
+      property.formulas.emplace_back(
+        formula,
+        Expression::Variables::space_time_and_material,
+        parameter(name));
       property.requirements.push_back(
-        {Text::parameter(MaterialParameters::section, name) + " = " + formula,
+        {parameter(name) + " = " + formula,
          "is",
-         text,
-         [=](const Values &values) {
-           return std::max(least - values[i], values[i] - most);
-         },
+         range.text,
+         [=](const Values &values) { return excess(values[i], range); },
          [i](const Values &values) { return values[i]; }});
-    }
-
-
-
-    template <typename Value>
-    void
-    add_positive(Property<Value>   &property,
-                 const std::string &name,
-                 const std::string &formula)
-    {
-      add_formula(property,
-                  name,
-                  formula,
-                  least_positive,
-                  most_positive,
-                  "must be greater than 0, from 1e-70 to 1e70");
     }
 
 
@@ -98,54 +85,6 @@ namespace Crevasse
       for (unsigned int i = 0; i < all.size(); ++i)
         all[i] = i;
       return n_rows == all.size() ? all : std::vector<unsigned int>();
-    }
-
-
-
-    [[noreturn]] void
-    refuse_matrix(const std::string &name,
-                  const std::string &text,
-                  const std::string &reason)
-    {
-      throw SceneError(Text::parameter(MaterialParameters::section, name) +
-                       " = " + Text::shorten(text) + ": " + reason);
-    }
-
-
-
-    /** The formulas of a matrix row by row, and its number of rows. */
-    template <int dim>
-    std::size_t
-    parse_matrix(const std::string       &name,
-                 const std::string       &text,
-                 const bool               plane_stress,
-                 std::vector<Expression> &formulas)
-    {
-      const std::vector<std::string> rows = Text::split(text, ';');
-      const std::size_t              n    = rows.size();
-      if (places_of_rows<dim>(n, plane_stress).empty())
-        refuse_matrix(name,
-                      text,
-                      "must have " +
-                        std::string(plane_stress ? "3 (11, 22, 12) or " : "") +
-                        std::to_string(n_stress_components<dim>) +
-                        " rows, separated by semicolons; it has " +
-                        std::to_string(n));
-      for (const std::string &row : rows)
-        {
-          std::vector<Expression> entries = Expression::parse_row(
-            row, Expression::Variables::space_time_and_material);
-          if (entries.size() != n)
-            refuse_matrix(name,
-                          text,
-                          "the row \"" + row + "\" must have " +
-                            std::to_string(n) +
-                            " entries, separated by commas");
-          std::move(entries.begin(),
-                    entries.end(),
-                    std::back_inserter(formulas));
-        }
-      return n;
     }
 
 
@@ -172,15 +111,28 @@ namespace Crevasse
                                         const std::string          &text,
                                         const std::vector<unsigned int> &places)
     {
-      const std::string parameter =
-        Text::parameter(MaterialParameters::section, name) + " = " + text;
+      const std::string what    = parameter(name) + " = " + text;
+      const auto        largest = [n = places.size()](const Values &values) {
+        double magnitude = 0.;
+        for (std::size_t i = 0; i < n * n; ++i)
+          magnitude = std::max(magnitude, std::abs(values[i]));
+        return magnitude;
+      };
+      property.requirements.push_back({what,
+                                       "has the largest entry",
+                                       Ranges::size.text,
+                                       [largest](const Values &values) {
+                                         return excess(largest(values),
+                                                       Ranges::size);
+                                       },
+                                       largest});
       const auto asymmetry = [places](const Values &values) {
         const auto   matrix = matrix_of<dim>(values, places);
-        const double norm   = matrix.norm();
-        return norm > 0. ? (matrix - transpose(matrix)).norm() / norm : 0.;
+        const double size   = matrix.norm();
+        return size > 0. ? (matrix - transpose(matrix)).norm() / size : 0.;
       };
       constexpr double rounding = 1e-10;
-      property.requirements.push_back({parameter,
+      property.requirements.push_back({what,
                                        "has the relative asymmetry",
                                        "must be symmetric",
                                        [asymmetry](const Values &values) {
@@ -196,7 +148,7 @@ namespace Crevasse
       };
       constexpr double definite = 1e-14;
       property.requirements.push_back(
-        {parameter,
+        {what,
          "has the relative eigenvalue",
          "must be positive definite",
          [least](const Values &values) { return definite - least(values); },
@@ -238,27 +190,27 @@ namespace Crevasse
     const bool                 plane_stress = is_plane_stress<dim>(parameters);
     if (parameters.stiffness_matrix.empty())
       {
-        add_positive(property, "Young modulus", parameters.young_modulus);
+        add_formula(property,
+                    "Young modulus",
+                    parameters.young_modulus,
+                    Ranges::positive);
         add_formula(property,
                     "Poisson ratio",
                     parameters.poisson_ratio,
-                    -0.999,
-                    0.5 - 1e-15,
-                    "must be at least -0.999 and less than 0.5");
+                    Ranges::elastic_ratio);
         property.from_values = [plane_stress](const Values &values) {
           return isotropic_stiffness<dim>(values[0], values[1], plane_stress);
         };
         return property;
       }
 
-    const std::string &text   = parameters.stiffness_matrix;
-    const std::size_t  n      = parse_matrix<dim>("Stiffness matrix",
-                                            text,
-                                            plane_stress,
-                                            property.formulas);
-    const auto         places = places_of_rows<dim>(n, plane_stress);
-    const bool condensed      = plane_stress && n == n_stress_components<dim>;
-    property.from_values      = [places, condensed](const Values &values) {
+    const std::string &text = parameters.stiffness_matrix;
+    property.formulas =
+      parse_matrix(text, dim, plane_stress, parameter("Stiffness matrix"));
+    const std::size_t n         = Text::split(text, ';').size();
+    const auto        places    = places_of_rows<dim>(n, plane_stress);
+    const bool        condensed = plane_stress && n == n_stress_components<dim>;
+    property.from_values        = [places, condensed](const Values &values) {
       const VoigtMatrix<dim> matrix = matrix_of<dim>(values, places);
       return condensed ? condense_thickness<dim>(matrix) : matrix;
     };
@@ -280,7 +232,7 @@ namespace Crevasse
   {
     Property<VoigtMatrix<dim>> property;
     const auto compliance = add_compliance<dim>(parameters, property);
-    add_positive(property, name, relaxation_time);
+    add_formula(property, name, relaxation_time, Ranges::positive);
     property.from_values = [=](const Values &values) {
       return compliance(values) / (fraction * values.back());
     };
@@ -294,13 +246,14 @@ namespace Crevasse
   isotropic_fluidity(const MaterialParameters &parameters)
   {
     Property<VoigtMatrix<dim>> property;
-    add_positive(property, "Viscous modulus", parameters.viscous_modulus);
+    add_formula(property,
+                "Viscous modulus",
+                parameters.viscous_modulus,
+                Ranges::positive);
     add_formula(property,
                 "Viscous Poisson ratio",
                 parameters.viscous_poisson_ratio,
-                -0.999,
-                0.5,
-                "must be at least -0.999 and at most 0.5");
+                Ranges::viscous_ratio);
     property.from_values = [](const Values &values) {
       return isotropic_compliance<dim>(values[0], values[1]);
     };
@@ -315,17 +268,17 @@ namespace Crevasse
   {
     Property<VoigtMatrix<dim>> property;
     const bool                 plane_stress = is_plane_stress<dim>(parameters);
-    const std::size_t          n      = parse_matrix<dim>("Viscosity matrix",
-                                            parameters.viscosity_matrix,
-                                            plane_stress,
-                                            property.formulas);
-    const auto                 places = places_of_rows<dim>(n, plane_stress);
-    property.from_values              = [places](const Values &values) {
+    const std::string         &text         = parameters.viscosity_matrix;
+    property.formulas =
+      parse_matrix(text, dim, plane_stress, parameter("Viscosity matrix"));
+    const auto places =
+      places_of_rows<dim>(Text::split(text, ';').size(), plane_stress);
+    property.from_values = [places](const Values &values) {
       return inverse<dim>(matrix_of<dim>(values, places));
     };
     require_symmetric_positive_definite<dim>(property,
                                              "Viscosity matrix",
-                                             parameters.viscosity_matrix,
+                                             text,
                                              places);
     return property;
   }
@@ -337,11 +290,9 @@ namespace Crevasse
   thermal_expansion_property(const MaterialParameters &parameters)
   {
     Property<VoigtVector<dim>> property;
-    for (Expression &formula :
-         Expression::parse_row(parameters.thermal_expansion,
-                               Expression::Variables::space_time_and_material))
-      property.formulas.push_back(std::move(formula));
-
+    property.formulas   = parse_tensor(parameters.thermal_expansion,
+                                     dim,
+                                     parameter("Thermal expansion"));
     const std::size_t n = property.formulas.size();
     if (n == 1)
       property.from_values = [](const Values &values) {
@@ -350,7 +301,7 @@ namespace Crevasse
           strain[i] = values[0];
         return strain;
       };
-    else if (n == n_stress_components<dim> || (dim == 2 && n == 3))
+    else
       property.from_values = [n](const Values &values) {
         VoigtVector<dim> strain;
         strain[0] = values[0];
@@ -360,13 +311,6 @@ namespace Crevasse
           strain[i] = 2. * values[n == 3 ? 2 : i];
         return strain;
       };
-    else
-      refuse_matrix("Thermal expansion",
-                    parameters.thermal_expansion,
-                    "must have 1, " + std::string(dim == 2 ? "3 or " : "or ") +
-                      std::to_string(n_stress_components<dim>) +
-                      " components, separated by commas; it has " +
-                      std::to_string(n));
     return property;
   }
 

@@ -170,7 +170,10 @@ namespace Crevasse
     , points(held(space))
     , material(space, points, law, temperature)
     , strain_operator(space, points)
-    , lip(space, Expression(scene.boundary.gap))
+    , lip(space,
+          Expression(scene.boundary.gap,
+                     Expression::Variables::space_and_time,
+                     Text::parameter(BoundaryParameters::section, "Gap")))
     , loads(space, strain_operator, scene.loads)
   {
   }

@@ -11,6 +11,7 @@
 
 #include <crevasse/run/largest_load.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/range.h>
 #include <crevasse/scene/text.h>
 
 #include <algorithm>
@@ -91,11 +92,11 @@ namespace Crevasse
       for (unsigned int k = 0; k < steps.n_steps(); ++k)
         largest =
           std::max(largest, largest_thermal_load(body, steps.instant(k)));
-    if (largest != 0. && !(largest >= 1e-70 && largest <= 1e70))
+    if (largest != 0. && !Ranges::size.contains(largest))
       throw SceneError(
         "[Loads]: the largest force on a node over a period is " +
-        Text::from_number(largest) +
-        "; it must be from 1e-70 to 1e70. Choose other units.");
+        Text::from_number(largest) + "; it " + Ranges::size.text +
+        ". Choose other units.");
     return largest;
   }
 

@@ -98,18 +98,18 @@ namespace Crevasse
 
 
   template <int dim>
-  Effects::Effect
-  choose_secular_split(const Scene     &scene,
-                       const Body<dim> &body,
-                       Vector          &mean_load)
+  SecularSplit
+  choose_secular_split(const Scene &scene, const Body<dim> &body)
   {
-    Effects::Effect    effect{"secular flow", false, ""};
+    SecularSplit split;
+    split.effect               = body.effects.secular_flow;
+    Effects::Effect   &effect  = split.effect;
     const std::string &wish    = scene.periodic_state.secular_split;
     const std::string  setting = "[Periodic state] Secular split = " + wish;
     if (wish == "off")
       {
         effect.why = setting + ": what flows is in the displacement";
-        return effect;
+        return split;
       }
     const std::string reason = obstacle(body);
     if (!reason.empty())
@@ -118,15 +118,17 @@ namespace Crevasse
           throw SceneError(setting + ": " + reason +
                            ". Set it to automatic or off.");
         effect.why = reason;
-        return effect;
+        return split;
       }
-    body.strain_operator.initialize(mean_load);
-    body.loads.mean(body.law.viscosity_factor(), scene.loads.period, mean_load);
+    body.strain_operator.initialize(split.mean_load);
+    body.loads.mean(body.law.viscosity_factor(),
+                    scene.loads.period,
+                    split.mean_load);
     effect.on =
-      mean_load.linfty_norm() > negligible_load(body, scene.loads.period);
+      split.mean_load.linfty_norm() > negligible_load(body, scene.loads.period);
     effect.why =
       effect.on ? "the mean load does not vanish" : "the mean load vanishes";
-    return effect;
+    return split;
   }
 
 
@@ -180,11 +182,10 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                 \
-  template Effects::Effect choose_secular_split<dim>(const Scene &,      \
-                                                     const Body<dim> &,  \
-                                                     Vector &);          \
-  template SecularFlow     solve_secular_problem<dim>(const Body<dim> &, \
+#define INSTANTIATE(dim)                                              \
+  template SecularSplit choose_secular_split<dim>(const Scene &,      \
+                                                  const Body<dim> &); \
+  template SecularFlow  solve_secular_problem<dim>(const Body<dim> &, \
                                                   const Vector &,    \
                                                   Solvers<dim> &)
 

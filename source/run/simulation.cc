@@ -14,12 +14,12 @@
 #include <crevasse/run/libraries.h>
 #include <crevasse/run/outputs.h>
 #include <crevasse/run/relaxation_table.h>
-#include <crevasse/run/secular_problem.h>
 #include <crevasse/run/simulation.h>
 #include <crevasse/run/sizes.h>
 #include <crevasse/run/version.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
+#include <crevasse/scene/unused_parameters.h>
 #include <crevasse/time/predictor_corrector.h>
 #include <crevasse/time/runge_kutta.h>
 #include <crevasse/time/sdirk.h>
@@ -50,6 +50,29 @@ namespace Crevasse
       if (parameters.scheme == "sdirk2")
         return std::make_unique<Sdirk2>();
       return std::make_unique<RungeKutta>(heun_tableau(parameters.heun_weight));
+    }
+
+
+
+    /** The instants at which a run evaluates formulas, and some between. */
+    std::vector<double>
+    survey_instants(const StepList &steps, const Integrator *integrator)
+    {
+      return steps.survey_instants(integrator != nullptr
+                                     ? integrator->quadrature().nodes
+                                     : std::vector<double>());
+    }
+
+
+
+    /** Finds what is wrong with loads and material before anything is computed
+     * with them, and the smallest relaxation time. */
+    template <int dim>
+    double
+    survey(const Body<dim> &body, const std::vector<double> &instants)
+    {
+      body.loads.survey(instants, body.space.communicator());
+      return body.material.survey(instants);
     }
 
 
@@ -94,10 +117,11 @@ namespace Crevasse
     , integrator(body.effects.viscosity.on
                    ? make_integrator(scene.time_integration)
                    : nullptr)
-    , smallest_relaxation_time(body.material.survey(steps.survey_instants(
-        integrator != nullptr ? integrator->quadrature().nodes
-                              : std::vector<double>())))
-    , secular_split(choose_secular_split(scene, body, mean_load))
+    , smallest_relaxation_time(
+        survey(body, survey_instants(steps, integrator.get())))
+    , largest_thermal_strain(body.material.largest_thermal_strain(
+        survey_instants(steps, integrator.get())))
+    , secular_split(choose_secular_split(scene, body))
   {
     if (scene.output.elastic_comparison != "none")
       // Throws if there is nothing to compare with.
@@ -142,6 +166,8 @@ namespace Crevasse
           time << "with any step";
       }
     log.line(time.str());
+    for (const std::string &warning : warnings())
+      log.line("  warning: " + warning);
   }
 
 
@@ -152,10 +178,11 @@ namespace Crevasse
   {
     Timer        timer;
     Solvers<dim> solvers(scene, body, steps, log, phases);
-    if (secular_split.on && scene.periodic_state.maximum_periods > 0)
+    if (secular_split.effect.on && scene.periodic_state.maximum_periods > 0)
       {
         TimerOutput::Scope phase(phases, "secular problem");
-        secular_flow = solve_secular_problem(body, mean_load, solvers);
+        secular_flow =
+          solve_secular_problem(body, secular_split.mean_load, solvers);
       }
     if (!scene.contact.relaxation_table.empty())
       write_relaxation_table(scene, body, solvers, steps, log, directory);
@@ -238,8 +265,28 @@ namespace Crevasse
   std::vector<Effects::Effect>
   Simulation<dim>::effects() const
   {
-    std::vector<Effects::Effect> all = body.effects.list();
-    all.insert(all.begin() + 2, secular_split);
+    Effects all      = body.effects;
+    all.secular_flow = secular_split.effect;
+    return all.list();
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  Simulation<dim>::warnings() const
+  {
+    std::vector<std::string> all   = unused_parameters(scene);
+    constexpr double         small = 0.1;
+    if (largest_thermal_strain > small)
+      {
+        std::ostringstream text;
+        text << "[Material] Thermal expansion and [Loads] Temperature: the "
+                "thermal strain is up to "
+             << largest_thermal_strain
+             << "; the theory is one of small strains, much less than 1";
+        all.push_back(text.str());
+      }
     return all;
   }
 
@@ -250,7 +297,8 @@ namespace Crevasse
   Simulation<dim>::summarise_secular_flow(Summary &summary) const
   {
     auto &secular = summary["secular"];
-    secular       = {{"on", secular_split.on}, {"why", secular_split.why}};
+    secular       = {{"on", secular_split.effect.on},
+                     {"why", secular_split.effect.why}};
     if (!secular_flow)
       {
         // Measured: what the displacement gains over a period.

@@ -9,7 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/scene/chain.h>
+#include <crevasse/scene/coefficients.h>
 #include <crevasse/scene/effects.h>
 #include <crevasse/scene/expression.h>
 #include <crevasse/scene/temperature.h>
@@ -23,23 +23,6 @@ namespace Crevasse
 {
   namespace
   {
-    using Formulas = std::vector<std::pair<const char *, std::string>>;
-
-
-
-    std::vector<Expression>
-    parse(const std::string &formulas)
-    {
-      std::vector<Expression> all;
-      for (const std::string &row : Text::split(formulas, ';'))
-        for (Expression &formula : Expression::parse_row(
-               row, Expression::Variables::space_time_and_material))
-          all.push_back(std::move(formula));
-      return all;
-    }
-
-
-
     bool
     is_zero(const std::vector<Expression> &formulas)
     {
@@ -58,7 +41,7 @@ namespace Crevasse
     first_that_varies(const Formulas &parameters, const bool temperature_varies)
     {
       for (const auto &[name, formulas] : parameters)
-        for (const Expression &formula : parse(formulas))
+        for (const Expression &formula : parse_coefficients(formulas))
           {
             const std::string what =
               Text::parameter(MaterialParameters::section, name) + " = " +
@@ -69,40 +52,6 @@ namespace Crevasse
               return what + " depends on theta";
           }
       return "";
-    }
-
-
-
-    /** The coefficients of the stiffness, without its factor. */
-    Formulas
-    stiffness_formulas(const MaterialParameters &material)
-    {
-      if (!material.stiffness_matrix.empty())
-        return {{"Stiffness matrix", material.stiffness_matrix}};
-      return {{"Young modulus", material.young_modulus},
-              {"Poisson ratio", material.poisson_ratio}};
-    }
-
-
-
-    /** Those of the viscosity, likewise. */
-    Formulas
-    viscosity_formulas(const MaterialParameters &material)
-    {
-      if (material.viscosity == "none")
-        return {};
-      if (material.viscosity == "isotropic")
-        return {{"Viscous modulus", material.viscous_modulus},
-                {"Viscous Poisson ratio", material.viscous_poisson_ratio}};
-      if (material.viscosity == "matrix")
-        return {{"Viscosity matrix", material.viscosity_matrix}};
-      Formulas formulas = stiffness_formulas(material);
-      if (material.viscosity == "chain")
-        for (const ChainBranch &branch : parse_chain(material.chain))
-          formulas.emplace_back("Chain", branch.relaxation_time);
-      else
-        formulas.emplace_back("Relaxation time", material.relaxation_time);
-      return formulas;
     }
 
 
@@ -149,7 +98,8 @@ namespace Crevasse
                ? "[Material] Chain = " + material.chain
                : "at most one Maxwell body"};
 
-    const bool expands = !is_zero(parse(material.thermal_expansion));
+    const bool expands =
+      !is_zero(parse_coefficients(material.thermal_expansion));
     const bool is_warm = Temperature<2>::is_file(scene.loads.temperature) ||
                          !Expression(scene.loads.temperature).is_zero();
     thermal_strain = {"thermal strain",
@@ -177,6 +127,8 @@ namespace Crevasse
                                              ? "is not set"
                                              : "= " + scene.loads.body_force)};
 
+    secular_flow = {"secular flow", false, "not looked for"};
+
     field_output.name = "field output";
     field_output.on   = scene.output.fields != "none";
     field_output.why  = "[Output] Fields = " + scene.output.fields;
@@ -189,6 +141,7 @@ namespace Crevasse
   {
     return {contact,
             viscosity,
+            secular_flow,
             chain,
             thermal_strain,
             varying_stiffness,

@@ -127,9 +127,12 @@ namespace Crevasse
 
 
 
-  Expression::Expression(const std::string &formula, const Variables allowed)
+  Expression::Expression(const std::string &formula,
+                         const Variables    allowed,
+                         const std::string &parameter)
     : parser(std::make_unique<Parser>())
     , text(dealii::Utilities::trim(formula))
+    , parameter(parameter)
   {
     if (text.empty())
       refuse(text, "it is empty.");
@@ -200,9 +203,15 @@ namespace Crevasse
     if (std::isfinite(value))
       return value;
 
-    throw NumericalError(
-      "The formula \"" + Text::shorten(text) + "\" has no finite value at " +
-      Text::from_point(place.point) + ", t = " + Text::from_number(place.t) +
+    throw SceneError(
+      (parameter.empty() ? "The" : parameter + ": the") + " formula \"" +
+      Text::shorten(text) + "\" has no finite value at " +
+      (depends_on_space() ? Text::from_point(place.point) + ", " : "") +
+      "t = " + Text::from_number(place.t) +
+      (depends_on("theta") ? ", theta = " + Text::from_number(place.temperature)
+                           : "") +
+      (depends_on("material") ? ", material = " + std::to_string(place.material)
+                              : "") +
       ": try to keep divisors away from 0 and the arguments of sqrt and log "
       "positive, for example with max(x, 1e-12).");
   }
@@ -270,18 +279,21 @@ namespace Crevasse
 
 
   std::vector<Expression>
-  Expression::parse_list(const std::string &formulas)
+  Expression::parse_list(const std::string &formulas,
+                         const std::string &parameter)
   {
     std::vector<Expression> expressions;
     for (const std::string &formula : Text::split(formulas, ';'))
-      expressions.emplace_back(formula);
+      expressions.emplace_back(formula, Variables::space_and_time, parameter);
     return expressions;
   }
 
 
 
   std::vector<Expression>
-  Expression::parse_row(const std::string &formulas, const Variables variables)
+  Expression::parse_row(const std::string &formulas,
+                        const Variables    variables,
+                        const std::string &parameter)
   {
     std::vector<Expression> expressions;
     std::size_t             begin = 0;
@@ -293,7 +305,8 @@ namespace Crevasse
         if (i == formulas.size() || (c == ',' && depth == 0))
           {
             expressions.emplace_back(formulas.substr(begin, i - begin),
-                                     variables);
+                                     variables,
+                                     parameter);
             begin = i + 1;
           }
       }

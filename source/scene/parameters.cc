@@ -291,7 +291,7 @@ namespace Crevasse
     prm.add_parameter("Steps per period",
                       steps_per_period,
                       "Number of equal steps of the step control \"uniform\". "
-                      "Allowed: an integer of at least 1",
+                      "Allowed: an integer from 1 to 1000000",
                       count);
     prm.add_parameter("Step control",
                       step_control,

@@ -10,8 +10,10 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/scene/chain.h>
+#include <crevasse/scene/checker.h>
 #include <crevasse/scene/expression.h>
 #include <crevasse/scene/parameters.h>
+#include <crevasse/scene/range.h>
 #include <crevasse/scene/text.h>
 
 #include <deal.II/base/patterns.h>
@@ -121,91 +123,56 @@ namespace Crevasse
 
   namespace
   {
-    /** Range of a coefficient, and how to say it. */
-    struct Range
+    constexpr auto variables = Expression::Variables::space_time_and_material;
+
+
+
+    /** A number must lie in its range; of a formula this is known when there
+     * are points. */
+    bool
+    may_lie_in(const Range &range, const Expression &coefficient)
     {
-      double      least, most;
-      const char *text;
-    };
-
-    constexpr Range positive = {1e-70,
-                                1e70,
-                                "must be greater than 0, from 1e-70 to 1e70"};
-    // Close to -1 the shear modulus is all there is, and rounding eats the
-    // rest.
-    constexpr Range elastic_ratio = {-0.999,
-                                     0.5 - 1e-15,
-                                     "must be at least -0.999 and less than "
-                                     "0.5"};
-    constexpr Range viscous_ratio = {-0.999,
-                                     0.5,
-                                     "must be at least -0.999 and at most 0.5"};
-    constexpr Range any_number    = {-1e70, 1e70, "must be from -1e70 to 1e70"};
+      return !coefficient.is_constant() ||
+             range.contains(coefficient.value(Place<2>()));
+    }
 
 
 
-    /** A coefficient of the material must be a formula; if it is a number, its
-     * range is known here, otherwise when there are points. */
+    /** A coefficient of the material must be a formula. */
     void
     check_coefficient(const char        *name,
                       const std::string &formula,
                       const Range       &range,
-                      Problems          &problems)
+                      const Checker     &checker)
     {
-      const char *section = MaterialParameters::section;
-      try
-        {
-          const Expression expression(
-            formula, Expression::Variables::space_time_and_material);
-          if (!expression.is_constant())
-            return;
-          const double value = expression.value(Place<2>());
-          if (!(value >= range.least && value <= range.most))
-            problems.add(section, name, formula, range.text);
-        }
-      catch (const SceneError &error)
-        {
-          problems.add(section, name, formula, error.what());
-        }
+      checker.demand_readable(name, formula, [&]() {
+        checker.demand(may_lie_in(range, Expression(formula, variables)),
+                       name,
+                       formula,
+                       range.text);
+      });
     }
 
 
 
-    /** Coefficients separated by commas. */
+    /** The entries of a matrix or tensor. Their number is that of a dimension,
+     * which the scene knows. */
     void
-    check_row(const char *name, const std::string &row, Problems &problems)
+    check_entries(const char        *name,
+                  const std::string &value,
+                  const Checker     &checker)
     {
-      try
-        {
-          Expression::parse_row(row,
-                                Expression::Variables::space_time_and_material);
-        }
-      catch (const SceneError &error)
-        {
-          problems.add(MaterialParameters::section, name, row, error.what());
-        }
-    }
-
-
-
-    void
-    check_chain(const std::string &chain, Problems &problems)
-    {
-      try
-        {
-          for (const ChainBranch &branch : parse_chain(chain))
-            check_coefficient("Chain",
-                              branch.relaxation_time,
-                              positive,
-                              problems);
-        }
-      catch (const SceneError &error)
-        {
-          problems.add(MaterialParameters::section,
-                       "Chain",
-                       chain,
-                       error.what());
-        }
+      const Range &range = Ranges::any_number;
+      checker.demand_readable(name, value, [&]() {
+        bool fulfilled = true;
+        for (const std::string &row : Text::split(value, ';'))
+          for (const Expression &entry : Expression::parse_row(row, variables))
+            fulfilled = fulfilled && may_lie_in(range, entry);
+        checker.demand(fulfilled,
+                       name,
+                       value,
+                       "every entry " + std::string(range.text));
+      });
     }
 
 
@@ -214,20 +181,21 @@ namespace Crevasse
     void
     check_time_factor(const char        *name,
                       const std::string &formula,
-                      Problems          &problems)
+                      const Checker     &checker)
     {
-      check_coefficient(name, formula, positive, problems);
-      if (problems.concern(MaterialParameters::section, name))
-        return;
-      const Expression expression(
-        formula, Expression::Variables::space_time_and_material);
-      for (const char *variable : {"x", "y", "z", "theta", "material"})
-        if (expression.depends_on(variable))
-          problems.add(MaterialParameters::section,
+      checker.demand_readable(name, formula, [&]() {
+        const Expression factor(formula, variables);
+        checker.demand(may_lie_in(Ranges::positive, factor),
                        name,
                        formula,
-                       std::string("must not depend on ") + variable +
-                         "; only t is the same everywhere");
+                       Ranges::positive.text);
+        for (const char *variable : {"x", "y", "z", "theta", "material"})
+          checker.demand(!factor.depends_on(variable),
+                         name,
+                         formula,
+                         std::string("must not depend on ") + variable +
+                           "; only t is the same everywhere");
+      });
     }
   } // namespace
 
@@ -236,37 +204,46 @@ namespace Crevasse
   void
   MaterialParameters::check(Problems &problems) const
   {
-    const auto check =
+    const Checker checker(section, problems);
+    const auto    check =
       [&](const char *name, const std::string &formula, const Range &range) {
-        check_coefficient(name, formula, range, problems);
+        check_coefficient(name, formula, range, checker);
       };
-    const auto check_matrix = [&](const char        *name,
-                                  const std::string &formulas) {
-      for (const std::string &row : Text::split(formulas, ';'))
-        check_row(name, row, problems);
-    };
 
     if (stiffness_matrix.empty())
       {
-        check("Young modulus", young_modulus, positive);
-        check("Poisson ratio", poisson_ratio, elastic_ratio);
+        check("Young modulus", young_modulus, Ranges::positive);
+        check("Poisson ratio", poisson_ratio, Ranges::elastic_ratio);
       }
     else
-      check_matrix("Stiffness matrix", stiffness_matrix);
-    check_time_factor("Stiffness time factor", stiffness_time_factor, problems);
-    check_time_factor("Viscosity time factor", viscosity_time_factor, problems);
-    check_row("Thermal expansion", thermal_expansion, problems);
+      check_entries("Stiffness matrix", stiffness_matrix, checker);
+    check_time_factor("Stiffness time factor", stiffness_time_factor, checker);
+    check_time_factor("Viscosity time factor", viscosity_time_factor, checker);
+    check_entries("Thermal expansion", thermal_expansion, checker);
 
     if (viscosity == "relaxation time")
-      check("Relaxation time", relaxation_time, positive);
+      check("Relaxation time", relaxation_time, Ranges::positive);
     if (viscosity == "isotropic")
       {
-        check("Viscous modulus", viscous_modulus, positive);
-        check("Viscous Poisson ratio", viscous_poisson_ratio, viscous_ratio);
+        check("Viscous modulus", viscous_modulus, Ranges::positive);
+        check("Viscous Poisson ratio",
+              viscous_poisson_ratio,
+              Ranges::viscous_ratio);
       }
     if (viscosity == "matrix")
-      check_matrix("Viscosity matrix", viscosity_matrix);
+      {
+        checker.demand(!viscosity_matrix.empty(),
+                       "Viscosity matrix",
+                       viscosity_matrix,
+                       "must be given, for the viscosity is \"matrix\": a list "
+                       "such as 9, 2, 0; 2, 9, 0; 0, 0, 3 (plane stress), its "
+                       "rows separated by semicolons");
+        check_entries("Viscosity matrix", viscosity_matrix, checker);
+      }
     if (viscosity == "chain")
-      check_chain(chain, problems);
+      checker.demand_readable("Chain", chain, [&]() {
+        for (const ChainBranch &branch : parse_chain(chain))
+          check("Chain", branch.relaxation_time, Ranges::positive);
+      });
   }
 } // namespace Crevasse

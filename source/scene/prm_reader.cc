@@ -236,7 +236,7 @@ namespace Crevasse
         }
       catch (const FileError &error)
         {
-          problems.add(place(file) + ": " + error.what());
+          problems.add_unreadable(place(file) + ": " + error.what());
         }
     }
 

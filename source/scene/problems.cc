@@ -111,6 +111,27 @@ namespace Crevasse
 
 
   void
+  Problems::add_unreadable(const std::string &section,
+                           const std::string &name,
+                           const std::string &file_name,
+                           const std::string &reason)
+  {
+    add(section, name, file_name, reason);
+    ++n_unreadable;
+  }
+
+
+
+  void
+  Problems::add_unreadable(const std::string &message)
+  {
+    add(message);
+    ++n_unreadable;
+  }
+
+
+
+  void
   Problems::locate(const std::string &section,
                    const std::string &name,
                    const std::string &place)
@@ -151,10 +172,14 @@ namespace Crevasse
   void
   Problems::throw_if_any() const
   {
-    if (messages.size() == 1)
-      throw SceneError(messages[0]);
-    if (!messages.empty())
-      throw SceneError(std::to_string(messages.size()) + " problems:\n" +
-                       Text::join(in_order_of_lines(messages), "\n"));
+    if (messages.empty())
+      return;
+    const std::string text =
+      messages.size() == 1 ? messages[0]
+                           : std::to_string(messages.size()) + " problems:\n" +
+                               Text::join(in_order_of_lines(messages), "\n");
+    if (n_unreadable == messages.size())
+      throw FileError(text);
+    throw SceneError(text);
   }
 } // namespace Crevasse

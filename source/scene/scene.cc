@@ -9,190 +9,12 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/scene/boundary_roles.h>
-#include <crevasse/scene/probe_list.h>
-#include <crevasse/scene/recorded_steps.h>
 #include <crevasse/scene/scene.h>
-#include <crevasse/scene/text.h>
 
 #include <deal.II/base/patterns.h>
 
 namespace Crevasse
 {
-  namespace
-  {
-    /** Calls the function with each section of a scene in turn. */
-    template <typename SceneType, typename Function>
-    void
-    for_each_section(SceneType &scene, const Function &function)
-    {
-      function(scene.geometry);
-      function(scene.boundary);
-      function(scene.material);
-      function(scene.loads);
-      function(scene.discretisation);
-      function(scene.contact);
-      function(scene.linear_solver);
-      function(scene.time_integration);
-      function(scene.periodic_state);
-      function(scene.output);
-    }
-
-
-
-    /** The bodies without a crack have different names. */
-    void
-    check_shape(const Scene &scene, Problems &problems)
-    {
-      const bool        plane    = scene.dimension == 2;
-      const std::string excluded = plane ? "box" : "rectangle";
-      if (scene.geometry.shape == excluded)
-        problems.add(GeometryParameters::section,
-                     "Shape",
-                     excluded,
-                     "is not allowed with Dimension = " +
-                       std::to_string(scene.dimension) +
-                       ": the body without a crack is \"" +
-                       (plane ? "rectangle" : "box") + "\" there");
-    }
-
-
-
-    /** In plane stress the thickness makes room for any change of area. */
-    void
-    check_volumetric_strain(const Scene &scene, Problems &problems)
-    {
-      if (scene.discretisation.volumetric_strain == "mean" &&
-          scene.dimension == 2 && scene.material.plane_state == "plane stress")
-        problems.add(DiscretisationParameters::section,
-                     "Volumetric strain",
-                     "mean",
-                     "is not allowed in plane stress, where no volume is kept "
-                     "and nothing locks; it must be full, or [Material] Plane "
-                     "state = plane strain");
-    }
-
-
-
-    /** Formulas and mesh sizes: one for each dimension. */
-    void
-    check_components(const Scene &scene, Problems &problems)
-    {
-      const std::string dimension = std::to_string(scene.dimension);
-
-      const auto &subdivisions = scene.geometry.subdivisions;
-      if (scene.geometry.shape != "mesh file" &&
-          subdivisions.size() != scene.dimension)
-        {
-          std::vector<std::string> parts;
-          for (const unsigned int n : subdivisions)
-            parts.push_back(std::to_string(n));
-          problems.add(GeometryParameters::section,
-                       "Subdivisions",
-                       Text::join(parts, ", "),
-                       "must be " + dimension +
-                         " integers, one for each dimension");
-        }
-
-      const auto check_formulas = [&](const char        *name,
-                                      const std::string &formulas) {
-        const std::size_t n = Text::split(formulas, ';').size();
-        if (n != 0 && n != scene.dimension)
-          problems.add(LoadParameters::section,
-                       name,
-                       formulas,
-                       "must be " + dimension +
-                         " formulas, one for each dimension, separated by "
-                         "semicolons, or nothing");
-      };
-      check_formulas("Traction", scene.loads.traction);
-      check_formulas("Body force", scene.loads.body_force);
-    }
-
-
-
-    /** The lists of points, whose number of coordinates is the dimension. */
-    template <int dim>
-    void
-    check_points(const Scene &scene, Problems &problems)
-    {
-      try
-        {
-          parse_fixed_points<dim>(scene.boundary.fixed_points);
-        }
-      catch (const SceneError &error)
-        {
-          problems.add(BoundaryParameters::section,
-                       "Fixed points",
-                       scene.boundary.fixed_points,
-                       error.what());
-        }
-      try
-        {
-          parse_probes<dim>(scene.output.probes);
-        }
-      catch (const SceneError &error)
-        {
-          problems.add(OutputParameters::section,
-                       "Probes",
-                       scene.output.probes,
-                       error.what());
-        }
-    }
-
-
-
-    void
-    check_instants(const Scene &scene, Problems &problems)
-    {
-      if (problems.concern(LoadParameters::section, "Period"))
-        return;
-
-      const double period = scene.loads.period;
-      const auto   check  = [&](const char                *section,
-                             const char                *name,
-                             const std::vector<double> &instants) {
-        for (const double instant : instants)
-          if (instant > period)
-            problems.add(section,
-                         name,
-                         Text::from_number(instant),
-                         "must be within the period: Loads/Period = " +
-                           Text::from_number(period));
-      };
-      if (scene.time_integration.step_control == "list")
-        check(TimeIntegrationParameters::section,
-              "Steps",
-              scene.time_integration.steps);
-      check(OutputParameters::section, "Field times", scene.output.field_times);
-    }
-
-
-
-    /** Contact problems can be recorded only at steps that there will be. */
-    void
-    check_recorded_steps(const Scene &scene, Problems &problems)
-    {
-      if (problems.concern(OutputParameters::section, "Contact problems") ||
-          scene.time_integration.step_control != "uniform")
-        return;
-      const unsigned int n_periods = scene.periodic_state.maximum_periods;
-      const unsigned int n_steps   = scene.time_integration.steps_per_period;
-      for (const auto &[period, step] :
-           parse_recorded_steps(scene.output.contact_problems))
-        if (period > n_periods || step > n_steps)
-          problems.add(OutputParameters::section,
-                       "Contact problems",
-                       std::to_string(period) + ": " + std::to_string(step),
-                       "must be within Periodic state/Maximum periods = " +
-                         std::to_string(n_periods) +
-                         " and Time integration/Steps per period = " +
-                         std::to_string(n_steps));
-    }
-  } // namespace
-
-
-
   void
   Scene::add_parameters(dealii::ParameterHandler &prm)
   {
@@ -209,38 +31,20 @@ namespace Crevasse
                       "the name of the scene file. A relative path begins at "
                       "the working directory. Allowed: a path");
 
-    for_each_section(*this, [&prm](auto &parameters) {
+    const auto add = [&prm](auto &parameters) {
       prm.enter_subsection(parameters.section);
       parameters.add_parameters(prm);
       prm.leave_subsection();
-    });
-  }
-
-
-
-  void
-  Scene::check(Problems &problems) const
-  {
-    for_each_section(*this, [&problems](const auto &parameters) {
-      parameters.check(problems);
-    });
-
-    if (dimension != 2 && dimension != 3)
-      {
-        problems.add("",
-                     "Dimension",
-                     std::to_string(dimension),
-                     "must be 2 or 3");
-        return;
-      }
-    check_shape(*this, problems);
-    check_volumetric_strain(*this, problems);
-    check_components(*this, problems);
-    if (dimension == 2)
-      check_points<2>(*this, problems);
-    else
-      check_points<3>(*this, problems);
-    check_instants(*this, problems);
-    check_recorded_steps(*this, problems);
+    };
+    add(geometry);
+    add(boundary);
+    add(material);
+    add(loads);
+    add(discretisation);
+    add(contact);
+    add(linear_solver);
+    add(time_integration);
+    add(periodic_state);
+    add(output);
   }
 } // namespace Crevasse

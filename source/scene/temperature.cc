@@ -36,7 +36,10 @@ namespace Crevasse
     else if (is_file(source))
       file = std::make_unique<TemperatureSeries<dim>>(source, period);
     else
-      formula = std::make_unique<Expression>(source);
+      formula =
+        std::make_unique<Expression>(source,
+                                     Expression::Variables::space_and_time,
+                                     "[Loads] Temperature");
   }
 
 

@@ -12,13 +12,14 @@
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/temperature_table.h>
 #include <crevasse/scene/text.h>
+#include <crevasse/scene/text_file.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace Crevasse
 {
@@ -53,13 +54,10 @@ namespace Crevasse
     std::vector<Row<dim>>
     read_rows(const std::string &file_name)
     {
-      std::ifstream file(file_name);
-      std::string   line;
+      std::istringstream file(read_text_file(file_name));
+      std::string        line;
       if (!std::getline(file, line))
-        refuse(file_name, "cannot be read, or is empty.");
-      // Some spreadsheets begin a file with a byte order mark.
-      if (line.rfind("\xEF\xBB\xBF", 0) == 0)
-        line.erase(0, 3);
+        refuse(file_name, "is empty.");
       line.erase(std::remove_if(line.begin(), line.end(), ::isspace),
                  line.end());
       if (line != header<dim>())

@@ -20,14 +20,43 @@
 
 namespace Crevasse
 {
+  namespace
+  {
+    std::string
+    because_of_system()
+    {
+      return std::string("cannot be read: ") +
+             (errno == 0 ? "unknown reason" : std::strerror(errno));
+    }
+  } // namespace
+
+
+
   std::string
-  read_text_file(const std::string &file_name)
+  why_unreadable(const std::string &file_name)
   {
     // Whatever hinders the look at the file hinders reading it, too.
     std::error_code ignored;
     if (std::filesystem::is_directory(file_name, ignored))
-      throw FileError("The file \"" + file_name +
-                      "\" cannot be read: it is a directory.");
+      return "cannot be read: it is a directory";
+
+    errno = 0;
+    std::ifstream file(file_name, std::ios::binary);
+    if (file)
+      file.peek();
+    return file.is_open() && !file.bad() ? "" : because_of_system();
+  }
+
+
+
+  std::string
+  read_text_file(const std::string &file_name)
+  {
+    const auto refuse = [&file_name](const std::string &reason) {
+      throw FileError("The file \"" + file_name + "\" " + reason + ".");
+    };
+    if (const std::string reason = why_unreadable(file_name); !reason.empty())
+      refuse(reason);
 
     errno = 0;
     std::ifstream      file(file_name, std::ios::binary);
@@ -36,9 +65,7 @@ namespace Crevasse
     if (file && file.peek() != std::ifstream::traits_type::eof())
       text << file.rdbuf();
     if (!file.is_open() || file.bad() || !text)
-      throw FileError("The file \"" + file_name + "\" cannot be read: " +
-                      (errno == 0 ? "unknown reason" : std::strerror(errno)) +
-                      ".");
+      refuse(because_of_system());
 
     const std::string byte_order_mark = "\xEF\xBB\xBF";
     const std::string result          = text.str();

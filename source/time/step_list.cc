@@ -139,16 +139,24 @@ namespace Crevasse
             << " times the smallest relaxation time "
             << smallest_relaxation_time << ", that is below " << bound
             << ", whatever the mesh. ";
-    if (uniform)
+    const double n_needed = std::floor(period() / bound * (1 + 1e-12)) + 1.;
+    constexpr unsigned int most = TimeIntegrationParameters::most_steps;
+    if (!(n_needed <= most))
+      message << "No number of steps is enough, for a period has at most "
+              << most << " of them: that takes relaxation times above "
+              << period() / (limit * most)
+              << ". Look at the viscosity in [Material], at [Loads] Period and "
+                 "at their units";
+    else if (uniform)
       {
-        const double n_needed = std::floor(period() / bound * (1 + 1e-12)) + 1.;
-        message << "Use at least " << n_needed
-                << " steps: --set \"Time integration/Steps per period="
-                << n_needed << "\"";
+        const auto n = static_cast<unsigned int>(n_needed);
+        message << "Use at least " << n
+                << " steps: --set \"Time integration/Steps per period=" << n
+                << "\"";
       }
     else
       message << "Add instants to [Time integration] Steps";
-    message << ", or Scheme = sdirk2, which is stable with any step.";
+    message << "; or choose Scheme = sdirk2, which is stable with any step.";
     throw NumericalError(message.str());
   }
 } // namespace Crevasse

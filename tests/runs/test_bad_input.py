@@ -136,7 +136,7 @@ CASES = [
     Case("malformed_override", 2,
          ['--set "Width": must have the form "Section/Name=value"'],
          ["Width"]),
-    Case("missing_include", 2,
+    Case("missing_include", 4,
          [r'missing_include\.prm:1: The file "nowhere\.prm" cannot be read: No '
           r'such file'],
          scene="include nowhere.prm\n\n"),
@@ -176,10 +176,85 @@ CASES = [
          [r'\[Loads\] Body force = 0; rho\*g: the formula "rho\*g" cannot be '
           r'used: .*"rho".* position 0', "Known are x, y, z, t, pi"],
          ["Loads/Body force=0; rho*g"]),
-    Case("formula_without_finite_value", 3,
-         [r'formula "sqrt\(x-2\)" has no finite value at \(\S+, 1\), t = 0',
-          r"arguments of sqrt"],
+    Case("traction_without_value", 2,
+         [r'\[Loads\] Traction: the formula "sqrt\(x-2\)" has no finite value '
+          r"at \(\S+, 1\), t = 0: ", r"arguments of sqrt"],
          ["Loads/Traction=0; sqrt(x-2)"]),
+    Case("traction_without_value_at_an_instant", 2,
+         [r'\[Loads\] Traction: the formula "log\(t\)" has no finite value at '
+          "t = 0: "],
+         ["Loads/Traction=0; log(t)"]),
+    Case("body_force_without_value", 2,
+         [r'\[Loads\] Body force: the formula "1/\(t-450\)\*x" has no finite '
+          r"value at \(\S+, \S+\), t = 450: "],
+         ["Loads/Body force=0; 1/(t-450)*x"]),
+    Case("coefficient_without_value", 2,
+         [r'\[Material\] Young modulus: the formula "sqrt\(0\.5-x\)" has no '
+          r"finite value at \(\S+, \S+\), t = 0: "],
+         ["Material/Young modulus=sqrt(0.5-x)"]),
+    Case("coefficient_without_value_at_an_instant", 2,
+         [r'\[Material\] Relaxation time: the formula "100\+log\(t-60\)" has '
+          r"no finite value at t = 0: "],
+         ["Material/Relaxation time=100+log(t-60)"]),
+    Case("entry_without_value", 2,
+         [r'\[Material\] Stiffness matrix: the formula "sqrt\(-1-x\)" has no '
+          r"finite value at \(\S+, \S+\), t = 0: "],
+         ["Material/Stiffness matrix=9, 2, 0; 2, 9, 0; 0, 0, sqrt(-1-x)"]),
+    Case("chain_without_value", 2,
+         [r'\[Material\] Chain: the formula "1/\(theta-7\)" has no finite value '
+          r"at t = 0, theta = 7: "],
+         ["Material/Viscosity=chain", "Material/Chain=0.5: 1/(theta-7)",
+          "Loads/Temperature=7"]),
+    Case("time_factor_without_value", 2,
+         [r'\[Material\] Viscosity time factor: the formula "1/\(t-300\)\^2" has '
+          r"no finite value at t = 300: "],
+         ["Material/Viscosity time factor=1/(t-300)^2"]),
+    Case("temperature_without_value", 2,
+         [r'\[Loads\] Temperature: the formula "sqrt\(300-t\)" has no finite '
+          r"value at t = 330: "],
+         ["Material/Thermal expansion=1e-5", "Loads/Temperature=sqrt(300-t)"]),
+    Case("temperature_that_is_no_formula", 2,
+         [r'--set "Loads/Temperature=20 \+": \[Loads\] Temperature = 20 \+: '
+          r'the formula "20 \+" cannot be used: '],
+         ["Loads/Temperature=20 +"]),
+    Case("thermal_strain_beyond_all_numbers", 2,
+         [r"\[Material\] Thermal expansion and \[Loads\] Temperature: the "
+          r"thermal strain is \S+ at \(\S+, \S+\), t = \S+ .*; it must be at "
+          r"most 1e70"],
+         ["Material/Thermal expansion=1e30",
+          "Loads/Temperature=1e50*t*x"]),
+    Case("thermal_expansion_beyond_all_numbers", 2,
+         [r"\[Material\] Thermal expansion = 1e80: every entry must be "
+          r"from -1e70 to 1e70"],
+         ["Material/Thermal expansion=1e80"]),
+    Case("no_matrix", 2,
+         [r'--set "Material/Viscosity matrix=": \[Material\] Viscosity matrix = '
+          r'\(nothing\): must be given, for the viscosity is "matrix": .*rows '
+          "separated by semicolons"],
+         ["Material/Viscosity=matrix", "Material/Viscosity matrix="]),
+    Case("matrix_of_another_size", 2,
+         [r"^crevasse: matrix_of_another_size\.prm:2: \[Material\] Stiffness "
+          r"matrix = 1, 2; 2, 1: must have 3 \(11, 22, 12\) or 4 \(11, 22, 33, "
+          r"12\) rows, separated by semicolons; it has 2\n"],
+         scene="subsection Material\n"
+               "  set Stiffness matrix = 1, 2; 2, 1\nend\n"),
+    Case("row_of_another_size", 2,
+         [r"^crevasse: row_of_another_size\.prm:2: \[Material\] Stiffness "
+          r'matrix = .*: the row "2, 1" must have 4 entries, separated by '
+          r"commas; it has 2\n"],
+         scene="subsection Material\n"
+               "  set Stiffness matrix = 9, 2, 2, 0; 2, 1; 2, 2, 9, 0; 0\n"
+               "  set Plane state = plane strain\nend\n"),
+    Case("matrix_beyond_all_numbers", 2,
+         [r"\[Material\] Viscosity matrix = .*: every entry must be from "
+          "-1e70 to 1e70"],
+         ["Material/Viscosity=matrix",
+          "Material/Viscosity matrix=1e200, 0, 0; 0, 1e200, 0; 0, 0, 1e200"]),
+    Case("matrix_beyond_all_numbers_somewhere", 2,
+         [r"\[Material\] Stiffness matrix = .*: has the largest entry \S+ at "
+          ".*; must be from 1e-70 to 1e70"],
+         ["Material/Stiffness matrix=1e200*x, 0, 0; 0, 1e200*x, 0; "
+          "0, 0, 1e200*x"]),
     Case("components_of_traction", 2,
          [r"\[Loads\] Traction = 0; t; 0: must be 2 formulas, one for each "
           r"dimension, separated by semicolons"],
@@ -237,11 +312,38 @@ CASES = [
          [r"\[Boundary\] Fixed points.*0\.3,? 0.* is no vertex of the mesh",
           r"the nearest one is .*0\.25,? 0"],
          ["Boundary/Fixed points=0.3, 0"]),
-    Case("missing_mesh_file", 2,
-         [r"missing_mesh_file\.prm:3: \[Geometry\] Mesh file = nowhere\.msh: "
-          r"must be a file that can be read"],
+    Case("missing_mesh_file", 4,
+         [r"^crevasse: missing_mesh_file\.prm:3: \[Geometry\] Mesh file = "
+          r"nowhere\.msh: cannot be read: No such file or directory\n"],
          scene="subsection Geometry\n  set Shape = mesh file\n"
                "  set Mesh file = nowhere.msh\nend\n"),
+    Case("mesh_file_that_is_a_directory", 4,
+         [r"\[Geometry\] Mesh file = /.*/tests/meshes: cannot be read: it is a "
+          "directory"],
+         [f"Geometry/Mesh file={MESHES}"], scene=MESH_SCENE),
+    Case("missing_mesh_file_and_more", 2,
+         [r"2 problems:\n", r"Mesh file = nowhere\.msh: cannot be read: No such",
+          "Period = -1: must be greater than 0"],
+         ["Geometry/Mesh file=nowhere.msh", "Loads/Period=-1"],
+         scene=MESH_SCENE),
+    Case("no_mesh_file", 2,
+         [r"\[Geometry\] Mesh file = \(nothing\): must be given, for the shape "
+          'is "mesh file"'],
+         ["Geometry/Mesh file="], scene=MESH_SCENE),
+    Case("empty_mesh_file", 2,
+         [r"\[Geometry\] Mesh file = /.*/empty\.msh: is empty"],
+         ["Geometry/Mesh file=empty.msh"], scene=MESH_SCENE),
+    Case("missing_table", 4,
+         [r"^crevasse: missing_table\.prm:2: \[Loads\] Temperature = "
+          r"nowhere\.csv: cannot be read: No such file or directory\n"],
+         scene="subsection Loads\n  set Temperature = nowhere.csv\nend\n"),
+    Case("empty_table", 2,
+         [r"\[Loads\] Temperature = /.*/empty\.csv: is empty"],
+         ["Loads/Temperature=empty.csv"]),
+    Case("not_a_table", 2,
+         [r"\[Loads\] Temperature = /.*/not_a_table\.csv: line 1 must be "
+          '"t,x,y,theta"'],
+         ["Loads/Temperature=not_a_table.csv"]),
     Case("not_a_mesh", 2,
          [r"\[Geometry\] Mesh file = /.*not_a_mesh\.prm: cannot be read as a mesh",
           r"Allowed: .*Gmsh file \(\.msh, format 2 or 4, ASCII\)"],
@@ -368,6 +470,15 @@ CASES = [
          ["time step 598 is too large", "that is below 120",
           r"Add instants to \[Time integration\] Steps"],
          ["Time integration/Step control=list", "Time integration/Steps=1, 2"]),
+    Case("relaxation_too_fast_for_any_step", 3,
+         ["time step 60 is too large",
+          r"a period has at most 1000000 of them: it takes relaxation times "
+          r"above 0\.0003\.", r"\[Material\]"],
+         ["Material/Relaxation time=1e-27"]),
+    Case("relaxation_too_fast_for_any_list", 3,
+         ["it takes relaxation times above"],
+         ["Material/Relaxation time=1e-27", "Time integration/Step control=list",
+          "Time integration/Steps=1, 2"]),
     Case("contact_not_solved", 3,
          ["contact problem was not solved to the accuracy",
           r"\[Contact\] Maximum iterations"],
@@ -408,6 +519,9 @@ def execute_case(case):
 
 def test_cases():
     pathlib.Path("not_a_gmsh_file.msh").write_text(MESH_SCENE)
+    pathlib.Path("empty.msh").write_text("")
+    pathlib.Path("empty.csv").write_text("")
+    pathlib.Path("not_a_table.csv").write_text("time,x,y,theta\n0,0,0,1\n")
     for version in (2, 4):
         text = (MESHES / f"edge_crack_{version}.msh").read_text()
         path = pathlib.Path(f"broken_off_{version}.msh")
@@ -529,7 +643,119 @@ def test_not_yet_periodic():
                    [r'"Maximum periods" \(about \d+ more at the present rate\)'])
 
 
+UNUSED = [  # settings, and the warnings that they give
+    (["Geometry/Thickness=2"],
+     [r"\[Geometry\] Thickness = 2 is not used: Dimension = 2"]),
+    (IN_SPACE + ["Material/Plane state=plane strain", "Loads/Traction=",
+                 "Output/Probes="],
+     [r"\[Material\] Plane state = plane strain is not used: Dimension = 3"]),
+    (["Geometry/Shape=rectangle", "Geometry/Crack length=0.4"],
+     [r"\[Geometry\] Crack length = 0\.4 is not used: Shape = rectangle"]),
+    (["Boundary/Contact=none", "Boundary/Gap=-1",
+      "Contact/Solver=projected sor"],
+     [r"\[Boundary\] Gap = -1 is not used: no boundary has the role Contact",
+      r"\[Contact\] Solver = projected sor is not used: no boundary"]),
+    (["Loads/Traction=", "Boundary/Loaded=3"],
+     [r"\[Boundary\] Loaded = 3 is not used: there is no \[Loads\] Traction"]),
+    (["Material/Stiffness matrix=9, 2, 0; 2, 9, 0; 0, 0, 3",
+      "Material/Young modulus=9", "Material/Poisson ratio=0.1"],
+     [r"\[Material\] Young modulus = 9 is not used: Stiffness matrix is given",
+      r"\[Material\] Poisson ratio = 0\.1 is not used: Stiffness matrix is"]),
+    (["Material/Viscous modulus=2", "Material/Viscous Poisson ratio=0.5",
+      "Material/Viscosity matrix=1", "Material/Chain=0.5: 1"],
+     [rf"\[Material\] {name} = \S.* is not used: Viscosity = relaxation time"
+      for name in ("Viscous modulus", "Viscous Poisson ratio",
+                   "Viscosity matrix", "Chain")]),
+    (["Material/Viscosity=isotropic", "Material/Viscous modulus=60"],
+     [r"\[Material\] Relaxation time = 60 is not used: Viscosity = isotropic"]),
+    (["Material/Viscosity=none", "Material/Viscosity time factor=2",
+      "Time integration/Scheme=rk4", "Periodic state/Secular split=off"],
+     [r"\[Material\] Relaxation time = 60 is not used: Viscosity = none",
+      r"\[Material\] Viscosity time factor = 2 is not used: Viscosity = none",
+      r"\[Time integration\] Scheme = rk4 is not used: \[Material\] Viscosity",
+      r"\[Periodic state\] Secular split = off is not used: \[Material\] Vis"]),
+    (["Material/Thermal expansion=1e-5"],
+     [r"\[Material\] Thermal expansion = 1e-5 is not used: \[Loads\] "
+      "Temperature = 0"]),
+    (["Loads/Temperature=t"],
+     [r"\[Loads\] Temperature = t is not used: \[Material\] Thermal expansion "
+      "= 0, and no coefficient depends on theta"]),
+    (["Loads/Temperature=t", "Material/Relaxation time=60+theta"], []),
+    (["Contact/Relaxation factor=1.5", "Contact/Relaxed together=node"],
+     [r"\[Contact\] Relaxation factor = 1\.5 is not used: Solver = automatic",
+      r"\[Contact\] Relaxed together = node is not used: Solver = automatic"]),
+    (["Contact/Solver=projected sor", "Contact/Relaxation factor=1.5"], []),
+    (["Contact/Solver=condensed active set", "Contact/Maximum iterations=9",
+      "Linear solver/Tolerance=0.01", "Linear solver/Memory for instants=1"],
+     [r"\[Contact\] Maximum iterations = 9 is not used: Solver = condensed",
+      r"\[Linear solver\] Tolerance = 0\.01\d* is not used: \[Contact\] Solver",
+      r"\[Linear solver\] Memory for instants = 1 is not used: the material "
+      "does not vary in time"]),
+    (["Time integration/Scheme=euler", "Time integration/Heun weight=0.5"],
+     [r"\[Time integration\] Heun weight = 0\.5 is not used: Scheme = euler"]),
+    (["Time integration/Steps=300"],
+     [r"\[Time integration\] Steps = 300 is not used: Step control = uniform"]),
+    (["Time integration/Step control=list",
+      "Time integration/Steps=100, 200, 300, 400, 500"],
+     [r"\[Time integration\] Steps per period = 10 is not used: Step control = "
+      "list"]),
+    (["Output/Fields=none", "Output/Field times=150"],
+     [r"\[Output\] Field times = 150 is not used: Fields = none"]),
+    # Used, but hardly meant.
+    (["Material/Thermal expansion=1e-3", "Loads/Temperature=0.5*t*(1+x)"],
+     [r"\[Material\] Thermal expansion and \[Loads\] Temperature: the thermal "
+      r"strain is up to 0\.5\d+; the theory is one of small strains"]),
+]
+
+
+def warnings_of(scene, settings=()):
+    """The warnings of a check, which is passed all the same."""
+    words = [word for text in settings for word in ("--set", text)]
+    status, output, error = execute("--check", scene, *words)
+    check(status == 0, f"{scene} {settings}: status {status}\n{error}")
+    return re.findall("^  warning: (.*)$", output, re.MULTILINE)
+
+
+def test_unused_parameters():
+    """What is set but has no effect is told, and nothing else."""
+    scene = pathlib.Path("unused.prm")
+    scene.write_text(SCENE)
+    with ThreadPoolExecutor(max_workers=4) as pool:
+        found = pool.map(lambda case: warnings_of(scene, case[0]), UNUSED)
+        for (settings, expected), warnings in zip(UNUSED, found):
+            print(f"--- {settings}", *warnings, sep="\n")
+            check(len(warnings) == len(expected), f"{settings}: {warnings}")
+            for pattern in expected:
+                check(any(re.match(pattern, warning) for warning in warnings),
+                      f"{settings}: no warning like {pattern}")
+
+    scene.write_text(MESH_SCENE)
+    names = ("Width", "Height", "Crack length", "Subdivisions")
+    warnings = warnings_of(scene, ["Geometry/Width=2", "Geometry/Height=2",
+                                   "Geometry/Crack length=0.1",
+                                   "Geometry/Subdivisions=3, 3",
+                                   "Loads/Traction=0; 1"])
+    check([warning.split("] ")[1].split(" =")[0] for warning in warnings]
+          == list(names), f"a mesh file: {warnings}")
+
+    results = pathlib.Path("results/unused")
+    scene.write_text(SCENE)
+    status, _, error = execute(scene, "--quiet", "--output", results, "--set",
+                               "Geometry/Thickness=2")
+    check(status == 0, error)
+    check("warning: [Geometry] Thickness" in (results / "log.txt").read_text(),
+          "log.txt lacks the warning")
+
+    # used.prm sets everything, but only what differs from the default counts.
+    check(len(warnings_of(results / "used.prm")) == 1, "used.prm")
+    for path in sorted([*SOURCE.glob("prm/**/*.prm"),
+                        *SOURCE.glob("tests/scenes/*.prm")]):
+        if path.name != "raous1980_body.prm":  # part of others
+            check(not warnings_of(path), f"{path}: {warnings_of(path)}")
+
+
 test_cases()
+test_unused_parameters()
 test_missing_scene()
 test_output_directory()
 test_what_is_in_the_way()

@@ -106,7 +106,7 @@ def test_where_it_is_looked_for():
     check(status == 0, error)
     os.remove("here.msh")
     status, _, error = execute("--check", scene)
-    check(status == 2 and "here.msh: must be a file that can be read" in error,
+    check(status == 4 and "here.msh: cannot be read: No such file" in error,
           f"exit status {status}\n{error}")
 
 

@@ -37,9 +37,16 @@ namespace Crevasse
                   const LoadParameters      &parameters);
 
     /** Collective. @param t instant within the period, 0 ≤ t < Period.
-     * @throw NumericalError if a formula has no finite value. */
+     * @throw SceneError if a formula has no finite value. */
     void
     evaluate(const double t, Vector &loads) const;
+
+    /** Looks whether all formulas have a value at the given instants, so that
+     * a run does not find out. Collective.
+     * @throw SceneError with the point and the instant. */
+    void
+    survey(const std::vector<double> &instants,
+           const MPI_Comm             communicator) const;
 
     /** The mean of the loads divided by a function of time over a period,
      * to rounding: see period_mean(). Collective. */

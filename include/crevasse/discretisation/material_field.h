@@ -67,8 +67,7 @@ namespace Crevasse
                   const Temperature<dim>     &temperature);
 
     /** The state at an instant of the period. Collective if it depends on
-     * time. @throw NumericalError or SceneError if a formula or table has no
-     * value. */
+     * time. @throw SceneError if a formula or table has no value. */
     MaterialState<dim>
     at(const double t) const;
 
@@ -100,6 +99,12 @@ namespace Crevasse
      */
     double
     survey(const std::vector<double> &instants) const;
+
+    /** The largest magnitude among the components of thermal strain at all
+     * points and the given instants; 0 if there is none. Collective.
+     * @throw SceneError if it is beyond 1e70. */
+    double
+    largest_thermal_strain(const std::vector<double> &instants) const;
 
   private:
     using Matrices = typename MaterialState<dim>::Matrices;

@@ -22,18 +22,18 @@
 
 namespace Crevasse
 {
-  /**
-   * Whether a scene is computed in the split form, u = βt + q, and why.
-   *
-   * @param[out] mean_load f̄, in the layout of displacements.
-   * @throw SceneError if [Periodic state] Secular split = on, but the material
-   * has no secular flow that splits off.
-   */
+  /** Whether a scene is computed in the split form, u = βt + q. */
+  struct SecularSplit
+  {
+    Effects::Effect effect;
+    Vector          mean_load; ///< f̄, where it was needed
+  };
+
+  /** @throw SceneError if [Periodic state] Secular split = on, but the material
+   * has no secular flow that splits off. */
   template <int dim>
-  Effects::Effect
-  choose_secular_split(const Scene     &scene,
-                       const Body<dim> &body,
-                       Vector          &mean_load);
+  SecularSplit
+  choose_secular_split(const Scene &scene, const Body<dim> &body);
 
   /** Solves the secular problem. What it costs is added to the statistics of
    * the solvers. */

@@ -18,6 +18,7 @@
 #include <crevasse/output/summary.h>
 #include <crevasse/periodic/march.h>
 #include <crevasse/run/body.h>
+#include <crevasse/run/secular_problem.h>
 #include <crevasse/run/solvers.h>
 #include <crevasse/scene/scene.h>
 #include <crevasse/time/integrator.h>
@@ -59,6 +60,10 @@ namespace Crevasse
     std::vector<Effects::Effect>
     effects() const;
 
+    /** Lines about what can be computed, but is hardly meant. */
+    std::vector<std::string>
+    warnings() const;
+
     /** The flow that is split off, or was measured as drift. */
     void
     summarise_secular_flow(Summary &summary) const;
@@ -84,8 +89,8 @@ namespace Crevasse
     const StepList                         steps;
     const std::unique_ptr<Integrator>      integrator; // none without viscosity
     const double                           smallest_relaxation_time;
-    Vector                                 mean_load; // where it was needed
-    const Effects::Effect                  secular_split;
+    const double                           largest_thermal_strain;
+    const SecularSplit                     secular_split;
     std::optional<SecularFlow>             secular_flow;
     std::size_t                            rate_evaluations = 0;
   };

@@ -33,6 +33,7 @@ namespace Crevasse
 
     Effect contact;
     Effect viscosity;
+    Effect secular_flow; ///< off until somebody who knows the loads decides
     Effect chain;
     Effect thermal_strain;
     Effect varying_stiffness; ///< by a factor or freely

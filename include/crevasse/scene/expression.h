@@ -47,17 +47,20 @@ namespace Crevasse
       space_time_and_material
     };
 
-    /** @throw SceneError with muParser's own words if the formula does not
+    /** @param parameter that the formula was given for, "[Section] Name".
+     * @throw SceneError with muParser's own words if the formula does not
      * parse or uses an unknown name. */
     explicit Expression(const std::string &formula,
-                        const Variables variables = Variables::space_and_time);
+                        const Variables variables = Variables::space_and_time,
+                        const std::string &parameter = "");
     ~Expression();
     Expression(Expression &&) noexcept;
     Expression &
     operator=(Expression &&) noexcept;
 
-    /** @throw NumericalError naming formula, point and instant when the value
-     * is not finite. */
+    /** @throw SceneError naming parameter, formula, point and instant when the
+     * value is not finite: whoever evaluates a formula during a run looks at
+     * all its points and instants before. */
     template <int dim>
     double
     value(const Place<dim> &place) const;
@@ -85,16 +88,19 @@ namespace Crevasse
 
     /** Splits "a; b; c" at the semicolons and parses each part. */
     static std::vector<Expression>
-    parse_list(const std::string &formulas);
+    parse_list(const std::string &formulas, const std::string &parameter = "");
 
     /** The same at commas, but for those within brackets. */
     static std::vector<Expression>
-    parse_row(const std::string &formulas, const Variables variables);
+    parse_row(const std::string &formulas,
+              const Variables    variables,
+              const std::string &parameter = "");
 
   private:
     struct Parser; // keeps muParser.h out of every includer
     std::unique_ptr<Parser> parser;
     std::string             text;
+    std::string             parameter;
     std::set<std::string>   variables;
   };
 } // namespace Crevasse

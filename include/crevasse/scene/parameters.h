@@ -175,6 +175,9 @@ namespace Crevasse
   {
     static constexpr const char *section = "Time integration";
 
+    /** Of a period: more would not end. */
+    static constexpr unsigned int most_steps = 1000000;
+
     std::string  scheme           = "heun";
     double       heun_weight      = 0.75;
     unsigned int steps_per_period = 40;

@@ -60,6 +60,16 @@ namespace Crevasse
         const std::string &value,
         const std::string &allowed);
 
+    /** A file that cannot be read, found like a wrong parameter: the message
+     * of the parameter that names it, or a free-standing one. */
+    void
+    add_unreadable(const std::string &section,
+                   const std::string &name,
+                   const std::string &file_name,
+                   const std::string &reason);
+    void
+    add_unreadable(const std::string &message);
+
     /** Remembers where a parameter was set ("scene.prm:12"); what is added
      * about it from now on begins with this place. */
     void
@@ -80,7 +90,8 @@ namespace Crevasse
     concern(const std::string &section, const std::string &name) const;
 
     /** Throws one SceneError with all messages, one a line in the order of the
-     * lines that they are about, if there are any. */
+     * lines that they are about, if there are any; a FileError if there is
+     * nothing to mend but files that cannot be read. */
     void
     throw_if_any() const;
 
@@ -88,6 +99,7 @@ namespace Crevasse
     using Parameter = std::pair<std::string, std::string>;
 
     std::vector<std::string>         messages;
+    std::size_t                      n_unreadable = 0; ///< of these
     std::set<Parameter>              concerned;
     std::map<Parameter, std::string> places;
   };

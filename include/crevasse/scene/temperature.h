@@ -31,12 +31,13 @@ namespace Crevasse
   {
   public:
     /** @param source [Loads] Temperature.
-     * @throw SceneError if the formula or the file cannot be used. */
+     * @throw SceneError if the formula or the file cannot be used, FileError
+     * if there is no file to read. */
     Temperature(const std::string &source, const double period);
     ~Temperature();
 
-    /** @throw SceneError if the point is outside of what the file covers;
-     * NumericalError if a formula has no finite value. */
+    /** @throw SceneError if the point is outside of what the file covers, or if
+     * a formula has no finite value. */
     double
     value(const dealii::Point<dim> &point, const double t) const;
 

@@ -16,6 +16,11 @@
 
 namespace Crevasse
 {
+  /** Why nothing can be read from a file, as "cannot be read: it is a
+   * directory"; nothing if it can. */
+  std::string
+  why_unreadable(const std::string &file_name);
+
   /** The whole text of a file, without the byte order mark that some editors
    * put first.
    *

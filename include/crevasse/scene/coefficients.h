@@ -1,0 +1,42 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_scene_coefficients_h
+#define crevasse_scene_coefficients_h
+
+#include <crevasse/scene/expression.h>
+#include <crevasse/scene/parameters.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Crevasse
+{
+  // Which formulas make the material of a scene.
+
+  /** Parameters of the section Material by name, with their formulas. */
+  using Formulas = std::vector<std::pair<const char *, std::string>>;
+
+  /** The coefficients of the stiffness, without its factor. */
+  Formulas
+  stiffness_formulas(const MaterialParameters &material);
+
+  /** Those of the viscosity, likewise. */
+  Formulas
+  viscosity_formulas(const MaterialParameters &material);
+
+  /** A number or formula, or those of a matrix or tensor. */
+  std::vector<Expression>
+  parse_coefficients(const std::string &formulas);
+} // namespace Crevasse
+
+#endif

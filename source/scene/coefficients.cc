@@ -1,0 +1,65 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/chain.h>
+#include <crevasse/scene/coefficients.h>
+#include <crevasse/scene/text.h>
+
+#include <iterator>
+
+namespace Crevasse
+{
+  Formulas
+  stiffness_formulas(const MaterialParameters &material)
+  {
+    if (!material.stiffness_matrix.empty())
+      return {{"Stiffness matrix", material.stiffness_matrix}};
+    return {{"Young modulus", material.young_modulus},
+            {"Poisson ratio", material.poisson_ratio}};
+  }
+
+
+
+  Formulas
+  viscosity_formulas(const MaterialParameters &material)
+  {
+    if (material.viscosity == "none")
+      return {};
+    if (material.viscosity == "isotropic")
+      return {{"Viscous modulus", material.viscous_modulus},
+              {"Viscous Poisson ratio", material.viscous_poisson_ratio}};
+    if (material.viscosity == "matrix")
+      return {{"Viscosity matrix", material.viscosity_matrix}};
+    Formulas formulas = stiffness_formulas(material);
+    if (material.viscosity == "chain")
+      for (const ChainBranch &branch : parse_chain(material.chain))
+        formulas.emplace_back("Chain", branch.relaxation_time);
+    else
+      formulas.emplace_back("Relaxation time", material.relaxation_time);
+    return formulas;
+  }
+
+
+
+  std::vector<Expression>
+  parse_coefficients(const std::string &formulas)
+  {
+    std::vector<Expression> all;
+    for (const std::string &row : Text::split(formulas, ';'))
+      {
+        std::vector<Expression> entries =
+          Expression::parse_row(row,
+                                Expression::Variables::space_time_and_material);
+        std::move(entries.begin(), entries.end(), std::back_inserter(all));
+      }
+    return all;
+  }
+} // namespace Crevasse

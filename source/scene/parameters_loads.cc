@@ -1,0 +1,43 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/checker.h>
+#include <crevasse/scene/expression.h>
+#include <crevasse/scene/parameters.h>
+#include <crevasse/scene/temperature.h>
+#include <crevasse/scene/text.h>
+
+namespace Crevasse
+{
+  void
+  LoadParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    checker.demand_positive("Period", period);
+
+    const auto check_formulas = [&](const char        *name,
+                                    const std::string &formulas) {
+      for (const std::string &formula : Text::split(formulas, ';'))
+        checker.demand_readable(name, formulas, [&]() {
+          Expression expression(formula);
+        });
+    };
+    check_formulas("Traction", traction);
+    check_formulas("Body force", body_force);
+
+    if (Temperature<2>::is_file(temperature))
+      checker.demand_file("Temperature", temperature);
+    else
+      checker.demand_readable("Temperature", temperature, [&]() {
+        Expression expression(temperature);
+      });
+  }
+} // namespace Crevasse

@@ -1,0 +1,150 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/checker.h>
+#include <crevasse/scene/parameters.h>
+#include <crevasse/scene/recorded_steps.h>
+#include <crevasse/scene/text.h>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** Over-relaxation converges for these factors only. */
+    bool
+    is_relaxation_factor(const double value)
+    {
+      return value > 0. && value < 2.;
+    }
+  } // namespace
+
+
+
+  void
+  DiscretisationParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    checker.demand(degree == 1 || degree == 2,
+                   "Degree",
+                   degree,
+                   "must be 1 or 2");
+    checker.demand(volumetric_strain != "mean" || degree == 1,
+                   "Volumetric strain",
+                   volumetric_strain,
+                   "is for linear elements only; with Degree = " +
+                     std::to_string(degree) + " it must be full");
+  }
+
+
+
+  void
+  ContactParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+
+    if (relaxation_factor != "automatic")
+      checker.demand(is_relaxation_factor(
+                       Text::to_number(relaxation_factor).value_or(0.)),
+                     "Relaxation factor",
+                     relaxation_factor,
+                     "must be \"automatic\" or a number greater than 0 and "
+                     "less than 2");
+    checker.demand(tolerance > 0. && tolerance <= 1e-2,
+                   "Tolerance",
+                   tolerance,
+                   "must be greater than 0 and at most 0.01");
+    checker.demand(maximum_iterations >= 1,
+                   "Maximum iterations",
+                   maximum_iterations,
+                   "must be at least 1");
+    for (const double factor : relaxation_table)
+      checker.demand(is_relaxation_factor(factor),
+                     "Relaxation table",
+                     factor,
+                     "must be greater than 0 and less than 2");
+  }
+
+
+
+  void
+  LinearSolverParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    checker.demand(tolerance > 0. && tolerance <= 0.1,
+                   "Tolerance",
+                   tolerance,
+                   "must be greater than 0 and at most 0.1");
+    checker.demand(memory_for_instants >= 0.,
+                   "Memory for instants",
+                   memory_for_instants,
+                   "must be at least 0");
+  }
+
+
+
+  void
+  TimeIntegrationParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    if (scheme == "heun")
+      checker.demand(heun_weight >= 0.5 && heun_weight <= 1.,
+                     "Heun weight",
+                     heun_weight,
+                     "must be from 0.5, which puts the second stage at the "
+                     "end of the step, to 1");
+    checker.demand(steps_per_period >= 1 && steps_per_period <= most_steps,
+                   "Steps per period",
+                   steps_per_period,
+                   "must be from 1 to " + std::to_string(most_steps));
+
+    if (step_control != "list")
+      return;
+    checker.demand(!steps.empty(),
+                   "Steps",
+                   "",
+                   "must be given, for the step control is \"list\"");
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      {
+        checker.demand(steps[i] >= 0., "Steps", steps[i], "must be at least 0");
+        if (i > 0)
+          checker.demand(steps[i] > steps[i - 1],
+                         "Steps",
+                         steps[i],
+                         "must be later than the instant before it, " +
+                           Text::from_number(steps[i - 1]));
+      }
+  }
+
+
+
+  void
+  PeriodicStateParameters::check(Problems &problems) const
+  {
+    Checker(section, problems)
+      .demand(tolerance >= 0. && tolerance < 1.,
+              "Tolerance",
+              tolerance,
+              "must be at least 0 and less than 1");
+  }
+
+
+
+  void
+  OutputParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    for (const double time : field_times)
+      checker.demand(time >= 0., "Field times", time, "must be at least 0");
+    checker.demand_readable("Contact problems", contact_problems, [&]() {
+      parse_recorded_steps(contact_problems);
+    });
+  }
+} // namespace Crevasse

@@ -1,0 +1,228 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/boundary_roles.h>
+#include <crevasse/scene/checker.h>
+#include <crevasse/scene/probe_list.h>
+#include <crevasse/scene/recorded_steps.h>
+#include <crevasse/scene/scene.h>
+#include <crevasse/scene/tensor_formulas.h>
+#include <crevasse/scene/text.h>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** The bodies without a crack have different names. */
+    void
+    check_shape(const Scene &scene, Problems &problems)
+    {
+      const bool        plane    = scene.dimension == 2;
+      const std::string excluded = plane ? "box" : "rectangle";
+      if (scene.geometry.shape == excluded)
+        problems.add(GeometryParameters::section,
+                     "Shape",
+                     excluded,
+                     "is not allowed with Dimension = " +
+                       std::to_string(scene.dimension) +
+                       ": the body without a crack is \"" +
+                       (plane ? "rectangle" : "box") + "\" there");
+    }
+
+
+
+    /** In plane stress the thickness makes room for any change of area. */
+    void
+    check_volumetric_strain(const Scene &scene, Problems &problems)
+    {
+      if (scene.discretisation.volumetric_strain == "mean" &&
+          scene.dimension == 2 && scene.material.plane_state == "plane stress")
+        problems.add(DiscretisationParameters::section,
+                     "Volumetric strain",
+                     "mean",
+                     "is not allowed in plane stress, where no volume is kept "
+                     "and nothing locks; it must be full, or [Material] Plane "
+                     "state = plane strain");
+    }
+
+
+
+    /** Formulas and mesh sizes: one for each dimension. */
+    void
+    check_components(const Scene &scene, Problems &problems)
+    {
+      const std::string dimension = std::to_string(scene.dimension);
+
+      const auto &subdivisions = scene.geometry.subdivisions;
+      if (scene.geometry.shape != "mesh file" &&
+          subdivisions.size() != scene.dimension)
+        {
+          std::vector<std::string> parts;
+          for (const unsigned int n : subdivisions)
+            parts.push_back(std::to_string(n));
+          problems.add(GeometryParameters::section,
+                       "Subdivisions",
+                       Text::join(parts, ", "),
+                       "must be " + dimension +
+                         " integers, one for each dimension");
+        }
+
+      const auto check_formulas = [&](const char        *name,
+                                      const std::string &formulas) {
+        const std::size_t n = Text::split(formulas, ';').size();
+        if (n != 0 && n != scene.dimension)
+          problems.add(LoadParameters::section,
+                       name,
+                       formulas,
+                       "must be " + dimension +
+                         " formulas, one for each dimension, separated by "
+                         "semicolons, or nothing");
+      };
+      check_formulas("Traction", scene.loads.traction);
+      check_formulas("Body force", scene.loads.body_force);
+    }
+
+
+
+    /** Matrices and tensors, whose size is that of the dimension. Whether
+     * their entries are formulas the section knows. */
+    void
+    check_tensors(const Scene &scene, Problems &problems)
+    {
+      const MaterialParameters &material = scene.material;
+      const bool plane_stress = material.plane_state == "plane stress";
+      const auto check =
+        [&](const char *name, const std::string &value, const auto &read) {
+          if (!problems.concern(MaterialParameters::section, name))
+            Checker(MaterialParameters::section, problems)
+              .demand_readable(name, value, read);
+        };
+      const auto check_matrix = [&](const char        *name,
+                                    const std::string &value) {
+        check(name, value, [&]() {
+          parse_matrix(value, scene.dimension, plane_stress, "");
+        });
+      };
+      if (!material.stiffness_matrix.empty())
+        check_matrix("Stiffness matrix", material.stiffness_matrix);
+      if (material.viscosity == "matrix")
+        check_matrix("Viscosity matrix", material.viscosity_matrix);
+      check("Thermal expansion", material.thermal_expansion, [&]() {
+        parse_tensor(material.thermal_expansion, scene.dimension, "");
+      });
+    }
+
+
+
+    /** The lists of points, whose number of coordinates is the dimension. */
+    template <int dim>
+    void
+    check_points(const Scene &scene, Problems &problems)
+    {
+      const std::string &fixed_points = scene.boundary.fixed_points;
+      const std::string &probes       = scene.output.probes;
+      Checker(BoundaryParameters::section, problems)
+        .demand_readable("Fixed points", fixed_points, [&]() {
+          parse_fixed_points<dim>(fixed_points);
+        });
+      Checker(OutputParameters::section, problems)
+        .demand_readable("Probes", probes, [&]() {
+          parse_probes<dim>(probes);
+        });
+    }
+
+
+
+    void
+    check_instants(const Scene &scene, Problems &problems)
+    {
+      if (problems.concern(LoadParameters::section, "Period"))
+        return;
+
+      const double period = scene.loads.period;
+      const auto   check  = [&](const char                *section,
+                             const char                *name,
+                             const std::vector<double> &instants) {
+        for (const double instant : instants)
+          if (instant > period)
+            problems.add(section,
+                         name,
+                         Text::from_number(instant),
+                         "must be within the period: Loads/Period = " +
+                           Text::from_number(period));
+      };
+      if (scene.time_integration.step_control == "list")
+        check(TimeIntegrationParameters::section,
+              "Steps",
+              scene.time_integration.steps);
+      check(OutputParameters::section, "Field times", scene.output.field_times);
+    }
+
+
+
+    /** Contact problems can be recorded only at steps that there will be. */
+    void
+    check_recorded_steps(const Scene &scene, Problems &problems)
+    {
+      if (problems.concern(OutputParameters::section, "Contact problems") ||
+          scene.time_integration.step_control != "uniform")
+        return;
+      const unsigned int n_periods = scene.periodic_state.maximum_periods;
+      const unsigned int n_steps   = scene.time_integration.steps_per_period;
+      for (const auto &[period, step] :
+           parse_recorded_steps(scene.output.contact_problems))
+        if (period > n_periods || step > n_steps)
+          problems.add(OutputParameters::section,
+                       "Contact problems",
+                       std::to_string(period) + ": " + std::to_string(step),
+                       "must be within Periodic state/Maximum periods = " +
+                         std::to_string(n_periods) +
+                         " and Time integration/Steps per period = " +
+                         std::to_string(n_steps));
+    }
+  } // namespace
+
+
+
+  void
+  Scene::check(Problems &problems) const
+  {
+    geometry.check(problems);
+    boundary.check(problems);
+    material.check(problems);
+    loads.check(problems);
+    discretisation.check(problems);
+    contact.check(problems);
+    linear_solver.check(problems);
+    time_integration.check(problems);
+    periodic_state.check(problems);
+    output.check(problems);
+
+    if (dimension != 2 && dimension != 3)
+      {
+        problems.add("",
+                     "Dimension",
+                     std::to_string(dimension),
+                     "must be 2 or 3");
+        return;
+      }
+    check_shape(*this, problems);
+    check_volumetric_strain(*this, problems);
+    check_components(*this, problems);
+    check_tensors(*this, problems);
+    if (dimension == 2)
+      check_points<2>(*this, problems);
+    else
+      check_points<3>(*this, problems);
+    check_instants(*this, problems);
+    check_recorded_steps(*this, problems);
+  }
+} // namespace Crevasse

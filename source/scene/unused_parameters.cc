@@ -1,0 +1,258 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/boundary_roles.h>
+#include <crevasse/scene/built_in_boundary.h>
+#include <crevasse/scene/coefficients.h>
+#include <crevasse/scene/temperature.h>
+#include <crevasse/scene/text.h>
+#include <crevasse/scene/unused_parameters.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** A parameter, when it is not used, and why. */
+    struct Rule
+    {
+      const char *section;
+      const char *name;
+      bool        unused;
+      std::string reason;
+    };
+
+    using Rules = std::vector<Rule>;
+
+
+
+    bool
+    is_zero(const std::string &formulas)
+    {
+      const std::vector<Expression> all = parse_coefficients(formulas);
+      return std::all_of(all.begin(), all.end(), [](const Expression &formula) {
+        return formula.is_zero();
+      });
+    }
+
+
+
+    /** Whether one of the material's properties, thermal expansion included,
+     * depends on a variable. */
+    bool
+    material_depends_on(const std::string        &variable,
+                        const MaterialParameters &material)
+    {
+      Formulas       formulas  = stiffness_formulas(material);
+      const Formulas viscosity = viscosity_formulas(material);
+      formulas.insert(formulas.end(), viscosity.begin(), viscosity.end());
+      formulas.emplace_back("Thermal expansion", material.thermal_expansion);
+      for (const auto &[name, text] : formulas)
+        for (const Expression &formula : parse_coefficients(text))
+          if (formula.depends_on(variable))
+            return true;
+      return false;
+    }
+
+
+
+    bool
+    is_warm(const LoadParameters &loads)
+    {
+      return Temperature<2>::is_file(loads.temperature) ||
+             !is_zero(loads.temperature);
+    }
+
+
+
+    bool
+    has_contact(const Scene &scene)
+    {
+      return !resolve_roles(scene.boundary, built_in_roles(scene.geometry))
+                .contact.empty();
+    }
+
+    const std::string no_contact = "no boundary has the role Contact";
+
+
+
+    Rules
+    rules_of_body(const Scene &scene)
+    {
+      const std::string &shape     = scene.geometry.shape;
+      const std::string  why       = "Shape = " + shape;
+      const char        *here      = GeometryParameters::section;
+      const bool         from_file = shape == "mesh file";
+      const bool         is_plane  = scene.dimension == 2;
+      return {
+        {here, "Width", from_file, why},
+        {here, "Height", from_file, why},
+        {here, "Thickness", from_file, why},
+        {here, "Thickness", is_plane, "Dimension = 2"},
+        {here, "Crack length", !has_crack(scene.geometry), why},
+        {here, "Subdivisions", from_file, why},
+        {BoundaryParameters::section,
+         "Loaded",
+         is_zero(scene.loads.traction),
+         "there is no [Loads] Traction"},
+        {BoundaryParameters::section, "Gap", !has_contact(scene), no_contact},
+        {MaterialParameters::section,
+         "Plane state",
+         !is_plane,
+         "Dimension = 3"},
+      };
+    }
+
+
+
+    Rules
+    rules_of_material(const Scene &scene)
+    {
+      const MaterialParameters &material   = scene.material;
+      const char               *here       = MaterialParameters::section;
+      const std::string         kind       = material.viscosity;
+      const std::string         why        = "Viscosity = " + kind;
+      const bool                has_matrix = !material.stiffness_matrix.empty();
+      const bool                expands = !is_zero(material.thermal_expansion);
+      const std::string         matrix  = "Stiffness matrix is given";
+      return {
+        {here, "Young modulus", has_matrix, matrix},
+        {here, "Poisson ratio", has_matrix, matrix},
+        {here, "Relaxation time", kind != "relaxation time", why},
+        {here, "Viscous modulus", kind != "isotropic", why},
+        {here, "Viscous Poisson ratio", kind != "isotropic", why},
+        {here, "Viscosity matrix", kind != "matrix", why},
+        {here, "Chain", kind != "chain", why},
+        {here, "Viscosity time factor", kind == "none", why},
+        {here,
+         "Thermal expansion",
+         !is_warm(scene.loads),
+         "[Loads] Temperature = 0"},
+        {LoadParameters::section,
+         "Temperature",
+         !expands && !material_depends_on("theta", material),
+         "[Material] Thermal expansion = 0, and no coefficient depends on "
+         "theta"},
+      };
+    }
+
+
+
+    Rules
+    rules_of_solvers(const Scene &scene)
+    {
+      const ContactParameters &contact = scene.contact;
+      const char              *here    = ContactParameters::section;
+      const std::string        why     = "Solver = " + contact.solver;
+      const bool               sor     = contact.solver == "projected sor";
+      const bool        condensed = contact.solver == "condensed active set";
+      const bool        table     = !contact.relaxation_table.empty();
+      const std::string linear    = scene.linear_solver.type;
+      const bool        is_direct = linear == "cholesky" || linear == "mumps";
+      const bool        varies =
+        material_depends_on("t", scene.material) ||
+        material_depends_on("theta", scene.material) ||
+        (!is_zero(scene.material.thermal_expansion) && is_warm(scene.loads));
+      return {
+        {here, "Solver", !has_contact(scene), no_contact},
+        {here, "Relaxation factor", !has_contact(scene), no_contact},
+        {here, "Relaxation factor", !sor, why},
+        {here, "Relaxed together", !sor && !table, why},
+        {here, "Maximum iterations", condensed && !table, why},
+        {LinearSolverParameters::section,
+         "Tolerance",
+         is_direct,
+         "Type = " + linear},
+        {LinearSolverParameters::section,
+         "Tolerance",
+         sor || condensed,
+         "[Contact] " + why},
+        {LinearSolverParameters::section,
+         "Memory for instants",
+         !varies,
+         "the material does not vary in time"},
+      };
+    }
+
+
+
+    Rules
+    rules_of_time(const Scene &scene)
+    {
+      const TimeIntegrationParameters &time = scene.time_integration;
+      const char       *here    = TimeIntegrationParameters::section;
+      const bool        uniform = time.step_control == "uniform";
+      const bool        elastic = scene.material.viscosity == "none";
+      const std::string control = "Step control = " + time.step_control;
+      const std::string none    = "[Material] Viscosity = none";
+      return {
+        {here, "Scheme", elastic, none},
+        {here, "Heun weight", elastic, none},
+        {here, "Heun weight", time.scheme != "heun", "Scheme = " + time.scheme},
+        {here, "Steps per period", !uniform, control},
+        {here, "Steps", uniform, control},
+        {PeriodicStateParameters::section, "Secular split", elastic, none},
+        {OutputParameters::section,
+         "Field times",
+         scene.output.fields == "none",
+         "Fields = none"},
+      };
+    }
+
+
+
+    /** The values of all parameters as a scene file has them. */
+    std::map<std::pair<std::string, std::string>, std::string>
+    values_of(Scene scene, const Rules &rules)
+    {
+      dealii::ParameterHandler prm;
+      scene.add_parameters(prm);
+      std::map<std::pair<std::string, std::string>, std::string> values;
+      for (const Rule &rule : rules)
+        values[{rule.section, rule.name}] = prm.get({rule.section}, rule.name);
+      return values;
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  unused_parameters(const Scene &scene)
+  {
+    Rules rules;
+    for (const Rules &part : {rules_of_body(scene),
+                              rules_of_material(scene),
+                              rules_of_solvers(scene),
+                              rules_of_time(scene)})
+      rules.insert(rules.end(), part.begin(), part.end());
+
+    auto                     values   = values_of(scene, rules);
+    const auto               defaults = values_of(Scene(), rules);
+    std::vector<std::string> sentences;
+    for (const Rule &rule : rules)
+      {
+        std::string       &value = values.at({rule.section, rule.name});
+        const std::string &usual = defaults.at({rule.section, rule.name});
+        if (!rule.unused || value == usual)
+          continue;
+        sentences.push_back(Text::parameter(rule.section, rule.name) + " = " +
+                            Text::shorten(value) +
+                            " is not used: " + rule.reason);
+        value = usual; // one reason is enough
+      }
+    return sentences;
+  }
+} // namespace Crevasse
