@@ -185,13 +185,7 @@ namespace
                         s)
                          .norm());
         };
-        heun.step([&](const double  t,
-                      const Vector &y,
-                      Vector       &rate) { evolution.rate(t, y, rate); },
-                  t,
-                  time_step,
-                  r,
-                  observe);
+        heun.step(evolution, t, time_step, r, observe);
         integral += time_step * (0.25 * load_factor(t) +
                                  0.75 * load_factor(t + 2. / 3. * time_step));
       }
