@@ -152,5 +152,5 @@ check(counters["factorisations"] == counters["assemblies"] == 2,
       "sdirk2 factorises twice")
 check(counters["vi_solves"] == 5 * (2 * 4 + 1) + 1,
       "two contact problems a step, and the first state of a period")
-check_below("stress of sdirk2, relative to the load",
-            results.summary["extremes"]["stress"] / (5 * LOAD * 10), 1)
+check_below(results.summary["extremes"]["stress"], 100 * LOAD,
+            "largest stress of sdirk2")

@@ -216,6 +216,11 @@ namespace
     check_below("sdirk2: what a step of 1e6 relaxation times leaves",
                 std::abs(integrate(scheme, equation, 1., 1e6, 1)),
                 1e-5);
+    Relaxation fast(1e-9, 0.6);
+    check_below("sdirk2: error of steps of 1e7 relaxation times",
+                std::abs(integrate(scheme, fast, fast.solution(0.), 2., 160) -
+                         fast.solution(2.)),
+                1e-9);
   }
 
   double
@@ -299,7 +304,6 @@ main(int argc, char **argv)
                 Relaxation(0.5, 0.6),
                 2.);
     check_order("sdirk2", Sdirk2(), Relaxation(0.5, 0.6), 2.);
-    check_order("sdirk2, stiff", Sdirk2(), Relaxation(1e-9, 0.6), 2.);
     check_stability("euler", RungeKutta(euler_tableau()));
     check_stability("heun", RungeKutta(heun_tableau(0.75)));
     check_stability("rk4", RungeKutta(rk4_tableau()));
