@@ -176,6 +176,13 @@ namespace Crevasse
                      Text::parameter(BoundaryParameters::section, "Gap")))
     , loads(space, strain_operator, scene.loads)
   {
+    // What the tables say must be what is computed.
+    Assert(effects.thermal_strain.on == material.has_thermal_strain(),
+           ExcInternalError());
+    Assert(effects.varying_stiffness.on || !material.stiffness_varies(),
+           ExcInternalError());
+    Assert(effects.varying_viscosity.on || !material.fluidity_varies(),
+           ExcInternalError());
   }
 
 

@@ -10,66 +10,10 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/time/evolution.h>
+#include <crevasse/time/inelastic_strain.h>
 
 namespace Crevasse
 {
-  /** The strains of a material that are not elastic, at one point. */
-  template <int dim>
-  class InelasticStrain
-  {
-  public:
-    using Field                     = QuadratureField<dim>;
-    static constexpr unsigned int n = Field::n_components;
-
-    InelasticStrain(const MaterialState<dim> &material, const Vector &r)
-      : material(material)
-      , thermal_strain(material.thermal_strain.get())
-      , r(r)
-      , n_branches(material.fluidity.size())
-    {
-    }
-
-
-
-    std::size_t
-    offset_of_branch(const std::size_t offset, const unsigned int i) const
-    {
-      return offset * n_branches + i * n;
-    }
-
-
-
-    /** χθ */
-    VoigtVector<dim>
-    thermal(const std::size_t offset) const
-    {
-      return thermal_strain == nullptr ? VoigtVector<dim>()
-                                       : (*thermal_strain)[offset / n];
-    }
-
-
-
-    /** Σ wᵢ rᵢ + χθ */
-    VoigtVector<dim>
-    operator()(const std::size_t offset) const
-    {
-      VoigtVector<dim> strain = thermal(offset);
-      for (unsigned int i = 0; i < n_branches; ++i)
-        strain +=
-          material.fractions[i] * Field::get(r, offset_of_branch(offset, i));
-      return strain;
-    }
-
-
-
-    const MaterialState<dim>                         &material;
-    const typename MaterialState<dim>::Vectors *const thermal_strain;
-    const Vector                                     &r;
-    const unsigned int                                n_branches;
-  };
-
-
-
   template <int dim>
   Evolution<dim>::Evolution(const StrainOperator<dim>  &strain_operator,
                             const QuadratureField<dim> &points,
@@ -217,108 +161,6 @@ namespace Crevasse
               branch_rate -= Field::get(flow->strain_rate, place);
             Field::set(rate, place, branch_rate);
           }
-      });
-  }
-
-
-
-  template <int dim>
-  void
-  Evolution<dim>::implicit_rate(const double  t,
-                                const Vector &known,
-                                const double  c,
-                                Vector       &rate)
-  {
-    using Field                           = QuadratureField<dim>;
-    const ImplicitInstant<dim>    instant = instants.implicit_at(t, c);
-    const AlgorithmicModuli<dim> &moduli  = instant.moduli;
-    const double                  k       = instant.material.stiffness_factor;
-    const InelasticStrain<dim>    inelastic(instant.material, known);
-
-    loads.evaluate(t, loading);
-    strain_operator.add_transpose(loading, [&](const std::size_t offset) {
-      const std::size_t point  = offset / Field::n_components;
-      VoigtVector<dim>  stress = moduli.sum[point] * inelastic.thermal(offset);
-      for (unsigned int i = 0; i < inelastic.n_branches; ++i)
-        stress +=
-          moduli.branches[i][point] * known_strain(inelastic, offset, i, c);
-      return k * stress;
-    });
-    solve_for_displacement(*instant.contact_solver, k);
-    implicit_rates(instant, known, c, rate);
-    ++rate_evaluations;
-  }
-
-
-
-  template <int dim>
-  void
-  Evolution<dim>::semi_implicit_rate(const double  t,
-                                     const Vector &predicted,
-                                     const Vector &known,
-                                     const double  c,
-                                     Vector       &rate)
-  {
-    {
-      const Instant<dim>         instant = instants.at(t);
-      const InelasticStrain<dim> inelastic(instant.material, predicted);
-      solve_for_displacement(t, instant, &inelastic);
-    }
-    implicit_rates(instants.implicit_material_at(t, c), known, c, rate);
-    ++rate_evaluations;
-  }
-
-
-
-  template <int dim>
-  VoigtVector<dim>
-  Evolution<dim>::known_strain(const InelasticStrain<dim> &known,
-                               const std::size_t           offset,
-                               const unsigned int          branch,
-                               const double                c) const
-  {
-    const std::size_t place  = known.offset_of_branch(offset, branch);
-    VoigtVector<dim>  strain = QuadratureField<dim>::get(known.r, place);
-    if (flow != nullptr)
-      strain -= c * QuadratureField<dim>::get(flow->strain_rate, place);
-    return strain;
-  }
-
-
-
-  template <int dim>
-  void
-  Evolution<dim>::implicit_rates(const ImplicitInstant<dim> &instant,
-                                 const Vector               &known,
-                                 const double                c,
-                                 Vector                     &rate)
-  {
-    using Field                            = QuadratureField<dim>;
-    const MaterialState<dim>     &material = instant.material;
-    const AlgorithmicModuli<dim> &moduli   = instant.moduli;
-    const double                  k        = material.stiffness_factor;
-    const InelasticStrain<dim>    inelastic(material, known);
-    strain_operator.for_each_strain(
-      last.displacement,
-      [&](const std::size_t offset, const VoigtVector<dim> &strain) {
-        const std::size_t      point      = offset / Field::n_components;
-        const VoigtVector<dim> mechanical = strain - inelastic.thermal(offset);
-        VoigtVector<dim>       stress     = moduli.sum[point] * mechanical;
-        for (unsigned int i = 0; i < inelastic.n_branches; ++i)
-          {
-            const VoigtMatrix<dim> &modulus = moduli.branches[i][point];
-            const VoigtVector<dim>  relaxed =
-              known_strain(inelastic, offset, i, c);
-            stress -= modulus * relaxed;
-            const std::size_t place = inelastic.offset_of_branch(offset, i);
-            VoigtVector<dim>  branch_rate = (*material.fluidity[i])[point] *
-                                           (modulus * (mechanical - relaxed)) *
-                                           (k / material.viscosity_factor);
-            if (flow != nullptr)
-              branch_rate -= Field::get(flow->strain_rate, place);
-            Field::set(rate, place, branch_rate);
-          }
-        Field::set(last.stress, offset, k * stress);
       });
   }
 

@@ -1,0 +1,76 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_time_inelastic_strain_h
+#define crevasse_time_inelastic_strain_h
+
+#include <crevasse/discretisation/material_field.h>
+#include <crevasse/discretisation/quadrature_field.h>
+
+namespace Crevasse
+{
+  /** The strains of a material that are not elastic, at one point. */
+  template <int dim>
+  class InelasticStrain
+  {
+  public:
+    using Field                     = QuadratureField<dim>;
+    static constexpr unsigned int n = Field::n_components;
+
+    InelasticStrain(const MaterialState<dim> &material, const Vector &r)
+      : material(material)
+      , thermal_strain(material.thermal_strain.get())
+      , r(r)
+      , n_branches(material.fluidity.size())
+    {
+    }
+
+
+
+    std::size_t
+    offset_of_branch(const std::size_t offset, const unsigned int i) const
+    {
+      return offset * n_branches + i * n;
+    }
+
+
+
+    /** χθ */
+    VoigtVector<dim>
+    thermal(const std::size_t offset) const
+    {
+      return thermal_strain == nullptr ? VoigtVector<dim>()
+                                       : (*thermal_strain)[offset / n];
+    }
+
+
+
+    /** Σ wᵢ rᵢ + χθ */
+    VoigtVector<dim>
+    operator()(const std::size_t offset) const
+    {
+      VoigtVector<dim> strain = thermal(offset);
+      for (unsigned int i = 0; i < n_branches; ++i)
+        strain +=
+          material.fractions[i] * Field::get(r, offset_of_branch(offset, i));
+      return strain;
+    }
+
+
+
+    const MaterialState<dim>                         &material;
+    const typename MaterialState<dim>::Vectors *const thermal_strain;
+    const Vector                                     &r;
+    const unsigned int                                n_branches;
+  };
+} // namespace Crevasse
+
+#endif
