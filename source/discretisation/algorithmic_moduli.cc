@@ -20,14 +20,8 @@ namespace Crevasse
                                             const std::size_t         n_points)
     : sum(*material.stiffness)
   {
-    double spring = 1.;
-    for (const double fraction : material.fractions)
-      spring -= fraction;
-    constexpr double rounding = 1e-12;
-    if (spring < rounding)
-      spring = 0.;
-    sum = transform(sum, n_points, [spring](const VoigtMatrix<dim> &K) {
-      return spring * K;
+    sum = transform(sum, n_points, [&material](const VoigtMatrix<dim> &K) {
+      return material.spring * K;
     });
 
     for (unsigned int i = 0; i < material.fluidity.size(); ++i)

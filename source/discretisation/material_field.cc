@@ -43,6 +43,21 @@ namespace Crevasse
 
 
 
+    void
+    require_positive(const double      value,
+                     const Expression &factor,
+                     const char       *name,
+                     const double      t)
+    {
+      if (!(value > 0.))
+        throw NumericalError(
+          Text::parameter(MaterialParameters::section, name) + " = " +
+          factor.formula() + ": is " + Text::from_number(value) +
+          " at t = " + Text::from_number(t) + "; it must be greater than 0.");
+    }
+
+
+
     template <int dim>
     bool
     has_thermal_expansion(const MaxwellLaw<dim> &law)
@@ -107,7 +122,12 @@ namespace Crevasse
     check_requirements({0.});
     constant.plane_stress = law.is_plane_stress();
     for (const auto &branch : law.branches())
-      constant.fractions.push_back(branch.fraction);
+      {
+        constant.fractions.push_back(branch.fraction);
+        constant.spring -= branch.fraction;
+      }
+    if (!law.has_spring())
+      constant.spring = 0.; // but for rounding
     constant.fluidity.resize(law.branches().size());
     collectively(communicator, [&]() {
       if (!stiffness_varies())
@@ -317,12 +337,14 @@ namespace Crevasse
   {
     state.stiffness_factor = law.stiffness_factor().value(Point<dim>(), t);
     state.viscosity_factor = law.viscosity_factor().value(Point<dim>(), t);
-    if (!(state.viscosity_factor > 0.))
-      throw NumericalError(
-        Text::parameter(MaterialParameters::section, "Viscosity time factor") +
-        " = " + law.viscosity_factor().formula() + ": is " +
-        Text::from_number(state.viscosity_factor) +
-        " at t = " + Text::from_number(t) + "; it must be greater than 0.");
+    require_positive(state.stiffness_factor,
+                     law.stiffness_factor(),
+                     "Stiffness time factor",
+                     t);
+    require_positive(state.viscosity_factor,
+                     law.viscosity_factor(),
+                     "Viscosity time factor",
+                     t);
   }
 
 

@@ -13,7 +13,6 @@
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/scene/problems.h>
 
-#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
@@ -87,18 +86,31 @@ namespace Crevasse
   VoigtMatrix<dim>
   relaxed_stiffness(const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H)
   {
-    constexpr unsigned int n  = n_stress_components<dim>;
-    const VoigtMatrix<dim> KH = K * H;
-    FullMatrix<double>     full(n, n);
+    constexpr unsigned int   n  = n_stress_components<dim>;
+    const VoigtMatrix<dim>   KH = K * H;
+    LAPACKFullMatrix<double> matrix(n, n), columns(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        full(i, j) = (i == j ? 1. : 0.) + KH[i][j];
-    full.gauss_jordan();
-    VoigtMatrix<dim> inverted;
+        {
+          matrix(i, j)  = (i == j ? 1. : 0.) + KH[i][j];
+          columns(i, j) = K[i][j];
+        }
+    try
+      {
+        matrix.compute_lu_factorization();
+        matrix.solve(columns);
+      }
+    catch (const ExceptionBase &)
+      {
+        throw NumericalError(
+          "A matrix I + c K H of the implicit time scheme is singular to "
+          "rounding: a step is too many relaxation times long. Take shorter "
+          "steps or slower flow.");
+      }
+    VoigtMatrix<dim> result;
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        inverted[i][j] = full(i, j);
-    const VoigtMatrix<dim> result = inverted * K;
+        result[i][j] = columns(i, j);
     return 0.5 * (result + transpose(result));
   }
 

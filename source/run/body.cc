@@ -12,11 +12,13 @@
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/run/body.h>
 #include <crevasse/scene/built_in_boundary.h>
+#include <crevasse/scene/collectively.h>
 #include <crevasse/scene/geometry.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
 
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace Crevasse
@@ -108,6 +110,23 @@ namespace Crevasse
 
 
 
+  namespace
+  {
+    /** A file may be there for some of the processes only. */
+    template <int dim>
+    Temperature<dim>
+    read_temperature(const LoadParameters &loads, const MPI_Comm communicator)
+    {
+      std::optional<Temperature<dim>> temperature;
+      collectively(communicator, [&]() {
+        temperature.emplace(loads.temperature, loads.period);
+      });
+      return std::move(*temperature);
+    }
+  } // namespace
+
+
+
   BoundaryRoles
   boundary_roles(const Scene &scene)
   {
@@ -157,7 +176,7 @@ namespace Crevasse
 
   template <int dim>
   Body<dim>::Body(const Scene &scene, const MPI_Comm communicator)
-    : temperature(scene.loads.temperature, scene.loads.period)
+    : temperature(read_temperature<dim>(scene.loads, communicator))
     , effects(scene, boundary_roles(scene), temperature.depends_on_time())
     , law(scene.material)
     , space(make_distributed_mesh<dim>(scene.geometry, communicator),

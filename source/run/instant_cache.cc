@@ -11,17 +11,12 @@
 
 #include <crevasse/run/instant_cache.h>
 
-#include <utility>
-
 namespace Crevasse
 {
-  using namespace dealii;
-
-  template <int dim>
-  InstantCache<dim>::InstantCache(const Body<dim> &body,
-                                  const double     bytes,
-                                  Log             &log)
-    : body(body)
+  InstantMemory::InstantMemory(const MPI_Comm communicator,
+                               const double   bytes,
+                               Log           &log)
+    : communicator(communicator)
     , limit(bytes)
     , log(log)
   {
@@ -29,73 +24,27 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  double
-  InstantCache<dim>::memory_consumption(const InstantEntry<dim> &entry) const
+  void
+  InstantMemory::count(const std::function<std::size_t()> &bytes_kept)
   {
-    std::size_t bytes = body.material.memory_of_variation(entry.material);
-    if (entry.moduli != nullptr)
-      bytes += entry.moduli->memory_consumption();
-    if (entry.system != nullptr)
-      bytes += entry.system->memory_consumption();
-    return Utilities::MPI::sum(double(bytes), body.space.communicator());
+    caches.push_back(bytes_kept);
   }
 
 
 
-  template <int dim>
-  double
-  InstantCache<dim>::kept_memory() const
+  bool
+  InstantMemory::grants(const std::size_t bytes)
   {
-    double bytes = 0.;
-    for (const auto &[key, entry] : kept)
-      bytes += memory_consumption(entry);
-    return bytes;
+    if (is_full)
+      return false;
+    std::size_t all = bytes;
+    for (const auto &bytes_kept : caches)
+      all += bytes_kept();
+    is_full = dealii::Utilities::MPI::sum(double(all), communicator) > limit;
+    if (is_full)
+      log.line(
+        "  memory: [Linear solver] Memory for instants is used up; what "
+        "varies in time is made anew for the other instants");
+    return !is_full;
   }
-
-
-
-  template <int dim>
-  InstantEntry<dim> &
-  InstantCache<dim>::at(const InstantKey &key, const Make &make)
-  {
-    if (const auto found = kept.find(key); found != kept.end())
-      return found->second;
-    if (scratch && !(scratch_key < key) && !(key < scratch_key))
-      return *scratch;
-
-    InstantEntry<dim> entry = make();
-    if (!is_full && kept_memory() + memory_consumption(entry) <= limit)
-      return kept.emplace(key, std::move(entry)).first->second;
-    if (!is_full)
-      log.line("  memory: " + std::to_string(kept.size()) +
-               " instants are kept; what varies in time is made anew for the "
-               "others ([Linear solver] Memory for instants)");
-    is_full = true;
-    if (scratch && scratch->system != nullptr)
-      of_the_past.add(scratch->system->statistics());
-    scratch     = std::move(entry);
-    scratch_key = key;
-    return *scratch;
-  }
-
-
-
-  template <int dim>
-  SolverStatistics
-  InstantCache<dim>::statistics() const
-  {
-    SolverStatistics all = of_the_past;
-    for (const auto &[key, entry] : kept)
-      if (entry.system != nullptr)
-        all.add(entry.system->statistics());
-    if (scratch && scratch->system != nullptr)
-      all.add(scratch->system->statistics());
-    return all;
-  }
-
-
-
-  template class InstantCache<2>;
-  template class InstantCache<3>;
 } // namespace Crevasse

@@ -11,6 +11,7 @@
 
 #include <crevasse/periodic/secular.h>
 #include <crevasse/run/secular_problem.h>
+#include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
@@ -36,7 +37,10 @@ namespace Crevasse
       if (body.material.fluidity_varies())
         return "the viscosity varies in time, and not by [Material] Viscosity "
                "time factor alone";
-      const bool has_all = has_viscosity<dim>(body.material.at(0.));
+      const MaterialState<dim> material = body.material.at(0.);
+      bool                     has_all  = false;
+      collectively(body.space.communicator(),
+                   [&]() { has_all = has_viscosity<dim>(material); });
       if (Utilities::MPI::min(has_all ? 1 : 0, body.space.communicator()) == 0)
         return "the fluidity is singular: a part of the strain does not flow";
       return "";
@@ -139,15 +143,20 @@ namespace Crevasse
                         const Vector    &mean_load,
                         Solvers<dim>    &solvers)
   {
-    const MaterialState<dim> material = body.material.at(0.);
-    const Viscosity<dim>     viscosity =
-      viscosity_of<dim>(material, body.points.n_local_points());
-    const auto solve = [&](const double time, ContactSolver &contact_solver) {
+    const MaterialState<dim>      material = body.material.at(0.);
+    std::optional<Viscosity<dim>> found;
+    collectively(body.space.communicator(), [&]() {
+      found = viscosity_of<dim>(material, body.points.n_local_points());
+    });
+    const Viscosity<dim> &viscosity = *found;
+    const auto            solve     = [&](const Vector  &load,
+                           const double   time,
+                           ContactSolver &contact_solver) {
       return secular_flow_of<dim>(body.strain_operator,
                                   body.points,
                                   material,
                                   viscosity,
-                                  mean_load,
+                                  load,
                                   time,
                                   contact_solver);
     };
@@ -161,7 +170,20 @@ namespace Crevasse
       Utilities::MPI::max(has_gap ? 1 : 0, body.space.communicator()) == 0;
     if (const auto tau = uniform_relaxation_time(body, viscosity, material);
         tau && is_closed)
-      return solve(*tau, solvers.at(0.).contact_solver);
+      {
+        // With a load of the size by which that solver judges: the mean, which
+        // has the viscosity in it, may be of any other.
+        const double factor =
+          solvers.settings().largest_load / mean_load.linfty_norm();
+        Vector load = mean_load;
+        load *= factor;
+        SecularFlow flow = solve(load, *tau, solvers.at(0.).contact_solver);
+        flow.velocity /= factor;
+        flow.strain_rate /= factor;
+        for (double &force : flow.contact_forces)
+          force /= factor;
+        return flow;
+      }
 
     SolverSettings settings    = solvers.settings();
     settings.relaxation_factor = [&](const SparseMatrix &matrix) {
@@ -175,7 +197,7 @@ namespace Crevasse
                               bounds,
                               &solvers.current());
     system.contact_solver().judge_by_load(mean_load.linfty_norm());
-    const SecularFlow flow = solve(1., system.contact_solver());
+    const SecularFlow flow = solve(mean_load, 1., system.contact_solver());
     solvers.add(system.statistics());
     return flow;
   }

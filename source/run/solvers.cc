@@ -13,6 +13,7 @@
 #include <crevasse/discretisation/node_blocks.h>
 #include <crevasse/run/largest_load.h>
 #include <crevasse/run/solvers.h>
+#include <crevasse/scene/collectively.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -58,6 +59,32 @@ namespace Crevasse
 
 
 
+    /** See AlgorithmicModuli. */
+    template <int dim>
+    double
+    kappa(const double c, const MaterialState<dim> &material)
+    {
+      return c * material.stiffness_factor / material.viscosity_factor;
+    }
+
+
+
+    template <int dim>
+    std::shared_ptr<AlgorithmicModuli<dim>>
+    make_algorithmic_moduli(const Body<dim>          &body,
+                            const MaterialState<dim> &material,
+                            const double              kappa)
+    {
+      std::shared_ptr<AlgorithmicModuli<dim>> moduli;
+      collectively(body.space.communicator(), [&]() {
+        moduli = std::make_shared<AlgorithmicModuli<dim>>(
+          material, kappa, body.points.n_local_points());
+      });
+      return moduli;
+    }
+
+
+
   } // namespace
 
 
@@ -73,9 +100,23 @@ namespace Crevasse
     , log(log)
     , bounds(unilateral_bounds(body.lip))
     , solver_settings(make_settings(scene, body, phases))
-    , instants(body,
-               1024. * 1024. * scene.linear_solver.memory_for_instants,
-               log)
+    , memory(body.space.communicator(),
+             1024. * 1024. * scene.linear_solver.memory_for_instants,
+             log)
+    , materials(memory,
+                [&body](const MaterialState<dim> &state) {
+                  return body.material.memory_of_variation(state);
+                })
+    , moduli(memory,
+             [](const AlgorithmicModuli<dim> &values) {
+               return values.memory_consumption();
+             })
+    , systems(
+        memory,
+        [](const ContactSystem<dim> &system) {
+          return system.memory_consumption();
+        },
+        [this](const ContactSystem<dim> &system) { add(system.statistics()); })
   {
     solver_settings.relaxation_factor = [this, &steps](const SparseMatrix &A) {
       if (!sor_factor)
@@ -88,13 +129,8 @@ namespace Crevasse
     solver_settings.largest_load = largest_load(body, steps);
     if (!body.material.stiffness_varies())
       {
-        only_system =
-          std::make_unique<ContactSystem<dim>>(solver_settings,
-                                               body.space,
-                                               body.points,
-                                               *body.material.at(0.).stiffness,
-                                               bounds);
-        last_system = only_system.get();
+        only_system = make_system(*body.material.at(0.).stiffness);
+        last_system = only_system;
       }
     log.line("  solver: " + current().contact_solver().description());
   }
@@ -102,25 +138,16 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  Solvers<dim>::key_of(const double t) const
-  {
-    const bool varies = body.material.stiffness_varies() ||
-                        body.material.fluidity_varies() ||
-                        body.material.thermal_strain_varies();
-    // The only state of a material that does not vary is at t = 0.
-    return varies ? t : 0.;
-  }
-
-
-
-  template <int dim>
-  std::unique_ptr<ContactSystem<dim>>
+  std::shared_ptr<ContactSystem<dim>>
   Solvers<dim>::make_system(
-    const typename MaterialState<dim>::Matrices &stiffness)
+    const typename MaterialState<dim>::Matrices &stiffness) const
   {
-    auto system = std::make_unique<ContactSystem<dim>>(
-      solver_settings, body.space, body.points, stiffness, bounds, last_system);
+    auto system = std::make_shared<ContactSystem<dim>>(solver_settings,
+                                                       body.space,
+                                                       body.points,
+                                                       stiffness,
+                                                       bounds,
+                                                       last_system.get());
     if (last_system != nullptr)
       system->contact_solver().start_from(
         last_system->contact_solver().closed_bounds());
@@ -130,55 +157,32 @@ namespace Crevasse
 
 
   template <int dim>
+  const MaterialState<dim> &
+  Solvers<dim>::material_at(const double t)
+  {
+    const MaterialField<dim> &field = body.material;
+    const bool varies = field.stiffness_varies() || field.fluidity_varies() ||
+                        field.thermal_strain_varies();
+    // The only state of a material that does not vary is at t = 0.
+    const auto state = materials.at({varies ? t : 0., 0.}, [&]() {
+      return std::make_shared<MaterialState<dim>>(field.at(t));
+    });
+    field.set_factors(t, *state);
+    return *state;
+  }
+
+
+
+  template <int dim>
   Instant<dim>
   Solvers<dim>::at(const double t)
   {
-    const bool         varies = only_system == nullptr;
-    InstantEntry<dim> &entry  = instants.at({key_of(t), 0., varies}, [&]() {
-      InstantEntry<dim> made{body.material.at(t), nullptr, nullptr};
-      if (varies)
-        made.system = make_system(*made.material.stiffness);
-      return made;
-    });
-    body.material.set_factors(t, entry.material);
-    last_system = varies ? entry.system.get() : only_system.get();
-    return {entry.material, last_system->contact_solver()};
-  }
-
-
-
-  template <int dim>
-  InstantEntry<dim> &
-  Solvers<dim>::implicit_entry(const double t,
-                               const double c,
-                               const bool   has_system)
-  {
-    MaterialState<dim> factors;
-    body.material.set_factors(t, factors);
-    const double kappa =
-      c * factors.stiffness_factor / factors.viscosity_factor;
-    InstantEntry<dim> &entry =
-      instants.at({key_of(t), kappa, has_system}, [&]() {
-        InstantEntry<dim> made{body.material.at(t), nullptr, nullptr};
-        made.moduli = std::make_unique<AlgorithmicModuli<dim>>(
-          made.material, kappa, body.points.n_local_points());
-        if (has_system)
-          made.system = make_system(made.moduli->sum);
-        return made;
+    const MaterialState<dim> &material = material_at(t);
+    last_system =
+      only_system != nullptr ? only_system : systems.at({t, 0.}, [&]() {
+        return make_system(*material.stiffness);
       });
-    body.material.set_factors(t, entry.material);
-    return entry;
-  }
-
-
-
-  template <int dim>
-  ImplicitInstant<dim>
-  Solvers<dim>::implicit_at(const double t, const double c)
-  {
-    InstantEntry<dim> &entry = implicit_entry(t, c, true);
-    last_system              = entry.system.get();
-    return {entry.material, *entry.moduli, &last_system->contact_solver()};
+    return {material, last_system->contact_solver()};
   }
 
 
@@ -187,8 +191,37 @@ namespace Crevasse
   ImplicitInstant<dim>
   Solvers<dim>::implicit_material_at(const double t, const double c)
   {
-    InstantEntry<dim> &entry = implicit_entry(t, c, false);
-    return {entry.material, *entry.moduli, nullptr};
+    const MaterialState<dim> &material = material_at(t);
+    const auto values = moduli.at(implicit_key(t, c, material), [&]() {
+      return make_algorithmic_moduli(body, material, kappa(c, material));
+    });
+    return {material, *values, nullptr};
+  }
+
+
+
+  template <int dim>
+  ImplicitInstant<dim>
+  Solvers<dim>::implicit_at(const double t, const double c)
+  {
+    ImplicitInstant<dim> instant = implicit_material_at(t, c);
+    last_system            = systems.at(implicit_key(t, c, instant.material),
+                             [&]() { return make_system(instant.moduli.sum); });
+    instant.contact_solver = &last_system->contact_solver();
+    return instant;
+  }
+
+
+
+  template <int dim>
+  typename InstantCache<AlgorithmicModuli<dim>>::Key
+  Solvers<dim>::implicit_key(const double              t,
+                             const double              c,
+                             const MaterialState<dim> &material) const
+  {
+    const bool varies =
+      body.material.stiffness_varies() || body.material.fluidity_varies();
+    return {varies ? t : 0., kappa(c, material)};
   }
 
 
@@ -220,9 +253,15 @@ namespace Crevasse
   {
     if (scene.contact.relaxation_factor != "automatic")
       return Utilities::string_to_double(scene.contact.relaxation_factor);
-    const double norm = loads.linfty_norm();
-    if (norm == 0.)
-      return 1.; // any factor solves A q = 0
+    // It is a property of A: what is loaded only by thermal strain, or by
+    // nothing, has the same.
+    Vector forces = loads;
+    if (forces.linfty_norm() == 0.)
+      {
+        forces = 1.;
+        body.space.constraints().set_zero(forces);
+      }
+    const double norm = forces.linfty_norm();
 
     log.line("  searching for the relaxation factor of projected SOR");
     // As the paper does, without constraints; eight digits show the asymptotic
@@ -233,7 +272,7 @@ namespace Crevasse
     return find_relaxation_factor(unconstrained,
                                   *make_sweep(unconstrained,
                                               solver_settings.unknown_blocks),
-                                  loads,
+                                  forces,
                                   1e-8 * norm,
                                   scene.contact.maximum_iterations);
   }
@@ -247,7 +286,9 @@ namespace Crevasse
     SolverStatistics all = of_the_past;
     if (only_system != nullptr)
       all.add(only_system->statistics());
-    all.add(instants.statistics());
+    systems.for_each([&all](const ContactSystem<dim> &system) {
+      all.add(system.statistics());
+    });
     return all;
   }
 

@@ -45,6 +45,11 @@ namespace Crevasse
 
 
   template <int dim>
+  Temperature<dim>::Temperature(Temperature &&) noexcept = default;
+
+
+
+  template <int dim>
   Temperature<dim>::~Temperature() = default;
 
 

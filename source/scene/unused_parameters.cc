@@ -166,6 +166,10 @@ namespace Crevasse
         material_depends_on("t", scene.material) ||
         material_depends_on("theta", scene.material) ||
         (!is_zero(scene.material.thermal_expansion) && is_warm(scene.loads));
+      const std::string &scheme = scene.time_integration.scheme;
+      const bool         implicit =
+        scene.material.viscosity != "none" &&
+        (scheme == "sdirk2" || scheme == "predictor corrector");
       return {
         {here, "Solver", !has_contact(scene), no_contact},
         {here, "Relaxation factor", !has_contact(scene), no_contact},
@@ -182,7 +186,7 @@ namespace Crevasse
          "[Contact] " + why},
         {LinearSolverParameters::section,
          "Memory for instants",
-         !varies,
+         !varies && !implicit,
          "the material does not vary in time"},
       };
     }

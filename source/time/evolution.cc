@@ -141,26 +141,30 @@ namespace Crevasse
     const MaterialState<dim> &material = inelastic.material;
     const auto               &K        = *material.stiffness;
     const double              k        = material.stiffness_factor;
+    const double              factor   = k / material.viscosity_factor;
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {
-        const std::size_t point = offset / Field::n_components;
-        Field::set(last.stress,
-                   offset,
-                   k * (K[point] * (strain - inelastic(offset))));
-        const VoigtVector<dim> mechanical = strain - inelastic.thermal(offset);
+        const std::size_t       point      = offset / Field::n_components;
+        const VoigtMatrix<dim> &stiffness  = K[point];
+        const VoigtVector<dim>  mechanical = strain - inelastic.thermal(offset);
+        VoigtVector<dim>        sum;
+        if (material.spring != 0.)
+          sum = material.spring * (stiffness * mechanical);
         for (unsigned int i = 0; i < inelastic.n_branches; ++i)
           {
             const std::size_t place = inelastic.offset_of_branch(offset, i);
             const VoigtVector<dim> stress =
-              k * material.fractions[i] *
-              (K[point] * (mechanical - Field::get(inelastic.r, place)));
-            VoigtVector<dim> branch_rate = (*material.fluidity[i])[point] *
-                                           stress / material.viscosity_factor;
+              material.fractions[i] *
+              (stiffness * (mechanical - Field::get(inelastic.r, place)));
+            sum += stress;
+            VoigtVector<dim> branch_rate =
+              factor * ((*material.fluidity[i])[point] * stress);
             if (flow != nullptr)
               branch_rate -= Field::get(flow->strain_rate, place);
             Field::set(rate, place, branch_rate);
           }
+        Field::set(last.stress, offset, k * sum);
       });
   }
 

@@ -89,28 +89,30 @@ namespace Crevasse
     const MaterialState<dim>     &material = instant.material;
     const AlgorithmicModuli<dim> &moduli   = instant.moduli;
     const double                  k        = material.stiffness_factor;
+    const double                  factor   = k / material.viscosity_factor;
     const InelasticStrain<dim>    inelastic(material, known);
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {
         const std::size_t      point      = offset / Field::n_components;
         const VoigtVector<dim> mechanical = strain - inelastic.thermal(offset);
-        VoigtVector<dim>       stress     = moduli.sum[point] * mechanical;
+        VoigtVector<dim>       sum;
+        if (material.spring != 0.)
+          sum = material.spring * ((*material.stiffness)[point] * mechanical);
         for (unsigned int i = 0; i < inelastic.n_branches; ++i)
           {
-            const VoigtMatrix<dim> &modulus = moduli.branches[i][point];
-            const VoigtVector<dim>  relaxed =
-              known_strain(inelastic, offset, i, c);
-            stress -= modulus * relaxed;
+            const VoigtVector<dim> stress =
+              moduli.branches[i][point] *
+              (mechanical - known_strain(inelastic, offset, i, c));
+            sum += stress;
             const std::size_t place = inelastic.offset_of_branch(offset, i);
-            VoigtVector<dim>  branch_rate = (*material.fluidity[i])[point] *
-                                           (modulus * (mechanical - relaxed)) *
-                                           (k / material.viscosity_factor);
+            VoigtVector<dim>  branch_rate =
+              factor * ((*material.fluidity[i])[point] * stress);
             if (flow != nullptr)
               branch_rate -= Field::get(flow->strain_rate, place);
             Field::set(rate, place, branch_rate);
           }
-        Field::set(last.stress, offset, k * stress);
+        Field::set(last.stress, offset, k * sum);
       });
   }
 

@@ -24,8 +24,8 @@ namespace Crevasse
    *
    *     sᵢ = k K̂ᵢ (e − χθ − r̂ᵢ),   K̂ᵢ = (I + κ wᵢ K Hᵢ)⁻¹ wᵢ K,   κ = c k/η₀
    *
-   * and the spring what it always bears. It is symmetric, positive definite,
-   * and zero where K is.
+   * and the spring what it always bears. All are symmetric, and their sum is
+   * positive definite on the components that K knows.
    */
   template <int dim>
   struct AlgorithmicModuli

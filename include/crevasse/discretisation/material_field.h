@@ -29,9 +29,10 @@ namespace Crevasse
     using Matrices = PointValues<VoigtMatrix<dim>>;
     using Vectors  = PointValues<VoigtVector<dim>>;
 
-    std::shared_ptr<const Matrices>              stiffness; ///< K
-    std::vector<double>                          fractions; ///< wᵢ
-    std::vector<std::shared_ptr<const Matrices>> fluidity;  ///< Hᵢ
+    std::shared_ptr<const Matrices>              stiffness;   ///< K
+    std::vector<double>                          fractions;   ///< wᵢ
+    double                                       spring = 1.; ///< 1 − Σ wᵢ
+    std::vector<std::shared_ptr<const Matrices>> fluidity;    ///< Hᵢ
     std::shared_ptr<const Vectors> thermal_strain; ///< χθ; null: none
 
     /** Whether stiffness and viscosity have no 33 row. */

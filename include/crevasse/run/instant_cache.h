@@ -12,86 +12,130 @@
 #ifndef crevasse_run_instant_cache_h
 #define crevasse_run_instant_cache_h
 
-#include <crevasse/discretisation/algorithmic_moduli.h>
 #include <crevasse/output/log.h>
-#include <crevasse/run/body.h>
-#include <crevasse/run/contact_system.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
-#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace Crevasse
 {
-  /** What belongs to one instant of the period. */
-  template <int dim>
-  struct InstantEntry
+  /** The memory that a scene grants to what is kept for instants, of all ranks
+   * and all caches together. */
+  class InstantMemory
   {
-    MaterialState<dim>                      material;
-    std::unique_ptr<AlgorithmicModuli<dim>> moduli; ///< null: r is explicit
-    /** Of these, or of the stiffness; null: that of all instants, or none. */
-    std::unique_ptr<ContactSystem<dim>> system;
-  };
+  public:
+    /** @p log must outlive this object. */
+    InstantMemory(const MPI_Comm communicator, const double bytes, Log &log);
 
-  /** What distinguishes them. */
-  struct InstantKey
-  {
-    double t;                  ///< 0 for all if nothing varies freely
-    double kappa      = 0.;    ///< see AlgorithmicModuli; 0: r is explicit
-    bool   has_system = false; ///< of its own
+    /** Counts what a cache keeps on this rank: contact solvers grow. */
+    void
+    count(const std::function<std::size_t()> &bytes_kept);
 
+    /** Whether so many bytes more on this rank may be kept; never again once
+     * they may not. Collective. */
     bool
-    operator<(const InstantKey &other) const
-    {
-      return std::tie(t, kappa, has_system) <
-             std::tie(other.t, other.kappa, other.has_system);
-    }
+    grants(const std::size_t bytes);
+
+  private:
+    const MPI_Comm                            communicator;
+    const double                              limit;
+    Log                                      &log;
+    std::vector<std::function<std::size_t()>> caches;
+    bool                                      is_full = false;
   };
 
   /**
    * Keeps what belongs to instants for the same instants of later periods, as
-   * long as the memory that the scene grants lasts; what does not fit is made
-   * anew each time. Those that were made first are kept: where instants come in
-   * turn, dropping the oldest would always drop the next.
+   * long as the memory lasts; what does not fit is made anew each time. Those
+   * that were made first are kept: where instants come in turn, dropping the
+   * oldest would always drop the next.
    */
-  template <int dim>
+  template <typename Value>
   class InstantCache
   {
   public:
-    using Make = std::function<InstantEntry<dim>()>;
+    /** The instant, and what else a value depends on: κ of AlgorithmicModuli.
+     */
+    using Key  = std::pair<double, double>;
+    using Make = std::function<std::shared_ptr<Value>()>;
 
-    /** @param bytes of all ranks. All arguments must outlive this object. */
-    InstantCache(const Body<dim> &body, const double bytes, Log &log);
+    /** @param bytes of a value on this rank.
+     * @param drop called with a value that is made anew later. */
+    InstantCache(InstantMemory                                   &memory,
+                 const std::function<std::size_t(const Value &)> &bytes,
+                 const std::function<void(const Value &)>        &drop = {})
+      : memory(memory)
+      , bytes(bytes)
+      , drop(drop)
+    {
+      memory.count([this]() {
+        std::size_t sum = 0;
+        for (const auto &[key, value] : kept)
+          sum += this->bytes(*value);
+        return sum;
+      });
+    }
 
-    /** The entry of an instant, made if need be; it lasts until the next call.
-     * Collective. */
-    InstantEntry<dim> &
-    at(const InstantKey &key, const Make &make);
+    InstantCache(const InstantCache &) = delete;
+    InstantCache &
+    operator=(const InstantCache &) = delete;
 
-    /** Of all systems that there were. */
-    SolverStatistics
-    statistics() const;
+    /** The value of an instant, made if need be. Collective. */
+    std::shared_ptr<Value>
+    at(const Key &key, const Make &make)
+    {
+      const auto found =
+        kept.lower_bound({key.first, key.second * (1. - rounding)});
+      if (found != kept.end() && are_equal(found->first, key))
+        return found->second;
+      if (scratch != nullptr && are_equal(scratch_key, key))
+        return scratch;
+
+      std::shared_ptr<Value> value = make();
+      if (memory.grants(bytes(*value)))
+        return kept.emplace(key, std::move(value)).first->second;
+      if (scratch != nullptr && drop)
+        drop(*scratch);
+      scratch     = std::move(value);
+      scratch_key = key;
+      return scratch;
+    }
+
+    /** Shows all values that there are. */
+    template <typename Function>
+    void
+    for_each(const Function &show) const
+    {
+      for (const auto &[key, value] : kept)
+        show(*value);
+      if (scratch != nullptr)
+        show(*scratch);
+    }
 
   private:
-    /** Of all ranks. */
-    double
-    memory_consumption(const InstantEntry<dim> &entry) const;
+    /** Equal steps differ by rounding, and so does κ. */
+    static constexpr double rounding = 1e-12;
 
-    /** Of what is kept: contact solvers grow while they work. */
-    double
-    kept_memory() const;
+    static bool
+    are_equal(const Key &a, const Key &b)
+    {
+      return a.first == b.first &&
+             std::abs(a.second - b.second) <= rounding * std::abs(b.second);
+    }
 
-    const Body<dim> &body;
-    const double     limit;
-    Log             &log;
+    InstantMemory                                  &memory;
+    const std::function<std::size_t(const Value &)> bytes;
+    const std::function<void(const Value &)>        drop;
 
-    std::map<InstantKey, InstantEntry<dim>> kept;
-    std::optional<InstantEntry<dim>>        scratch; ///< an instant not kept
-    InstantKey                              scratch_key{0.};
-    bool                                    is_full = false;
-    SolverStatistics                        of_the_past;
+    std::map<Key, std::shared_ptr<Value>> kept;
+    std::shared_ptr<Value>                scratch; ///< one that is not kept
+    Key                                   scratch_key;
   };
 } // namespace Crevasse
 

@@ -28,7 +28,9 @@ namespace Crevasse
   /**
    * The material and the contact system of any instant. With a stiffness that
    * is constant but for a factor there is one system for all of them. Otherwise
-   * each instant has its own, which InstantCache keeps.
+   * each instant has its own. Where r is implicit there is one for each κ (see
+   * AlgorithmicModuli), and for each instant if K or H varies freely. Caches
+   * keep them.
    */
   template <int dim>
   class Solvers : public Instants<dim>
@@ -55,8 +57,8 @@ namespace Crevasse
     ImplicitInstant<dim>
     implicit_material_at(const double t, const double c) override;
 
-    /** The stiffness without its factor, and its contact problem, of the
-     * instant for which at() was called last; before, that of t = 0. */
+    /** The matrix, without its factor, and the contact problem of the last
+     * instant that was asked for; before, those of the stiffness at t = 0. */
     ContactSystem<dim> &
     current();
 
@@ -83,15 +85,16 @@ namespace Crevasse
     summarise(Summary &summary) const;
 
   private:
-    /** The instant by which the cache knows t. */
-    double
-    key_of(const double t) const;
+    std::shared_ptr<ContactSystem<dim>>
+    make_system(const typename MaterialState<dim>::Matrices &stiffness) const;
 
-    std::unique_ptr<ContactSystem<dim>>
-    make_system(const typename MaterialState<dim>::Matrices &stiffness);
+    const MaterialState<dim> &
+    material_at(const double t);
 
-    InstantEntry<dim> &
-    implicit_entry(const double t, const double c, const bool has_system);
+    typename InstantCache<AlgorithmicModuli<dim>>::Key
+    implicit_key(const double              t,
+                 const double              c,
+                 const MaterialState<dim> &material) const;
 
     const Scene     &scene;
     const Body<dim> &body;
@@ -100,11 +103,15 @@ namespace Crevasse
     const UnilateralBounds              bounds;
     std::optional<double>               sor_factor; ///< once it was searched
     SolverSettings                      solver_settings;
-    std::unique_ptr<ContactSystem<dim>> only_system; ///< constant stiffness
-    ContactSystem<dim>                 *last_system = nullptr;
+    std::shared_ptr<ContactSystem<dim>> only_system; ///< constant stiffness
+    std::shared_ptr<ContactSystem<dim>> last_system;
+    SolverStatistics                    of_the_past;
 
-    InstantCache<dim> instants;
-    SolverStatistics  of_the_past;
+    // What belongs to instants. A system is not dropped for a material.
+    InstantMemory                        memory;
+    InstantCache<MaterialState<dim>>     materials;
+    InstantCache<AlgorithmicModuli<dim>> moduli;
+    InstantCache<ContactSystem<dim>>     systems; ///< of K, or of moduli
   };
 } // namespace Crevasse
 

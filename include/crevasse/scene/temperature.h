@@ -34,6 +34,7 @@ namespace Crevasse
      * @throw SceneError if the formula or the file cannot be used, FileError
      * if there is no file to read. */
     Temperature(const std::string &source, const double period);
+    Temperature(Temperature &&) noexcept;
     ~Temperature();
 
     /** @throw SceneError if the point is outside of what the file covers, or if
