@@ -131,10 +131,12 @@ namespace Crevasse
     if (!sets.empty())
       message << " Closed nodes of the last sets: " << sets << '.';
     if (std::max(force_accuracy(), displacement_accuracy()) > coarsest)
-      message << " Rounding alone makes such errors here: the stiffness is "
-                 "badly conditioned. Look for very flat cells, a Poisson ratio "
-                 "close to its limits, and moduli or lengths that differ by "
-                 "many orders of magnitude.";
+      message << " Rounding alone makes such errors here. Look for very flat "
+                 "cells, a Poisson ratio "
+                 "close to its limits, and moduli, relaxation times or lengths "
+                 "that differ by many orders of magnitude; and for a body that "
+                 "has flown far (many relaxation times in a period), of which "
+                 "[Periodic state] Secular split = on takes the mean away.";
     else
       message << " If the iterations are as many as [Contact] Maximum "
                  "iterations, raise it; otherwise try another [Contact] Solver "

@@ -10,6 +10,9 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/periodic/period_map.h>
+#include <crevasse/scene/problems.h>
+
+#include <sstream>
 
 namespace Crevasse
 {
@@ -99,12 +102,23 @@ namespace Crevasse
                    evolution.right_hand_side(),
                    evolution.secular_flow()});
         };
-        if (has_memory())
-          integrator->step(f, t, step_list.step(k), r, show);
-        else
+        try
           {
-            evolution.elastic_state(t);
-            show();
+            if (has_memory())
+              integrator->step(f, t, step_list.step(k), r, show);
+            else
+              {
+                evolution.elastic_state(t);
+                show();
+              }
+          }
+        catch (const NumericalError &error)
+          {
+            std::ostringstream where;
+            where << "In period " << period << ", step " << k + 1
+                  << " from t = " << t << " to " << t + step_list.step(k)
+                  << ": ";
+            throw NumericalError(where.str() + error.what());
           }
       }
   }

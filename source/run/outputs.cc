@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 
 namespace Crevasse
 {
@@ -24,8 +25,11 @@ namespace Crevasse
   struct Outputs<dim>::LargestStress : public Observer
   {
     void
-    observe(const Sample &) override
+    observe(const Sample &sample) override
     {
+      if (sample.viscous_strain.size() > 0)
+        viscous_strain =
+          std::max(viscous_strain, sample.viscous_strain.linfty_norm());
     }
 
     void
@@ -34,7 +38,8 @@ namespace Crevasse
       value = std::max(value, report.largest_stress);
     }
 
-    double value = 0.;
+    double value          = 0.;
+    double viscous_strain = 0.; ///< largest component
   };
 
 
@@ -128,12 +133,31 @@ namespace Crevasse
 
 
   template <int dim>
+  double
+  Outputs<dim>::stress_rounding() const
+  {
+    if (largest_stress->value == 0.)
+      return 0.;
+    double     stiffness = 0.;
+    const auto material  = body.material.at(0.);
+    for (const VoigtMatrix<dim> &K : material.stiffness->distinct())
+      stiffness = std::max(stiffness, K.norm());
+    stiffness = Utilities::MPI::max(stiffness, body.space.communicator());
+    return std::numeric_limits<double>::epsilon() * stiffness *
+           largest_stress->viscous_strain / largest_stress->value;
+  }
+
+
+
+  template <int dim>
   void
   Outputs<dim>::finish(Summary &summary)
   {
     if (problem_export != nullptr)
       problem_export->report_missing();
     summary["extremes"]["stress"] = largest_stress->value;
+    if (body.effects.viscosity.on)
+      summary["certificate"]["stress_rounding"] = stress_rounding();
     if (contact_table != nullptr)
       summary["extremes"]["opening"] = contact_table->largest_opening();
     if (drift != nullptr)

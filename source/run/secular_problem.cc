@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 
 namespace Crevasse
 {
@@ -72,6 +73,63 @@ namespace Crevasse
 
 
 
+    /** f̄ as the steps of an integrator see it. */
+    template <int dim>
+    Vector
+    mean_load_of_steps(const Body<dim>  &body,
+                       const StepList   &steps,
+                       const Integrator &integrator)
+    {
+      TimeQuadrature rule = integrator.quadrature();
+      if (rule.weights.empty())
+        rule = {{0., 1.}, {0.5, 0.5}};
+      Vector mean, loads;
+      body.strain_operator.initialize(mean);
+      body.strain_operator.initialize(loads);
+      for (unsigned int k = 0; k < steps.n_steps(); ++k)
+        for (unsigned int i = 0; i < rule.nodes.size(); ++i)
+          {
+            const double t = steps.within_period(steps.instant(k) +
+                                                 rule.nodes[i] * steps.step(k));
+            body.loads.evaluate(t, loads);
+            mean.add(rule.weights[i] * steps.step(k) / steps.period() /
+                       body.law.viscosity_factor().value(Point<dim>(), t),
+                     loads);
+          }
+      return mean;
+    }
+
+
+
+    /** What is to be said if the steps miss a part of the mean load; nothing
+     * if they do not. */
+    template <int dim>
+    std::string
+    missed_by_steps(const Body<dim>  &body,
+                    const Vector     &mean_load,
+                    const StepList   &steps,
+                    const Integrator &integrator)
+    {
+      constexpr double tolerable = 0.1; // Euler's error of coarse steps
+      Vector           missed    = mean_load_of_steps(body, steps, integrator);
+      missed -= mean_load;
+      const double part = missed.linfty_norm() / mean_load.linfty_norm();
+      if (part <= tolerable)
+        return "";
+      std::ostringstream text;
+      text
+        << "the mean load over the period, weighted by 1 / [Material] "
+           "Viscosity time factor, is not the one that the time steps see: "
+           "they differ by "
+        << 100. * part
+        << " %, and so do beta and what is marched. Something changes within "
+           "less than a step. Take more steps, or [Time integration] Step "
+           "control = list with instants where it changes.";
+      return text.str();
+    }
+
+
+
     /** The τ of a body whose viscosity is τK everywhere: then A serves the
      * secular problem too. Nothing if it is another body. Collective. */
     template <int dim>
@@ -103,7 +161,10 @@ namespace Crevasse
 
   template <int dim>
   SecularSplit
-  choose_secular_split(const Scene &scene, const Body<dim> &body)
+  choose_secular_split(const Scene      &scene,
+                       const Body<dim>  &body,
+                       const StepList   &steps,
+                       const Integrator *integrator)
   {
     SecularSplit split;
     split.effect               = body.effects.secular_flow;
@@ -132,6 +193,14 @@ namespace Crevasse
       split.mean_load.linfty_norm() > negligible_load(body, scene.loads.period);
     effect.why =
       effect.on ? "the mean load does not vanish" : "the mean load vanishes";
+    if (!effect.on)
+      return split;
+    const std::string missed =
+      missed_by_steps(body, split.mean_load, steps, *integrator);
+    if (!missed.empty() && wish == "on")
+      throw SceneError(setting + ": " + missed);
+    if (!missed.empty())
+      split.warning = "[Periodic state] Secular split: " + missed;
     return split;
   }
 
@@ -204,11 +273,13 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                              \
-  template SecularSplit choose_secular_split<dim>(const Scene &,      \
-                                                  const Body<dim> &); \
-  template SecularFlow  solve_secular_problem<dim>(const Body<dim> &, \
-                                                  const Vector &,    \
+#define INSTANTIATE(dim)                                               \
+  template SecularSplit choose_secular_split<dim>(const Scene &,       \
+                                                  const Body<dim> &,   \
+                                                  const StepList &,    \
+                                                  const Integrator *); \
+  template SecularFlow  solve_secular_problem<dim>(const Body<dim> &,  \
+                                                  const Vector &,     \
                                                   Solvers<dim> &)
 
   INSTANTIATE(2);

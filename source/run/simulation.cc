@@ -121,7 +121,7 @@ namespace Crevasse
         survey(body, survey_instants(steps, integrator.get())))
     , largest_thermal_strain(body.material.largest_thermal_strain(
         survey_instants(steps, integrator.get())))
-    , secular_split(choose_secular_split(scene, body))
+    , secular_split(choose_secular_split(scene, body, steps, integrator.get()))
   {
     if (scene.output.elastic_comparison != "none")
       // Throws if there is nothing to compare with.
@@ -179,11 +179,7 @@ namespace Crevasse
     Timer        timer;
     Solvers<dim> solvers(scene, body, steps, log, phases);
     if (secular_split.effect.on && scene.periodic_state.maximum_periods > 0)
-      {
-        TimerOutput::Scope phase(phases, "secular problem");
-        secular_flow =
-          solve_secular_problem(body, secular_split.mean_load, solvers);
-      }
+      find_secular_flow(solvers);
     if (!scene.contact.relaxation_table.empty())
       write_relaxation_table(scene, body, solvers, steps, log, directory);
 
@@ -207,6 +203,7 @@ namespace Crevasse
       const PeriodicResult result = march(solvers, outputs.observers());
       summarise(summary, solvers);
       outputs.finish(summary);
+      stress_rounding = outputs.stress_rounding();
       summarise_secular_flow(summary);
       return result;
     }();
@@ -229,6 +226,34 @@ namespace Crevasse
     std::snprintf(text, sizeof(text), "  Time = %.2f s", timer.wall_time());
     log.line(text);
     conclude(result);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::find_secular_flow(Solvers<dim> &solvers)
+  {
+    TimerOutput::Scope phase(phases, "secular problem");
+    try
+      {
+        secular_flow =
+          solve_secular_problem(body, secular_split.mean_load, solvers);
+      }
+    catch (const NumericalError &error)
+      {
+        const std::string what =
+          std::string(
+            "the stationary contact problem for beta, with the "
+            "viscosity for the stiffness, was not solved: ") +
+          error.what();
+        if (scene.periodic_state.secular_split == "on")
+          throw NumericalError("[Periodic state] Secular split = on: " + what);
+        // Nothing else of the run needs it.
+        secular_split.effect.on  = false;
+        secular_split.effect.why = what;
+        log.line("  warning: " + what);
+      }
   }
 
 
@@ -287,6 +312,8 @@ namespace Crevasse
              << "; the theory is one of small strains, much less than 1";
         all.push_back(text.str());
       }
+    if (!secular_split.warning.empty())
+      all.push_back(secular_split.warning);
     return all;
   }
 
@@ -373,6 +400,19 @@ namespace Crevasse
   void
   Simulation<dim>::conclude(const PeriodicResult &result) const
   {
+    constexpr double   doubtful = 1e-6, worthless = 1e-2;
+    std::ostringstream rounding;
+    rounding << "The body has flown so far that rounding leaves errors of "
+             << stress_rounding
+             << " of its maximum in the stress, which is the difference of "
+                "total and viscous strain. Split off the mean flow "
+                "([Periodic state] Secular split = on), or look at the "
+                "relaxation times: they are many orders below the period.";
+    if (stress_rounding > worthless)
+      throw NumericalError(rounding.str());
+    if (stress_rounding > doubtful)
+      log.line("  Beware: " + rounding.str());
+
     if (result.converged || scene.periodic_state.tolerance == 0. ||
         result.periods == 0)
       return;

@@ -37,7 +37,16 @@ namespace Crevasse
       checker.demand_file("Temperature", temperature);
     else
       checker.demand_readable("Temperature", temperature, [&]() {
-        Expression expression(temperature);
+        try
+          {
+            Expression expression(temperature);
+          }
+        catch (const SceneError &error)
+          {
+            throw SceneError(std::string(error.what()) +
+                             " (names of files end in .csv, .vtu, .pvtu or "
+                             ".pvd)");
+          }
       });
   }
 } // namespace Crevasse

@@ -12,26 +12,14 @@
 #include <crevasse/scene/temperature.h>
 #include <crevasse/scene/temperature_series.h>
 #include <crevasse/scene/temperature_table.h>
-
-#include <filesystem>
+#include <crevasse/scene/text.h>
 
 namespace Crevasse
 {
-  namespace
-  {
-    std::string
-    suffix_of(const std::string &source)
-    {
-      return std::filesystem::path(source).extension().string();
-    }
-  } // namespace
-
-
-
   template <int dim>
   Temperature<dim>::Temperature(const std::string &source, const double period)
   {
-    if (suffix_of(source) == ".csv")
+    if (Text::suffix(source) == ".csv")
       file = std::make_unique<TemperatureTable<dim>>(source, period);
     else if (is_file(source))
       file = std::make_unique<TemperatureSeries<dim>>(source, period);
@@ -58,7 +46,7 @@ namespace Crevasse
   bool
   Temperature<dim>::is_file(const std::string &source)
   {
-    const std::string suffix = suffix_of(source);
+    const std::string suffix = Text::suffix(source);
     return suffix == ".csv" || suffix == ".vtu" || suffix == ".pvtu" ||
            suffix == ".pvd";
   }

@@ -90,7 +90,7 @@ namespace Crevasse
     : TemperatureFile<dim>(file_name, period)
   {
     std::map<double, Parts> files{{0., {{"", file_name}}}};
-    if (std::filesystem::path(file_name).extension() == ".pvd")
+    if (Text::suffix(file_name) == ".pvd")
       tell_source(file_name, [&]() { files = read_collection(file_name); });
     std::vector<double> instants;
     for (const auto &[t, parts] : files)

@@ -17,6 +17,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <sstream>
@@ -51,6 +52,20 @@ namespace Crevasse
         return row.back();
       }
     } // namespace
+
+
+
+    std::string
+    suffix(const std::string &file_name)
+    {
+      std::string suffix =
+        std::filesystem::path(file_name).extension().string();
+      std::transform(suffix.begin(),
+                     suffix.end(),
+                     suffix.begin(),
+                     [](const unsigned char c) { return std::tolower(c); });
+      return suffix;
+    }
 
 
 

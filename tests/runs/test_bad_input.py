@@ -673,7 +673,8 @@ UNUSED = [  # settings, and the warnings that they give
      [r"\[Material\] Relaxation time = 60 is not used: Viscosity = none",
       r"\[Material\] Viscosity time factor = 2 is not used: Viscosity = none",
       r"\[Time integration\] Scheme = rk4 is not used: \[Material\] Viscosity",
-      r"\[Periodic state\] Secular split = off is not used: \[Material\] Vis"]),
+      r"\[Periodic state\] Secular split = off is not used: \[Material\] Vis",
+      r"\[Periodic state\] Maximum periods = 2 is not used: .* one period"]),
     (["Material/Thermal expansion=1e-5"],
      [r"\[Material\] Thermal expansion = 1e-5 is not used: \[Loads\] "
       "Temperature = 0"]),

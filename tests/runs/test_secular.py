@@ -5,7 +5,7 @@ not flow: zero mean loads under a stiffness that varies."""
 
 import math
 
-from crevasse_run import check, check_below, run
+from crevasse_run import SOURCE, check, check_below, execute, run
 
 SCENE = """
 subsection Geometry
@@ -400,3 +400,31 @@ if __name__ == "__main__":
     test_stretched_time()
     test_inexact_mean()
     test_contact_force()
+
+# Loads or a viscosity that change within less than a step: the mean that the
+# steps see is another one. Told, and refused where the split relies on it.
+MISSED = ["Loads/Traction=0; 10*sin(2*pi*t/600)+1",
+          "Material/Viscosity time factor=if(abs(t-303.3)<1,1e-3,1)"]
+arguments = [word for setting in MISSED for word in ("--set", setting)]
+RAOUS = SOURCE / "prm/raous1980.prm"
+status, output, _ = execute("--check", RAOUS, *arguments)
+check(status == 0 and "is not the one that the time steps see" in output,
+      "a missed part of the mean is told")
+status, _, message = execute("--check", RAOUS, *arguments, "--set",
+                             "Periodic state/Secular split=on")
+print(message)
+check(status == 2 and "is not the one that the time steps see" in message,
+      "a missed part of the mean is refused")
+
+# beta does not depend on how the viscosity is written: in tau or in eta_0.
+rates = [run(RAOUS, "written", [
+    "Loads/Traction=0; 10*sin(2*pi*t/600)+1", "Periodic state/Maximum periods=1",
+    "Periodic state/Tolerance=0", "Output/Fields=none",
+    "Contact/Solver=condensed active set",
+    f"Material/Relaxation time={tau}", f"Material/Viscosity time factor={factor}"]
+    ).summary for tau, factor in ((60, 1), (60e8, 1e-8), (60e-8, 1e8))]
+for other in rates[1:]:
+    check_below(abs(other["secular"]["largest_rate"]
+                    / rates[0]["secular"]["largest_rate"] - 1), 1e-12,
+                "beta, with the viscosity in its time factor")
+    check_below(other["certificate"]["accuracy"], 1e-9, "accuracy")

@@ -56,8 +56,13 @@ namespace Crevasse
     void
     finish(Summary &summary);
 
+    /** What rounding leaves of the stress at most, relative to its maximum: it
+     * is K times the small difference of strains that may be large. */
+    double
+    stress_rounding() const;
+
   private:
-    /** Keeps the largest stress of the run. */
+    /** Keeps the largest stress and viscous strain of the run. */
     struct LargestStress;
 
     template <typename Derived, typename... Arguments>

@@ -16,9 +16,11 @@
 #include <crevasse/run/solvers.h>
 #include <crevasse/scene/effects.h>
 #include <crevasse/scene/scene.h>
+#include <crevasse/time/integrator.h>
 #include <crevasse/time/secular_flow.h>
+#include <crevasse/time/step_list.h>
 
-#include <optional>
+#include <string>
 
 namespace Crevasse
 {
@@ -27,13 +29,21 @@ namespace Crevasse
   {
     Effects::Effect effect;
     Vector          mean_load; ///< f̄, where it was needed
+    std::string     warning;   ///< empty: none
   };
 
-  /** @throw SceneError if [Periodic state] Secular split = on, but the material
-   * has no secular flow that splits off. */
+  /**
+   * @param integrator null without viscosity.
+   * @throw SceneError if [Periodic state] Secular split = on, but the material
+   * has no secular flow that splits off, or the steps see another mean load
+   * than there is.
+   */
   template <int dim>
   SecularSplit
-  choose_secular_split(const Scene &scene, const Body<dim> &body);
+  choose_secular_split(const Scene      &scene,
+                       const Body<dim>  &body,
+                       const StepList   &steps,
+                       const Integrator *integrator);
 
   /** Solves the secular problem. What it costs is added to the statistics of
    * the solvers. */

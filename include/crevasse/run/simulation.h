@@ -68,13 +68,19 @@ namespace Crevasse
     void
     summarise_secular_flow(Summary &summary) const;
 
+    /** What is solved for it if the split is on; if that fails and nothing
+     * else needs it, the split is off. */
+    void
+    find_secular_flow(Solvers<dim> &solvers);
+
     PeriodicResult
     march(Solvers<dim> &solvers, const std::vector<Observer *> &observers);
 
     void
     summarise(Summary &summary, Solvers<dim> &solvers) const;
 
-    /** @throw NumericalError if the periodic state was not reached. */
+    /** @throw NumericalError if the periodic state was not reached, or if the
+     * stress is nothing but rounding. */
     void
     conclude(const PeriodicResult &result) const;
 
@@ -90,9 +96,10 @@ namespace Crevasse
     const std::unique_ptr<Integrator>      integrator; // none without viscosity
     const double                           smallest_relaxation_time;
     const double                           largest_thermal_strain;
-    const SecularSplit                     secular_split;
+    SecularSplit                           secular_split;
     std::optional<SecularFlow>             secular_flow;
     std::size_t                            rate_evaluations = 0;
+    double                                 stress_rounding  = 0.;
   };
 } // namespace Crevasse
 

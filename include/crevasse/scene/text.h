@@ -29,6 +29,10 @@ namespace Crevasse
     std::vector<std::string>
     split(const std::string &text, const char separator);
 
+    /** What a file name ends in, in small letters: ".csv". */
+    std::string
+    suffix(const std::string &file_name);
+
     std::string
     join(const std::vector<std::string> &parts, const std::string &glue);
 
