@@ -22,7 +22,9 @@ namespace Crevasse
   Log::Log(const MPI_Comm communicator, const bool quiet)
     : first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
     , quiet(quiet)
-    , terminal(isatty(STDOUT_FILENO) == 1)
+    // mpirun gives its processes terminals of their own.
+    , terminal(isatty(STDOUT_FILENO) == 1 &&
+               Utilities::MPI::n_mpi_processes(communicator) == 1)
   {
   }
 

@@ -167,8 +167,9 @@ namespace Crevasse
     if (fields != nullptr)
       {
         const unsigned int n = fields->write();
-        log.line("  fields of " + std::to_string(n) + " instants in " +
-                 directory + "/solution.pvd");
+        log.line("  fields of " + std::to_string(n) +
+                 (n == 1 ? " instant in " : " instants in ") + directory +
+                 "/solution.pvd");
       }
   }
 

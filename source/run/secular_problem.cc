@@ -117,10 +117,11 @@ namespace Crevasse
       if (part <= tolerable)
         return "";
       std::ostringstream text;
+      text << "the mean load over the period";
+      if (!body.law.viscosity_factor().is_constant())
+        text << ", weighted by 1 / [Material] Viscosity time factor,";
       text
-        << "the mean load over the period, weighted by 1 / [Material] "
-           "Viscosity time factor, is not the one that the time steps see: "
-           "they differ by "
+        << " is not the one that the time steps see: they differ by "
         << 100. * part
         << " %, and so do beta and what is marched. Something changes within "
            "less than a step. Take more steps, or [Time integration] Step "
@@ -192,7 +193,10 @@ namespace Crevasse
     effect.on =
       split.mean_load.linfty_norm() > negligible_load(body, scene.loads.period);
     effect.why =
-      effect.on ? "the mean load does not vanish" : "the mean load vanishes";
+      !effect.on ? "the mean load vanishes"
+      : wish == "on"
+        ? "the mean load does not vanish: its flow is split off"
+        : "the mean load does not vanish: beta is found, not split off";
     if (!effect.on)
       return split;
     const std::string missed =

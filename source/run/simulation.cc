@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/contact/sweep.h>
 #include <crevasse/periodic/period_map.h>
 #include <crevasse/run/elastic_reference.h>
 #include <crevasse/run/libraries.h>
@@ -129,6 +130,9 @@ namespace Crevasse
                    steps,
                    integrator.get(),
                    scene.output.elastic_comparison);
+    if (body.effects.contact.on && (scene.contact.solver == "projected sor" ||
+                                    !scene.contact.relaxation_table.empty()))
+      require_one_rank(communicator);
     if (integrator != nullptr)
       steps.require_stability(integrator->stability_limit(),
                               smallest_relaxation_time);
@@ -373,6 +377,8 @@ namespace Crevasse
       summary["effects"][effect.name] = {{"on", effect.on},
                                          {"why", effect.why}};
 
+    summary["warnings"] = warnings();
+
     solvers.summarise(summary);
     summary["counters"]["rate_evaluations"] = rate_evaluations;
 
@@ -381,7 +387,9 @@ namespace Crevasse
       return; // nothing to certify
     log.line("");
     log.line("  certificate of " + std::to_string(statistics.vi_solves) +
-             " solves: " + statistics.certificate.describe());
+             " solves: " + statistics.certificate.describe() +
+             " (accepted up to " + Text::from_number(statistics.accuracy) +
+             ")");
     constexpr double poor = 1e-6;
     if (statistics.accuracy > poor)
       log.line(
@@ -402,12 +410,17 @@ namespace Crevasse
   {
     constexpr double   doubtful = 1e-6, worthless = 1e-2;
     std::ostringstream rounding;
-    rounding << "The body has flown so far that rounding leaves errors of "
-             << stress_rounding
-             << " of its maximum in the stress, which is the difference of "
-                "total and viscous strain. Split off the mean flow "
-                "([Periodic state] Secular split = on), or look at the "
-                "relaxation times: they are many orders below the period.";
+    rounding
+      << "The body has flown so far that rounding leaves errors of "
+      << stress_rounding
+      << " of its maximum in the stress, which is the difference of "
+         "total and viscous strain. "
+      << (scene.periodic_state.secular_split == "on"
+            ? "Look"
+            : "Split off the mean flow ([Periodic state] Secular split = "
+              "on), or look")
+      << " at the relaxation times: they are many orders below the "
+         "period.";
     if (stress_rounding > worthless)
       throw NumericalError(rounding.str());
     if (stress_rounding > doubtful)

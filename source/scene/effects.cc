@@ -35,43 +35,57 @@ namespace Crevasse
 
 
 
-    /** The first of some parameters that depends on time; nothing if none
-     * does. */
+    /** On what a parameter depends that changes in time; nothing if it does
+     * not change. */
     std::string
-    first_that_varies(const Formulas &parameters, const bool temperature_varies)
+    cause_of_variation(const std::string &formulas,
+                       const bool         temperature_varies)
     {
+      bool depends_on_t = false, depends_on_theta = false;
+      for (const Expression &formula : parse_coefficients(formulas))
+        {
+          depends_on_t     = depends_on_t || formula.depends_on_time();
+          depends_on_theta = depends_on_theta || (formula.depends_on("theta") &&
+                                                  temperature_varies);
+        }
+      return depends_on_t ? "t" : (depends_on_theta ? "theta" : "");
+    }
+
+
+
+    /** Which of some parameters depend on time, and how; nothing if none does.
+     */
+    std::string
+    those_that_vary(const Formulas &parameters, const bool temperature_varies)
+    {
+      std::vector<std::string> all;
       for (const auto &[name, formulas] : parameters)
-        for (const Expression &formula : parse_coefficients(formulas))
-          {
-            const std::string what =
-              Text::parameter(MaterialParameters::section, name) + " = " +
-              formulas;
-            if (formula.depends_on_time())
-              return what + " depends on t";
-            if (formula.depends_on("theta") && temperature_varies)
-              return what + " depends on theta";
-          }
-      return "";
+        if (const std::string cause =
+              cause_of_variation(formulas, temperature_varies);
+            !cause.empty())
+          all.push_back(Text::parameter(MaterialParameters::section, name) +
+                        " depends on " + cause);
+      return Text::join(all, ", ");
     }
 
 
 
     Effects::Effect
-    variation(const std::string &name,
+    variation(const std::string &property,
               const Formulas    &formulas,
               const char        *factor_name,
               const std::string &factor,
               const bool         temperature_varies)
     {
-      const std::string reason =
-        first_that_varies(formulas, temperature_varies);
+      const std::string name   = "varying " + property;
+      const std::string reason = those_that_vary(formulas, temperature_varies);
       if (!reason.empty())
         return {name, true, "freely: " + reason};
       const std::string varying_factor =
-        first_that_varies({{factor_name, factor}}, temperature_varies);
+        those_that_vary({{factor_name, factor}}, temperature_varies);
       if (!varying_factor.empty())
         return {name, true, "by a factor: " + varying_factor};
-      return {name, false, "no coefficient depends on time"};
+      return {name, false, "nothing of the " + property + " depends on time"};
     }
   } // namespace
 
@@ -108,13 +122,13 @@ namespace Crevasse
                         ? "[Material] Thermal expansion is 0"
                         : "[Loads] Temperature = " + scene.loads.temperature};
 
-    varying_stiffness = variation("varying stiffness",
+    varying_stiffness = variation("stiffness",
                                   stiffness_formulas(material),
                                   "Stiffness time factor",
                                   material.stiffness_time_factor,
                                   temperature_varies);
     varying_viscosity = viscosity.on
-                          ? variation("varying viscosity",
+                          ? variation("viscosity",
                                       viscosity_formulas(material),
                                       "Viscosity time factor",
                                       material.viscosity_time_factor,

@@ -111,15 +111,22 @@ namespace Crevasse
                    "Steps",
                    "",
                    "must be given, for the step control is \"list\"");
+    // Of two instants that rounding takes apart a step would be noise.
+    constexpr double shortest = 1e-12;
     for (std::size_t i = 0; i < steps.size(); ++i)
       {
-        checker.demand(steps[i] >= 0., "Steps", steps[i], "must be at least 0");
-        if (i > 0)
-          checker.demand(steps[i] > steps[i - 1],
+        if (i == 0)
+          checker.demand(steps[i] == 0. || steps[i] > shortest * steps.back(),
+                         "Steps",
+                         steps[i],
+                         "must be 0, or greater by more than rounding");
+        else
+          checker.demand(steps[i] - steps[i - 1] > shortest * steps.back(),
                          "Steps",
                          steps[i],
                          "must be later than the instant before it, " +
-                           Text::from_number(steps[i - 1]));
+                           Text::from_number(steps[i - 1]) +
+                           ", by more than rounding");
       }
   }
 
