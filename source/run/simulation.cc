@@ -386,10 +386,11 @@ namespace Crevasse
     if (statistics.vi_solves == 0)
       return; // nothing to certify
     log.line("");
+    std::ostringstream accepted;
+    accepted << std::setprecision(2) << statistics.accuracy;
     log.line("  certificate of " + std::to_string(statistics.vi_solves) +
              " solves: " + statistics.certificate.describe() +
-             " (accepted up to " + Text::from_number(statistics.accuracy) +
-             ")");
+             " (accepted up to " + accepted.str() + ")");
     constexpr double poor = 1e-6;
     if (statistics.accuracy > poor)
       log.line(
