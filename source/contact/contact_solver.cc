@@ -307,6 +307,14 @@ namespace Crevasse
 
 
 
+  bool
+  ContactSolver::has_bounds() const
+  {
+    return problem.n_bounds() > 0;
+  }
+
+
+
   std::size_t
   ContactSolver::n_solves() const
   {

@@ -383,12 +383,12 @@ namespace Crevasse
     summary["counters"]["rate_evaluations"] = rate_evaluations;
 
     const SolverStatistics statistics = solvers.statistics();
-    if (statistics.vi_solves == 0)
+    if (statistics.certified == 0)
       return; // nothing to certify
     log.line("");
     std::ostringstream accepted;
     accepted << std::setprecision(2) << statistics.accuracy;
-    log.line("  certificate of " + std::to_string(statistics.vi_solves) +
+    log.line("  certificate of " + std::to_string(statistics.certified) +
              " solves: " + statistics.certificate.describe() +
              " (accepted up to " + accepted.str() + ")");
     constexpr double poor = 1e-6;

@@ -31,9 +31,13 @@ namespace Crevasse
   {
     linear_solves += solver.n_linear_solves();
     linear_iterations += solver.n_linear_iterations();
-    vi_solves += solver.n_solves();
-    vi_iterations += solver.n_iterations();
-    vi_time += solver.seconds();
+    if (solver.has_bounds())
+      {
+        vi_solves += solver.n_solves();
+        vi_iterations += solver.n_iterations();
+        vi_time += solver.seconds();
+      }
+    certified += solver.n_solves();
     certificate.merge(solver.worst_certificate());
     accuracy = std::max(accuracy, solver.accuracy());
   }
@@ -53,6 +57,7 @@ namespace Crevasse
     vi_solves += other.vi_solves;
     vi_iterations += other.vi_iterations;
     vi_time += other.vi_time;
+    certified += other.certified;
     certificate.merge(other.certificate);
     accuracy = std::max(accuracy, other.accuracy);
   }

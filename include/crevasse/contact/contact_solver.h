@@ -71,6 +71,10 @@ namespace Crevasse
     double
     accuracy() const;
 
+    /** Whether there are any on any rank. */
+    bool
+    has_bounds() const;
+
     std::size_t
     n_solves() const;
 

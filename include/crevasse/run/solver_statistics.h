@@ -30,9 +30,11 @@ namespace Crevasse
     std::size_t back_solves       = 0; ///< with a whole matrix
     double      back_solve_time   = 0.;
 
+    // Without bounds a problem is certified, but no variational inequality.
     std::size_t vi_solves     = 0;
     std::size_t vi_iterations = 0;
     double      vi_time       = 0.;
+    std::size_t certified     = 0; ///< solves with a certificate
     Certificate certificate;
     double      accuracy = 0.; ///< ContactSolver::accuracy()
 
