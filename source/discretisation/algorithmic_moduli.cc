@@ -18,12 +18,12 @@ namespace Crevasse
   AlgorithmicModuli<dim>::AlgorithmicModuli(const MaterialState<dim> &material,
                                             const double              kappa,
                                             const std::size_t         n_points)
-    : sum(*material.stiffness)
+    : sum(transform(*material.stiffness,
+                    n_points,
+                    [&material](const VoigtMatrix<dim> &K) {
+                      return material.spring * K;
+                    }))
   {
-    sum = transform(sum, n_points, [&material](const VoigtMatrix<dim> &K) {
-      return material.spring * K;
-    });
-
     for (unsigned int i = 0; i < material.fluidity.size(); ++i)
       {
         const double w = material.fractions[i];

@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/discretisation/material_field.h>
+#include <crevasse/scene/coefficients.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
@@ -55,21 +56,6 @@ namespace Crevasse
           factor.formula() + ": is " + Text::from_number(value) +
           " at t = " + Text::from_number(t) + "; it must be greater than 0.");
     }
-
-
-
-    template <int dim>
-    bool
-    has_thermal_expansion(const MaxwellLaw<dim> &law)
-    {
-      const std::vector<Expression> &components =
-        law.thermal_expansion().formulas;
-      return !std::all_of(components.begin(),
-                          components.end(),
-                          [](const Expression &component) {
-                            return component.is_zero();
-                          });
-    }
   } // namespace
 
 
@@ -82,7 +68,8 @@ namespace Crevasse
     : communicator(space.communicator())
     , law(law)
     , temperature(temperature)
-    , expands(has_thermal_expansion(law) && !temperature.is_zero())
+    , expands(!are_zero(law.thermal_expansion().formulas) &&
+              !temperature.is_zero())
     , stiffness_is_free(varies_in_time(law.stiffness()))
     , thermal_strain_is_free(expands &&
                              (temperature.depends_on_time() ||

@@ -193,26 +193,25 @@ namespace Crevasse
   {
     if (!has_thermal_strain())
       return 0.;
-    const Property<VoigtVector<dim>> &expansion = law.thermal_expansion();
-    const bool                        varies =
-      temperature.depends_on_space() || varies_in_space(expansion);
-    const std::size_t n       = varies ? n_points : std::size_t(1);
-    double            largest = 0.;
+    double largest = 0.;
     collectively(communicator, [&]() {
       for (const double t : instants)
         {
+          const std::shared_ptr<const Vectors> strains =
+            thermal_strain_varies() ? evaluate_thermal_strain(t)
+                                    : constant.thermal_strain;
+          const std::size_t n =
+            strains->is_uniform() ? std::size_t(1) : n_points;
           for (std::size_t p = 0; p < n; ++p)
             {
-              const Place<dim>       here = place(p, t, true);
-              const VoigtVector<dim> strain =
-                here.temperature * expansion.at(here);
               for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
-                largest = std::max(largest, std::abs(strain[i]));
+                largest = std::max(largest, std::abs((*strains)[p][i]));
               if (!(largest <= Ranges::largest))
                 throw SceneError(
                   "[Material] Thermal expansion and [Loads] Temperature: the "
                   "thermal strain is " +
-                  Text::from_number(largest) + ' ' + describe(here) +
+                  Text::from_number(largest) + ' ' +
+                  describe(place(p, t, true)) +
                   "; it must be at most 1e70, and the theory of small strains "
                   "is for much less than 1.");
             }

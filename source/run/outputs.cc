@@ -156,8 +156,6 @@ namespace Crevasse
     if (problem_export != nullptr)
       problem_export->report_missing();
     summary["extremes"]["stress"] = largest_stress->value;
-    if (body.effects.viscosity.on)
-      summary["certificate"]["stress_rounding"] = stress_rounding();
     if (contact_table != nullptr)
       summary["extremes"]["opening"] = contact_table->largest_opening();
     if (drift != nullptr)

@@ -207,7 +207,11 @@ namespace Crevasse
       const PeriodicResult result = march(solvers, outputs.observers());
       summarise(summary, solvers);
       outputs.finish(summary);
-      stress_rounding = outputs.stress_rounding();
+      if (body.effects.viscosity.on)
+        {
+          stress_rounding                           = outputs.stress_rounding();
+          summary["certificate"]["stress_rounding"] = stress_rounding;
+        }
       summarise_secular_flow(summary);
       return result;
     }();

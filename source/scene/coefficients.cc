@@ -11,8 +11,10 @@
 
 #include <crevasse/scene/chain.h>
 #include <crevasse/scene/coefficients.h>
+#include <crevasse/scene/temperature.h>
 #include <crevasse/scene/text.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace Crevasse
@@ -61,5 +63,34 @@ namespace Crevasse
         std::move(entries.begin(), entries.end(), std::back_inserter(all));
       }
     return all;
+  }
+
+
+
+  bool
+  are_zero(const std::vector<Expression> &formulas)
+  {
+    return std::all_of(formulas.begin(),
+                       formulas.end(),
+                       [](const Expression &formula) {
+                         return formula.is_zero();
+                       });
+  }
+
+
+
+  bool
+  expands(const MaterialParameters &material)
+  {
+    return !are_zero(parse_coefficients(material.thermal_expansion));
+  }
+
+
+
+  bool
+  is_warm(const LoadParameters &loads)
+  {
+    return Temperature<2>::is_file(loads.temperature) ||
+           !Expression(loads.temperature).is_zero();
   }
 } // namespace Crevasse

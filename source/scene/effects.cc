@@ -12,29 +12,12 @@
 #include <crevasse/scene/coefficients.h>
 #include <crevasse/scene/effects.h>
 #include <crevasse/scene/expression.h>
-#include <crevasse/scene/temperature.h>
 #include <crevasse/scene/text.h>
-
-#include <algorithm>
-#include <tuple>
-#include <utility>
 
 namespace Crevasse
 {
   namespace
   {
-    bool
-    is_zero(const std::vector<Expression> &formulas)
-    {
-      return std::all_of(formulas.begin(),
-                         formulas.end(),
-                         [](const Expression &formula) {
-                           return formula.is_zero();
-                         });
-    }
-
-
-
     /** On what a parameter depends that changes in time; nothing if it does
      * not change. */
     std::string
@@ -112,13 +95,9 @@ namespace Crevasse
                ? "[Material] Chain = " + material.chain
                : "at most one Maxwell body"};
 
-    const bool expands =
-      !is_zero(parse_coefficients(material.thermal_expansion));
-    const bool is_warm = Temperature<2>::is_file(scene.loads.temperature) ||
-                         !Expression(scene.loads.temperature).is_zero();
     thermal_strain = {"thermal strain",
-                      expands && is_warm,
-                      !expands
+                      expands(material) && is_warm(scene.loads),
+                      !expands(material)
                         ? "[Material] Thermal expansion is 0"
                         : "[Loads] Temperature = " + scene.loads.temperature};
 
@@ -136,7 +115,7 @@ namespace Crevasse
                           : Effect{"varying viscosity", false, "no viscosity"};
 
     body_force = {"body force",
-                  !is_zero(Expression::parse_list(scene.loads.body_force)),
+                  !are_zero(Expression::parse_list(scene.loads.body_force)),
                   "[Loads] Body force " + (scene.loads.body_force.empty()
                                              ? "is not set"
                                              : "= " + scene.loads.body_force)};

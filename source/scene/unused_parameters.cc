@@ -12,14 +12,11 @@
 #include <crevasse/scene/boundary_roles.h>
 #include <crevasse/scene/built_in_boundary.h>
 #include <crevasse/scene/coefficients.h>
-#include <crevasse/scene/temperature.h>
 #include <crevasse/scene/text.h>
 #include <crevasse/scene/unused_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <algorithm>
-#include <iterator>
 #include <map>
 
 namespace Crevasse
@@ -39,17 +36,6 @@ namespace Crevasse
 
 
 
-    bool
-    is_zero(const std::string &formulas)
-    {
-      const std::vector<Expression> all = parse_coefficients(formulas);
-      return std::all_of(all.begin(), all.end(), [](const Expression &formula) {
-        return formula.is_zero();
-      });
-    }
-
-
-
     /** Whether one of the material's properties, thermal expansion included,
      * depends on a variable. */
     bool
@@ -65,15 +51,6 @@ namespace Crevasse
           if (formula.depends_on(variable))
             return true;
       return false;
-    }
-
-
-
-    bool
-    is_warm(const LoadParameters &loads)
-    {
-      return Temperature<2>::is_file(loads.temperature) ||
-             !is_zero(loads.temperature);
     }
 
 
@@ -106,7 +83,7 @@ namespace Crevasse
         {here, "Subdivisions", from_file, why},
         {BoundaryParameters::section,
          "Loaded",
-         is_zero(scene.loads.traction),
+         are_zero(Expression::parse_list(scene.loads.traction)),
          "there is no [Loads] Traction"},
         {BoundaryParameters::section, "Gap", !has_contact(scene), no_contact},
         {MaterialParameters::section,
@@ -126,8 +103,7 @@ namespace Crevasse
       const std::string         kind       = material.viscosity;
       const std::string         why        = "Viscosity = " + kind;
       const bool                has_matrix = !material.stiffness_matrix.empty();
-      const bool                expands = !is_zero(material.thermal_expansion);
-      const std::string         matrix  = "Stiffness matrix is given";
+      const std::string         matrix     = "Stiffness matrix is given";
       return {
         {here, "Young modulus", has_matrix, matrix},
         {here, "Poisson ratio", has_matrix, matrix},
@@ -143,7 +119,7 @@ namespace Crevasse
          "[Loads] Temperature = 0"},
         {LoadParameters::section,
          "Temperature",
-         !expands && !material_depends_on("theta", material),
+         !expands(material) && !material_depends_on("theta", material),
          "[Material] Thermal expansion = 0, and no coefficient depends on "
          "theta"},
       };
@@ -162,10 +138,9 @@ namespace Crevasse
       const bool        table     = !contact.relaxation_table.empty();
       const std::string linear    = scene.linear_solver.type;
       const bool        is_direct = linear == "cholesky" || linear == "mumps";
-      const bool        varies =
-        material_depends_on("t", scene.material) ||
-        material_depends_on("theta", scene.material) ||
-        (!is_zero(scene.material.thermal_expansion) && is_warm(scene.loads));
+      const bool        varies    = material_depends_on("t", scene.material) ||
+                          material_depends_on("theta", scene.material) ||
+                          (expands(scene.material) && is_warm(scene.loads));
       const std::string &scheme = scene.time_integration.scheme;
       const bool         implicit =
         scene.material.viscosity != "none" &&

@@ -134,44 +134,6 @@ namespace Crevasse
 
   template <int dim>
   void
-  Evolution<dim>::general_rate(const InelasticStrain<dim> &inelastic,
-                               Vector                     &rate)
-  {
-    using Field                        = QuadratureField<dim>;
-    const MaterialState<dim> &material = inelastic.material;
-    const auto               &K        = *material.stiffness;
-    const double              k        = material.stiffness_factor;
-    const double              factor   = k / material.viscosity_factor;
-    strain_operator.for_each_strain(
-      last.displacement,
-      [&](const std::size_t offset, const VoigtVector<dim> &strain) {
-        const std::size_t       point      = offset / Field::n_components;
-        const VoigtMatrix<dim> &stiffness  = K[point];
-        const VoigtVector<dim>  mechanical = strain - inelastic.thermal(offset);
-        VoigtVector<dim>        sum;
-        if (material.spring != 0.)
-          sum = material.spring * (stiffness * mechanical);
-        for (unsigned int i = 0; i < inelastic.n_branches; ++i)
-          {
-            const std::size_t place = inelastic.offset_of_branch(offset, i);
-            const VoigtVector<dim> stress =
-              material.fractions[i] *
-              (stiffness * (mechanical - Field::get(inelastic.r, place)));
-            sum += stress;
-            VoigtVector<dim> branch_rate =
-              factor * ((*material.fluidity[i])[point] * stress);
-            if (flow != nullptr)
-              branch_rate -= Field::get(flow->strain_rate, place);
-            Field::set(rate, place, branch_rate);
-          }
-        Field::set(last.stress, offset, k * sum);
-      });
-  }
-
-
-
-  template <int dim>
-  void
   Evolution<dim>::elastic_state(const double t)
   {
     const Instant<dim>         instant  = instants.at(t);

@@ -52,6 +52,11 @@ def execute(*arguments, **options):
     return process.returncode, process.stdout, process.stderr
 
 
+def overrides(settings):
+    """The words of the command line for "Section/Name=value" settings."""
+    return [word for setting in settings for word in ("--set", setting)]
+
+
 def run(scene, name, settings=(), status=0):
     """Runs a scene (a path, or the text of a .prm file) with "Section/Name=value"
     settings into the fresh directory results/<name>."""
@@ -61,10 +66,8 @@ def run(scene, name, settings=(), status=0):
         path = pathlib.Path(name + ".prm")
         path.write_text(scene)
         scene = path
-    arguments = [scene, "--output", directory]
-    for setting in settings:
-        arguments += ["--set", setting]
-    code, _, error = execute(*arguments)
+    code, _, error = execute(scene, "--output", directory,
+                             *overrides(settings))
     check(code == status, f"{name}: exit status {code} instead of {status}\n"
                           + error)
     return Results(directory)
@@ -82,10 +85,8 @@ def execute_on(n_ranks, *arguments):
 def run_on(n_ranks, scene, name, settings=()):
     """Runs a scene file on several processes into results/<name>."""
     directory = pathlib.Path("results") / name
-    arguments = [scene, "--output", directory, "--quiet"]
-    for setting in settings:
-        arguments += ["--set", setting]
-    code, _, error = execute_on(n_ranks, *arguments)
+    code, _, error = execute_on(n_ranks, scene, "--output", directory,
+                                "--quiet", *overrides(settings))
     check(code == 0, f"{name}: exit status {code}\n{error}")
     return Results(directory)
 

@@ -8,7 +8,7 @@ import shutil
 from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
-from crevasse_run import SOURCE, check, execute
+from crevasse_run import SOURCE, check, execute, overrides
 
 MESHES = SOURCE / "tests" / "meshes"
 
@@ -513,8 +513,7 @@ def execute_case(case):
     shutil.rmtree(directory, ignore_errors=True)
     scene = pathlib.Path(case.name + case.suffix)
     scene.write_text(case.scene)
-    settings = [word for text in case.settings for word in ("--set", text)]
-    return execute(scene, "--output", directory, *settings)
+    return execute(scene, "--output", directory, *overrides(case.settings))
 
 
 def test_cases():
@@ -711,8 +710,7 @@ UNUSED = [  # settings, and the warnings that they give
 
 def warnings_of(scene, settings=()):
     """The warnings of a check, which is passed all the same."""
-    words = [word for text in settings for word in ("--set", text)]
-    status, output, error = execute("--check", scene, *words)
+    status, output, error = execute("--check", scene, *overrides(settings))
     check(status == 0, f"{scene} {settings}: status {status}\n{error}")
     return re.findall("^  warning: (.*)$", output, re.MULTILINE)
 

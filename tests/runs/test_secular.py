@@ -5,7 +5,8 @@ not flow: zero mean loads under a stiffness that varies."""
 
 import math
 
-from crevasse_run import SOURCE, check, check_below, execute, run
+from crevasse_run import (SOURCE, check, check_below, execute, overrides,
+                          run)
 
 SCENE = """
 subsection Geometry
@@ -405,13 +406,12 @@ if __name__ == "__main__":
 # steps see is another one. Told, and refused where the split relies on it.
 MISSED = ["Loads/Traction=0; 10*sin(2*pi*t/600)+1",
           "Material/Viscosity time factor=if(abs(t-303.3)<1,1e-3,1)"]
-arguments = [word for setting in MISSED for word in ("--set", setting)]
 RAOUS = SOURCE / "prm/raous1980.prm"
-status, output, _ = execute("--check", RAOUS, *arguments)
+status, output, _ = execute("--check", RAOUS, *overrides(MISSED))
 check(status == 0 and "is not the one that the time steps see" in output,
       "a missed part of the mean is told")
-status, _, message = execute("--check", RAOUS, *arguments, "--set",
-                             "Periodic state/Secular split=on")
+status, _, message = execute("--check", RAOUS, *overrides(
+    MISSED + ["Periodic state/Secular split=on"]))
 print(message)
 check(status == 2 and "is not the one that the time steps see" in message,
       "a missed part of the mean is refused")

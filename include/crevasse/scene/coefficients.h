@@ -37,6 +37,18 @@ namespace Crevasse
   /** A number or formula, or those of a matrix or tensor. */
   std::vector<Expression>
   parse_coefficients(const std::string &formulas);
+
+  /** Whether all of some formulas are the number 0. */
+  bool
+  are_zero(const std::vector<Expression> &formulas);
+
+  /** Whether the temperature causes strain, where there is one. */
+  bool
+  expands(const MaterialParameters &material);
+
+  /** Whether there is a change of temperature. */
+  bool
+  is_warm(const LoadParameters &loads);
 } // namespace Crevasse
 
 #endif

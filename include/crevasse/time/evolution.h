@@ -125,7 +125,16 @@ namespace Crevasse
                  const unsigned int          branch,
                  const double                c) const;
 
-    /** Stress and rates with r implicit, for the last displacement. */
+    /** Stress and rates for the last displacement.
+     *
+     * @param branch_stress sᵢ/k of (offset, branch i, e − χθ). */
+    template <typename BranchStress>
+    void
+    stress_and_rates(const InelasticStrain<dim> &inelastic,
+                     const BranchStress         &branch_stress,
+                     Vector                     &rate);
+
+    /** The same with r implicit, for the last displacement. */
     void
     implicit_rates(const ImplicitInstant<dim> &instant,
                    const Vector               &known,
