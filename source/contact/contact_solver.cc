@@ -357,6 +357,26 @@ namespace Crevasse
 
 
 
+  void
+  ContactSolver::complementarity_functions(
+    const Vector              &solution,
+    const std::vector<double> &contact_forces,
+    const double               stiffness_factor,
+    std::vector<double>       &values) const
+  {
+    const UnilateralBounds &bounds   = problem.bounds;
+    const Vector           &diagonal = problem.diagonal();
+    values.resize(bounds.dofs.size());
+    for (std::size_t k = 0; k < values.size(); ++k)
+      {
+        const auto dof = bounds.dofs[k];
+        values[k]      = bounds.sign[k] * solution(dof) - bounds.gap[k] -
+                    contact_forces[k] / (stiffness_factor * diagonal(dof));
+      }
+  }
+
+
+
   double
   ContactSolver::seconds() const
   {

@@ -60,6 +60,30 @@ namespace Crevasse
           steps.within_period(t), predicted, known, c, rate);
       }
 
+
+
+      double
+      stress_scale() const override
+      {
+        return equation.stress_scale();
+      }
+
+
+
+      void
+      strain_per_stress(const Vector &r, Vector &scale) const override
+      {
+        equation.strain_per_stress(r, scale);
+      }
+
+
+
+      void
+      switching_functions(std::vector<double> &values) const override
+      {
+        equation.switching_functions(values);
+      }
+
     private:
       RateEquation   &equation;
       const StepList &steps;

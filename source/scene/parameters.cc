@@ -304,6 +304,26 @@ namespace Crevasse
                       "time. Allowed: increasing numbers from 0 to the period, "
                       "separated by commas",
                       list_of_numbers);
+    prm.add_parameter("Relative tolerance",
+                      relative_tolerance,
+                      "Error of the stress that a step of the step control "
+                      "\"adaptive\" may make, relative to the largest elastic "
+                      "stress of the period. Allowed: a number of at least 0 "
+                      "and less than 1");
+    prm.add_parameter("Absolute tolerance",
+                      absolute_tolerance,
+                      "The same in units of stress; both are added. Allowed: a "
+                      "number of at least 0");
+    prm.add_parameter("Order",
+                      order,
+                      "Order of the schemes \"arkode explicit\" and \"arkode "
+                      "implicit\". Allowed: an integer from 2 to 5",
+                      Patterns::Integer(2, 5));
+    prm.add_parameter("Locate contact events",
+                      locate_contact_events,
+                      "Whether steps are divided where nodes of the crack lip "
+                      "open or close. Without that the kinks of the solution "
+                      "limit every scheme to order 2. Allowed: true, false");
   }
 
 

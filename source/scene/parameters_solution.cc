@@ -105,6 +105,21 @@ namespace Crevasse
                    steps_per_period,
                    "must be from 1 to " + std::to_string(most_steps));
 
+    checker.demand(relative_tolerance >= 0. && relative_tolerance < 1.,
+                   "Relative tolerance",
+                   relative_tolerance,
+                   "must be at least 0 and less than 1");
+    checker.demand(absolute_tolerance >= 0.,
+                   "Absolute tolerance",
+                   absolute_tolerance,
+                   "must be at least 0");
+    if (step_control == "adaptive")
+      checker.demand(relative_tolerance > 0. || absolute_tolerance > 0.,
+                     "Relative tolerance",
+                     relative_tolerance,
+                     "must be greater than 0, or Absolute tolerance, for the "
+                     "step control \"adaptive\"");
+
     if (step_control != "list")
       return;
     checker.demand(!steps.empty(),

@@ -12,6 +12,8 @@
 #include <crevasse/time/evolution.h>
 #include <crevasse/time/inelastic_strain.h>
 
+#include <algorithm>
+
 namespace Crevasse
 {
   template <int dim>
@@ -86,6 +88,7 @@ namespace Crevasse
   {
     contact_solver.solve(loading, last.displacement, last.contact_forces, k);
     last.stiffness_factor = k;
+    last_solver           = &contact_solver;
   }
 
 
@@ -156,6 +159,65 @@ namespace Crevasse
                    k * (K[offset / Field::n_components] *
                         (strain - inelastic.thermal(offset))));
       });
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::set_stress_scale(const std::vector<double> &all_instants)
+  {
+    elastic_stress = 0.;
+    for (const double t : all_instants)
+      {
+        elastic_state(t);
+        elastic_stress = std::max(elastic_stress, last.stress.linfty_norm());
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  Evolution<dim>::stress_scale() const
+  {
+    return elastic_stress;
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::strain_per_stress(const Vector &r, Vector &scale) const
+  {
+    constexpr unsigned int     n        = QuadratureField<dim>::n_components;
+    const MaterialState<dim>  &material = instants.at(0.).material;
+    const InelasticStrain<dim> inelastic(material, r);
+    const std::size_t          n_points =
+      r.locally_owned_size() / (n * inelastic.n_branches);
+    scale.reinit(r, true);
+    for (std::size_t point = 0; point < n_points; ++point)
+      for (unsigned int i = 0; i < inelastic.n_branches; ++i)
+        {
+          const double stiffness = material.stiffness_factor *
+                                   material.fractions[i] *
+                                   (*material.stiffness)[point].norm();
+          for (unsigned int c = 0; c < n; ++c)
+            scale.local_element(inelastic.offset_of_branch(point * n, i) + c) =
+              1. / stiffness;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::switching_functions(std::vector<double> &values) const
+  {
+    last_solver->complementarity_functions(last.displacement,
+                                           last.contact_forces,
+                                           last.stiffness_factor,
+                                           values);
   }
 
 

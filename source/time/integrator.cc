@@ -17,4 +17,12 @@ namespace Crevasse
   Integrator::restart()
   {
   }
+
+
+
+  IntegratorStatistics
+  Integrator::statistics() const
+  {
+    return {};
+  }
 } // namespace Crevasse

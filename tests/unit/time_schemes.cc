@@ -27,8 +27,32 @@ using namespace Crevasse;
 
 namespace
 {
+  /** An equation without contact, and with K = 1. */
+  class ScalarEquation : public RateEquation
+  {
+  public:
+    double
+    stress_scale() const override
+    {
+      return 1.;
+    }
+
+    void
+    strain_per_stress(const Vector &r, Vector &scale) const override
+    {
+      scale.reinit(r, true);
+      scale = 1.;
+    }
+
+    void
+    switching_functions(std::vector<double> &values) const override
+    {
+      values.clear();
+    }
+  };
+
   /** An equation that only explicit methods can integrate. */
-  class ExplicitEquation : public RateEquation
+  class ExplicitEquation : public ScalarEquation
   {
   public:
     void
@@ -67,7 +91,7 @@ namespace
 
   /** r' = q − r / τ with the "displacement" q = p r / τ + F(t), so that
    * r' = F − (1 − p) r / τ, and F such that r = 1 + sin t. */
-  class Relaxation : public RateEquation
+  class Relaxation : public ScalarEquation
   {
   public:
     Relaxation(const double tau, const double p)

@@ -48,6 +48,14 @@ namespace Crevasse
           std::vector<double> &contact_forces,
           const double         stiffness_factor = 1.);
 
+    /** φ = L q − gap − κg for each locally owned bound, with κ = 1/(k A_ii):
+     * positive where open, negative where closed. */
+    void
+    complementarity_functions(const Vector              &solution,
+                              const std::vector<double> &contact_forces,
+                              const double               stiffness_factor,
+                              std::vector<double>       &values) const;
+
     /** Makes known by which force errors are to be judged: see Scales. */
     void
     judge_by_load(const double largest_nodal_force);

@@ -184,6 +184,11 @@ namespace Crevasse
     std::string  step_control     = "uniform";
     /** Instants within [0, Period] of the step control "list". */
     std::vector<double> steps;
+    /** Of the stress: relative to the largest elastic one, and in its units. */
+    double       relative_tolerance    = 1e-4;
+    double       absolute_tolerance    = 0.;
+    unsigned int order                 = 4; ///< of ARKODE's methods
+    bool         locate_contact_events = false;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -83,6 +83,20 @@ namespace Crevasse
                        const double  c,
                        Vector       &rate) override;
 
+    double
+    stress_scale() const override;
+
+    void
+    strain_per_stress(const Vector &r, Vector &scale) const override;
+
+    void
+    switching_functions(std::vector<double> &values) const override;
+
+    /** Makes the stress scale the largest of the elastic body at these
+     * instants. */
+    void
+    set_stress_scale(const std::vector<double> &instants);
+
     /** The state of a body without viscous strain at the instant @p t. */
     void
     elastic_state(const double t);
@@ -150,6 +164,9 @@ namespace Crevasse
     /** Stress and rates of any other material. */
     void
     general_rate(const InelasticStrain<dim> &inelastic, Vector &rate);
+
+    ContactSolver *last_solver    = nullptr; ///< of the last evaluation
+    double         elastic_stress = 0.;
 
     State       last;
     Vector      loading;

@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Crevasse
@@ -26,6 +27,9 @@ namespace Crevasse
     std::vector<double> nodes;
     std::vector<double> weights; ///< empty if steps follow no such rule
   };
+
+  /** How often an integrator has done what, by name. */
+  using IntegratorStatistics = std::vector<std::pair<std::string, std::size_t>>;
 
   /** Advances the ODE ṙ = f(r,t) step by step. */
   class Integrator
@@ -64,6 +68,10 @@ namespace Crevasse
 
     virtual std::string
     description() const = 0;
+
+    /** Empty if there is nothing that the number of steps does not tell. */
+    virtual IntegratorStatistics
+    statistics() const;
   };
 } // namespace Crevasse
 

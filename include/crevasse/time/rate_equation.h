@@ -14,6 +14,8 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <vector>
+
 namespace Crevasse
 {
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
@@ -50,6 +52,24 @@ namespace Crevasse
                        const Vector &known,
                        const double  c,
                        Vector       &rate) = 0;
+
+    /** The largest stress of the elastic body over a period: what tolerances
+     * are relative to. */
+    virtual double
+    stress_scale() const = 0;
+
+    /** For each entry of r what it takes to change the stress by 1 where the
+     * strain is held: an error of r divided by it is one of the stress.
+     *
+     * @param[out] scale with the layout of r; given its size here. */
+    virtual void
+    strain_per_stress(const Vector &r, Vector &scale) const = 0;
+
+    /** φ = u_N − gap − κg of each contact node of this rank in the last
+     * evaluation, κ > 0: positive where the lip is open, negative where it is
+     * closed, continuous in between. */
+    virtual void
+    switching_functions(std::vector<double> &values) const = 0;
   };
 } // namespace Crevasse
 
