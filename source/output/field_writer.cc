@@ -57,13 +57,11 @@ namespace Crevasse
     : space(space)
     , recovery(recovery)
     , lip(lip)
-    , n_steps(steps.n_steps())
     , directory(directory)
-    , wanted(n_steps + 1, false)
+    , wanted({steps.period()}) // the end of the run
   {
     for (const double t : times)
-      wanted[steps.nearest(t)] = true;
-    wanted[n_steps] = true; // the end of the run
+      wanted.insert(steps.instant(steps.nearest(t)));
   }
 
 
@@ -72,9 +70,9 @@ namespace Crevasse
   void
   FieldWriter<dim>::observe(const Sample &sample)
   {
-    if (!wanted[sample.step])
+    if (wanted.count(sample.instant) == 0)
       return;
-    Snapshot &snapshot = snapshots[sample.step];
+    Snapshot &snapshot = snapshots[sample.instant];
     snapshot           = {sample.time, sample.state, sample.viscous_strain};
     if (sample.secular_flow != nullptr)
       {
@@ -92,9 +90,9 @@ namespace Crevasse
   FieldWriter<dim>::write() const
   {
     std::vector<std::pair<double, std::string>> records;
-    for (const auto &[step, snapshot] : snapshots)
+    for (const auto &[instant, snapshot] : snapshots)
       {
-        (void)step;
+        (void)instant;
         const unsigned int number = records.size();
         write(snapshot, number);
         records.emplace_back(snapshot.time,

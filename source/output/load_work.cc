@@ -33,8 +33,7 @@ namespace Crevasse
   LoadWork<dim>::observe(const Sample &sample)
   {
     nodal_forces.reinit(sample.state.displacement, true);
-    loads.evaluate(steps.within_period(steps.instant(sample.step)),
-                   nodal_forces);
+    loads.evaluate(steps.within_period(sample.instant), nodal_forces);
     const double work = nodal_forces * sample.state.displacement;
     if (table != nullptr)
       table->add_row({sample.time, work});

@@ -38,12 +38,12 @@ namespace Crevasse
   template <int dim>
   Progress<dim>::Progress(Log                        &log,
                           const ContactBoundary<dim> &lip,
-                          const unsigned int          steps_per_period,
+                          const double                period,
                           const unsigned int          maximum_periods,
                           const MPI_Comm              communicator)
     : log(log)
     , lip(lip)
-    , steps_per_period(steps_per_period)
+    , length(period)
     , maximum_periods(maximum_periods)
     , communicator(communicator)
     , any_terminal(
@@ -70,17 +70,17 @@ namespace Crevasse
     last_shown = seconds;
 
     const LipState now = lip_state(lip, sample.state);
-    const double   done =
-      (sample.period - 1.) * steps_per_period + sample.step + 1.;
+    // In periods; no time is left to be told before anything is done.
+    const double done = sample.period - 1. + sample.instant / length;
     const double left =
-      seconds * (double(maximum_periods) * steps_per_period / done - 1.);
+      done > 0. ? seconds * (double(maximum_periods) / done - 1.) : 0.;
     log.progress(format(
-      "  period %u of at most %u, step %u of %u, %u of the lip's nodes closed, "
-      "at most %.0f s left",
+      "  period %u of at most %u, step %u at t = %g, %u of the lip's nodes "
+      "closed, at most %.0f s left",
       sample.period,
       maximum_periods,
-      sample.step,
-      steps_per_period,
+      sample.step + 1,
+      sample.time,
       now.closed_nodes,
       left));
   }

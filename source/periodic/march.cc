@@ -52,13 +52,14 @@ namespace Crevasse
   PeriodicResult
   March<dim>::run(Vector &r, const std::vector<Observer *> &observers)
   {
-    StressHistory history(period_map.steps().n_steps());
+    const double  period = period_map.steps().period();
+    StressHistory history(period);
     const auto    show = [&](const Sample &sample) {
       for (Observer *observer : observers)
         observer->observe(sample);
     };
     const auto record_and_show = [&](const Sample &sample) {
-      history.record(sample.step, sample.state.stress);
+      history.record(sample.instant, sample.state.stress);
       show(sample);
     };
 
@@ -73,9 +74,10 @@ namespace Crevasse
         const double change = history.take_change();
         result.stress_change.push_back(change);
         result.converged =
-          !period_map.has_memory() || (tolerance > 0. && change <= tolerance);
+          !period_map.has_memory() ||
+          (tolerance > 0. && change <= tolerance && history.is_complete());
         const PeriodReport report{result.periods,
-                                  result.periods * period_map.steps().period(),
+                                  result.periods * period,
                                   change,
                                   aitken_estimate(result.stress_change),
                                   history.largest_stress(),

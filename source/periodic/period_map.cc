@@ -11,6 +11,7 @@
 
 #include <crevasse/periodic/period_map.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/time/forwarding_equation.h>
 
 #include <sstream>
 
@@ -19,73 +20,23 @@ namespace Crevasse
   namespace
   {
     /** An equation whose time is brought into the period. */
-    class PeriodicEquation : public RateEquation
+    class PeriodicEquation : public ForwardingEquation
     {
     public:
       PeriodicEquation(RateEquation &equation, const StepList &steps)
-        : equation(equation)
+        : ForwardingEquation(equation)
         , steps(steps)
       {
       }
 
-
-
-      void
-      rate(const double t, const Vector &r, Vector &rate) override
-      {
-        equation.rate(steps.within_period(t), r, rate);
-      }
-
-
-
-      void
-      implicit_rate(const double  t,
-                    const Vector &known,
-                    const double  c,
-                    Vector       &rate) override
-      {
-        equation.implicit_rate(steps.within_period(t), known, c, rate);
-      }
-
-
-
-      void
-      semi_implicit_rate(const double  t,
-                         const Vector &predicted,
-                         const Vector &known,
-                         const double  c,
-                         Vector       &rate) override
-      {
-        equation.semi_implicit_rate(
-          steps.within_period(t), predicted, known, c, rate);
-      }
-
-
-
+    protected:
       double
-      stress_scale() const override
+      instant(const double t) const override
       {
-        return equation.stress_scale();
-      }
-
-
-
-      void
-      strain_per_stress(const Vector &r, Vector &scale) const override
-      {
-        equation.strain_per_stress(r, scale);
-      }
-
-
-
-      void
-      switching_functions(std::vector<double> &values) const override
-      {
-        equation.switching_functions(values);
+        return steps.within_period(t);
       }
 
     private:
-      RateEquation   &equation;
       const StepList &steps;
     };
   } // namespace
@@ -95,9 +46,11 @@ namespace Crevasse
   template <int dim>
   PeriodMap<dim>::PeriodMap(Evolution<dim> &evolution,
                             Integrator     *integrator,
-                            const StepList &steps)
+                            StepControl    &step_control,
+                            StepList       &steps)
     : evolution(evolution)
     , integrator(integrator)
+    , step_control(step_control)
     , step_list(steps)
   {
   }
@@ -110,41 +63,52 @@ namespace Crevasse
                           Vector                                    &r,
                           const std::function<void(const Sample &)> &observe)
   {
-    PeriodicEquation f(evolution, step_list);
     if (has_memory())
-      integrator->restart();
-    for (unsigned int k = 0; k < step_list.n_steps(); ++k)
       {
-        const double t    = step_list.instant(k);
-        const double time = (period - 1) * step_list.period() + t;
-        const auto   show = [&]() {
-          observe({period,
-                   k,
-                   time,
-                   evolution.state(),
-                   r,
-                   evolution.right_hand_side(),
-                   evolution.secular_flow()});
-        };
-        try
-          {
-            if (has_memory())
-              integrator->step(f, t, step_list.step(k), r, show);
-            else
-              {
-                evolution.elastic_state(t);
-                show();
-              }
-          }
-        catch (const NumericalError &error)
-          {
-            std::ostringstream where;
-            where << "In period " << period << ", step " << k + 1
-                  << " from t = " << t << " to " << t + step_list.step(k)
-                  << ": ";
-            throw NumericalError(where.str() + error.what());
-          }
+        integrator->restart();
+        step_control.begin_period(step_list);
+        rate.reinit(r, true);
       }
+    for (unsigned int k = 0; k < step_list.n_steps(); ++k)
+      try
+        {
+          step(period, k, r, observe);
+        }
+      catch (const NumericalError &error)
+        {
+          std::ostringstream where;
+          where << "In period " << period << ", step " << k + 1
+                << " from t = " << step_list.instant(k) << " to "
+                << step_list.instant(k + 1) << ": ";
+          throw NumericalError(where.str() + error.what());
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  PeriodMap<dim>::step(const unsigned int                         period,
+                       const unsigned int                         k,
+                       Vector                                    &r,
+                       const std::function<void(const Sample &)> &observe)
+  {
+    PeriodicEquation f(evolution, step_list);
+    const double     t = step_list.instant(k);
+    if (has_memory())
+      integrator->start(f, t, r, rate);
+    else
+      evolution.elastic_state(t);
+    observe({period,
+             k,
+             (period - 1) * step_list.period() + t,
+             t,
+             evolution.state(),
+             r,
+             evolution.right_hand_side(),
+             evolution.secular_flow()});
+    if (has_memory())
+      step_control.advance(*integrator, f, step_list, k, rate, r);
   }
 
 
@@ -157,14 +121,14 @@ namespace Crevasse
   {
     if (has_memory())
       {
-        unused_rate.reinit(r, true);
-        evolution.rate(0., r, unused_rate);
+        evolution.rate(0., r, rate);
       }
     else
       evolution.elastic_state(0.);
     observe({period,
              step_list.n_steps(),
              period * step_list.period(),
+             step_list.period(),
              evolution.state(),
              r,
              evolution.right_hand_side(),

@@ -20,22 +20,31 @@
 
 namespace Crevasse
 {
-  StressHistory::StressHistory(const unsigned int n_samples)
-    : samples(n_samples)
+  StressHistory::StressHistory(const double period)
+    : rounding(1e-12 * period)
   {
   }
 
 
 
   void
-  StressHistory::record(const unsigned int sample, const Vector &stress)
+  StressHistory::record(const double t, const Vector &stress)
   {
-    Vector &stored = samples[sample];
-    if (stored.size() == 0)
+    auto found = samples.lower_bound(t - rounding);
+    if (found == samples.end() || found->first > t + rounding)
       {
-        stored.reinit(stress);
+        found        = samples.emplace(t, Entry()).first;
         communicator = stress.get_mpi_communicator();
+        if (periods == 0)
+          found->second.stress.reinit(stress);
+        else
+          {
+            complete             = false;
+            found->second.stress = stress;
+          }
       }
+    found->second.period = periods;
+    Vector &stored       = found->second.stress;
     for (unsigned int i = 0; i < stress.locally_owned_size(); ++i)
       {
         const double s = stress.local_element(i);
@@ -56,10 +65,29 @@ namespace Crevasse
       dealii::ArrayView<const double>(values.data(), values.size()),
       communicator,
       dealii::ArrayView<double>(values.data(), values.size()));
+    for (auto entry = samples.begin(); entry != samples.end();)
+      if (entry->second.period == periods)
+        ++entry;
+      else
+        {
+          complete = false; // this instant was not met again
+          entry    = samples.erase(entry);
+        }
+    ++periods;
+    complete_last   = complete;
+    complete        = true;
     largest_of_last = values[1];
     largest_change  = 0.;
     largest         = 0.;
     return values[0] > 0. ? values[0] / values[1] : 0.;
+  }
+
+
+
+  bool
+  StressHistory::is_complete() const
+  {
+    return complete_last;
   }
 
 

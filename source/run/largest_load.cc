@@ -15,6 +15,8 @@
 #include <crevasse/scene/text.h>
 
 #include <algorithm>
+#include <set>
+#include <vector>
 
 namespace Crevasse
 {
@@ -102,11 +104,29 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                \
-  template Vector       loads_at<dim>(const Body<dim> &, const double); \
-  template unsigned int step_of_largest_load<dim>(const Body<dim> &,    \
-                                                  const StepList &);    \
-  template double       largest_load<dim>(const Body<dim> &, const StepList &)
+  template <int dim>
+  std::vector<double>
+  instants_of_scale(const Body<dim> &body, const StepList &steps)
+  {
+    constexpr unsigned int some = 8;
+    std::set<unsigned int> chosen{step_of_largest_load(body, steps)};
+    for (unsigned int i = 0; i < some; ++i)
+      chosen.insert(steps.n_steps() * i / some);
+    std::vector<double> instants;
+    for (const unsigned int k : chosen)
+      instants.push_back(steps.instant(k));
+    return instants;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                        \
+  template Vector       loads_at<dim>(const Body<dim> &, const double);         \
+  template unsigned int step_of_largest_load<dim>(const Body<dim> &,            \
+                                                  const StepList &);            \
+  template double       largest_load<dim>(const Body<dim> &, const StepList &); \
+  template std::vector<double> instants_of_scale<dim>(const Body<dim> &,        \
+                                                      const StepList &)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

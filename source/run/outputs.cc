@@ -116,7 +116,7 @@ namespace Crevasse
     add<PeriodTable>(file("periods.csv"));
     add<Progress<dim>>(log,
                        body.lip,
-                       steps.n_steps(),
+                       steps.period(),
                        scene.periodic_state.maximum_periods,
                        body.space.communicator());
   }

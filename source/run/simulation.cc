@@ -12,6 +12,8 @@
 #include <crevasse/contact/sweep.h>
 #include <crevasse/periodic/period_map.h>
 #include <crevasse/run/elastic_reference.h>
+#include <crevasse/run/integrator_choice.h>
+#include <crevasse/run/largest_load.h>
 #include <crevasse/run/libraries.h>
 #include <crevasse/run/outputs.h>
 #include <crevasse/run/relaxation_table.h>
@@ -21,12 +23,10 @@
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
 #include <crevasse/scene/unused_parameters.h>
-#include <crevasse/time/predictor_corrector.h>
-#include <crevasse/time/runge_kutta.h>
-#include <crevasse/time/sdirk.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
@@ -38,23 +38,6 @@ namespace Crevasse
 
   namespace
   {
-    /** The time integrators by their names in the scene. */
-    std::unique_ptr<Integrator>
-    make_integrator(const TimeIntegrationParameters &parameters)
-    {
-      if (parameters.scheme == "euler")
-        return std::make_unique<RungeKutta>(euler_tableau());
-      if (parameters.scheme == "rk4")
-        return std::make_unique<RungeKutta>(rk4_tableau());
-      if (parameters.scheme == "predictor corrector")
-        return std::make_unique<PredictorCorrector>();
-      if (parameters.scheme == "sdirk2")
-        return std::make_unique<Sdirk2>();
-      return std::make_unique<RungeKutta>(heun_tableau(parameters.heun_weight));
-    }
-
-
-
     /** The instants at which a run evaluates formulas, and some between. */
     std::vector<double>
     survey_instants(const StepList &steps, const Integrator *integrator)
@@ -114,10 +97,13 @@ namespace Crevasse
     , body(scene, communicator)
     , recovery(body.space, body.points)
     , probes(make_probes(scene.output.probes, body.space, recovery, body.lip))
-    , steps(scene.time_integration, scene.loads.period)
-    , integrator(body.effects.viscosity.on
-                   ? make_integrator(scene.time_integration)
-                   : nullptr)
+    , steps(scene.time_integration,
+            scene.loads.period,
+            scene.output.field_times)
+    , integrator(
+        body.effects.viscosity.on
+          ? make_integrator(scene.time_integration, body.effects.contact.on)
+          : nullptr)
     , smallest_relaxation_time(
         survey(body, survey_instants(steps, integrator.get())))
     , largest_thermal_strain(body.material.largest_thermal_strain(
@@ -134,8 +120,12 @@ namespace Crevasse
                                     !scene.contact.relaxation_table.empty()))
       require_one_rank(communicator);
     if (integrator != nullptr)
-      steps.require_stability(integrator->stability_limit(),
-                              smallest_relaxation_time);
+      step_control = make_step_control(scene.time_integration,
+                                       steps,
+                                       *integrator,
+                                       smallest_relaxation_time);
+    else
+      step_control = std::make_unique<FixedSteps>();
   }
 
 
@@ -276,7 +266,10 @@ namespace Crevasse
                              body.points,
                              body.loads,
                              solvers);
-    PeriodMap<dim>     period_map(evolution, integrator.get(), steps);
+    PeriodMap<dim>     period_map(evolution,
+                              integrator.get(),
+                              *step_control,
+                              steps);
     March<dim>         march(
       period_map,
       [&solvers]() { return solvers.statistics().vi_solves; },
@@ -287,6 +280,8 @@ namespace Crevasse
     Vector viscous_strain;
     if (body.effects.viscosity.on)
       body.points.initialize(viscous_strain, body.law.branches().size());
+    if (scene.time_integration.step_control == "adaptive")
+      evolution.set_stress_scale(instants_of_scale(body, steps));
     const PeriodicResult result = march.run(viscous_strain, observers);
     rate_evaluations            = evolution.n_rate_evaluations();
     return result;
@@ -370,6 +365,32 @@ namespace Crevasse
 
   template <int dim>
   void
+  Simulation<dim>::summarise_steps(Summary &summary) const
+  {
+    if (integrator == nullptr)
+      return;
+    IntegratorStatistics statistics = integrator->statistics();
+    for (const auto &entry : step_control->statistics())
+      statistics.push_back(entry);
+    if (statistics.empty())
+      return;
+    std::string text;
+    for (const auto &[name, number] : statistics)
+      {
+        summary["time_integration"][name] = number;
+        std::string words                 = name;
+        std::replace(words.begin(), words.end(), '_', ' ');
+        text +=
+          (text.empty() ? "  " : ", ") + std::to_string(number) + ' ' + words;
+      }
+    log.line("");
+    log.line(text);
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::summarise(Summary &summary, Solvers<dim> &solvers) const
   {
     summary["version"]   = CREVASSE_VERSION;
@@ -385,6 +406,7 @@ namespace Crevasse
 
     solvers.summarise(summary);
     summary["counters"]["rate_evaluations"] = rate_evaluations;
+    summarise_steps(summary);
 
     const SolverStatistics statistics = solvers.statistics();
     if (statistics.certified == 0)

@@ -69,22 +69,22 @@ namespace Crevasse
 
 
 
-    template <int dim>
-    std::shared_ptr<AlgorithmicModuli<dim>>
-    make_algorithmic_moduli(const Body<dim>          &body,
-                            const MaterialState<dim> &material,
-                            const double              kappa)
+    /** Values of the material over a time c: AlgorithmicModuli or
+     * RelaxationFunctions. */
+    template <typename Values, int dim>
+    std::shared_ptr<Values>
+    make_values(const Body<dim>          &body,
+                const MaterialState<dim> &material,
+                const double              c)
     {
-      std::shared_ptr<AlgorithmicModuli<dim>> moduli;
+      std::shared_ptr<Values> values;
       collectively(body.space.communicator(), [&]() {
-        moduli = std::make_shared<AlgorithmicModuli<dim>>(
-          material, kappa, body.points.n_local_points());
+        values = std::make_shared<Values>(material,
+                                          kappa(c, material),
+                                          body.points.n_local_points());
       });
-      return moduli;
+      return values;
     }
-
-
-
   } // namespace
 
 
@@ -111,6 +111,10 @@ namespace Crevasse
              [](const AlgorithmicModuli<dim> &values) {
                return values.memory_consumption();
              })
+    , relaxation(memory,
+                 [](const RelaxationFunctions<dim> &functions) {
+                   return functions.memory_consumption();
+                 })
     , systems(
         memory,
         [](const ContactSystem<dim> &system) {
@@ -192,10 +196,23 @@ namespace Crevasse
   Solvers<dim>::implicit_material_at(const double t, const double c)
   {
     const MaterialState<dim> &material = material_at(t);
-    const auto values = moduli.at(implicit_key(t, c, material), [&]() {
-      return make_algorithmic_moduli(body, material, kappa(c, material));
+    const auto values = moduli.at(step_key(t, c, material), [&]() {
+      return make_values<AlgorithmicModuli<dim>>(body, material, c);
     });
     return {material, *values, nullptr};
+  }
+
+
+
+  template <int dim>
+  const RelaxationFunctions<dim> &
+  Solvers<dim>::relaxation_at(const double t, const double c)
+  {
+    const MaterialState<dim> &material = material_at(t);
+    last_relaxation = relaxation.at(step_key(t, c, material), [&]() {
+      return make_values<RelaxationFunctions<dim>>(body, material, c);
+    });
+    return *last_relaxation;
   }
 
 
@@ -205,19 +222,19 @@ namespace Crevasse
   Solvers<dim>::implicit_at(const double t, const double c)
   {
     ImplicitInstant<dim> instant = implicit_material_at(t, c);
-    last_system            = systems.at(implicit_key(t, c, instant.material),
+    last_system                  = systems.at(step_key(t, c, instant.material),
                              [&]() { return make_system(instant.moduli.sum); });
-    instant.contact_solver = &last_system->contact_solver();
+    instant.contact_solver       = &last_system->contact_solver();
     return instant;
   }
 
 
 
   template <int dim>
-  typename InstantCache<AlgorithmicModuli<dim>>::Key
-  Solvers<dim>::implicit_key(const double              t,
-                             const double              c,
-                             const MaterialState<dim> &material) const
+  std::pair<double, double>
+  Solvers<dim>::step_key(const double              t,
+                         const double              c,
+                         const MaterialState<dim> &material) const
   {
     const bool varies =
       body.material.stiffness_varies() || body.material.fluidity_varies();

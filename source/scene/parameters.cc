@@ -279,10 +279,11 @@ namespace Crevasse
                       "Method for the viscous strain. Explicit, with a limit "
                       "of the step: \"euler\", \"heun\" and \"rk4\" of "
                       "order 1, 2 and 4, and \"predictor corrector\" of order "
-                      "2, implicit in the material alone. Implicit, without "
-                      "limit: \"sdirk2\" of order 2.",
-                      Patterns::Selection(
-                        "euler|heun|rk4|predictor corrector|sdirk2"));
+                      "2, implicit in the material alone. Without limit: "
+                      "\"exponential\" of order 2, exact where the strain is "
+                      "held, and \"sdirk2\" of order 2, implicit.",
+                      Patterns::Selection("euler|heun|rk4|predictor corrector|"
+                                          "exponential|sdirk2"));
     prm.add_parameter("Heun weight",
                       heun_weight,
                       "Weight w of the second stage of the scheme \"heun\", "
@@ -290,18 +291,23 @@ namespace Crevasse
                       "a number from 0.5 to 1");
     prm.add_parameter("Steps per period",
                       steps_per_period,
-                      "Number of equal steps of the step control \"uniform\". "
-                      "Allowed: an integer from 1 to 1000000",
+                      "Number of equal steps of the step control \"uniform\"; "
+                      "with \"adaptive\" that of the longest steps. Allowed: "
+                      "an integer from 1 to 1000000",
                       count);
     prm.add_parameter("Step control",
                       step_control,
                       "Where the steps end: \"uniform\" divides the period "
-                      "equally, \"list\" takes the instants of Steps.",
-                      Patterns::Selection("uniform|list"));
+                      "equally, \"list\" takes the instants of Steps, "
+                      "\"adaptive\" chooses steps by their error, with schemes "
+                      "that can tell it: heun, exponential, sdirk2.",
+                      Patterns::Selection("uniform|list|adaptive"));
     prm.add_parameter("Steps",
                       steps,
                       "Instants of the step control \"list\", in units of "
-                      "time. Allowed: increasing numbers from 0 to the period, "
+                      "time; with \"adaptive\" those at which a step ends in "
+                      "any case, as where a load jumps. Allowed: increasing "
+                      "numbers from 0 to the period, "
                       "separated by commas",
                       list_of_numbers);
     prm.add_parameter("Relative tolerance",
@@ -324,6 +330,11 @@ namespace Crevasse
                       "Whether steps are divided where nodes of the crack lip "
                       "open or close. Without that the kinks of the solution "
                       "limit every scheme to order 2. Allowed: true, false");
+    prm.add_parameter("Check stability",
+                      check_stability,
+                      "Whether steps that are too long for a scheme with a "
+                      "limit are refused. Without that they are taken, and the "
+                      "stress grows from step to step. Allowed: true, false");
   }
 
 

@@ -119,10 +119,18 @@ namespace Crevasse
                      relative_tolerance,
                      "must be greater than 0, or Absolute tolerance, for the "
                      "step control \"adaptive\"");
+    if (step_control == "adaptive")
+      checker.demand(scheme == "heun" || scheme == "exponential" ||
+                       scheme == "sdirk2",
+                     "Scheme",
+                     scheme,
+                     "cannot tell the error of its steps, which the step "
+                     "control \"adaptive\" needs; heun, exponential and sdirk2 "
+                     "can");
 
-    if (step_control != "list")
+    if (step_control == "uniform")
       return;
-    checker.demand(!steps.empty(),
+    checker.demand(step_control != "list" || !steps.empty(),
                    "Steps",
                    "",
                    "must be given, for the step control is \"list\"");

@@ -16,7 +16,7 @@ namespace Crevasse
   ButcherTableau
   euler_tableau()
   {
-    return {"euler", {0.}, {{}}, {1.}, 2.};
+    return {"euler", {0.}, {{}}, {1.}, {}, 2.};
   }
 
 
@@ -25,7 +25,12 @@ namespace Crevasse
   heun_tableau(const double weight)
   {
     const double c = 1. / (2. * weight);
-    return {"heun", {0., c}, {{}, {c}}, {1. - weight, weight}, 2.};
+    return {"heun",
+            {0., c},
+            {{}, {c}},
+            {1. - weight, weight},
+            {-weight, weight}, // Euler's method is embedded
+            2.};
   }
 
 
@@ -38,6 +43,7 @@ namespace Crevasse
             {0., 0.5, 0.5, 1.},
             {{}, {0.5}, {0., 0.5}, {0., 0., 1.}},
             {1. / 6., 1. / 3., 1. / 3., 1. / 6.},
+            {},
             2.785293563405282};
   }
 } // namespace Crevasse

@@ -122,6 +122,26 @@ namespace Crevasse
 
 
   template <int dim>
+  void
+  Evolution<dim>::apply_relaxation(const unsigned int order,
+                                   const double       t,
+                                   const double       c,
+                                   Vector            &values)
+  {
+    using Field             = QuadratureField<dim>;
+    const auto       &phi   = instants.relaxation_at(t, c).phi[order - 1];
+    const std::size_t n     = Field::n_components;
+    const std::size_t block = n * phi.size();
+    for (std::size_t place = 0; place < values.locally_owned_size(); place += n)
+      Field::set(values,
+                 place,
+                 phi[place % block / n][place / block] *
+                   Field::get(values, place));
+  }
+
+
+
+  template <int dim>
   VoigtVector<dim>
   Evolution<dim>::known_strain(const InelasticStrain<dim> &known,
                                const std::size_t           offset,
@@ -167,7 +187,11 @@ namespace Crevasse
                                               const double,                \
                                               Vector &);                   \
   template void Evolution<dim>::semi_implicit_rate(                        \
-    const double, const Vector &, const Vector &, const double, Vector &)
+    const double, const Vector &, const Vector &, const double, Vector &); \
+  template void Evolution<dim>::apply_relaxation(const unsigned int,       \
+                                                 const double,             \
+                                                 const double,             \
+                                                 Vector &)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

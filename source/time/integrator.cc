@@ -8,7 +8,6 @@
 // either version 2.1 of the License, or (at your option) any later version.
 //
 // ---------------------------------------------------------------------
-
 #include <crevasse/time/integrator.h>
 
 namespace Crevasse
@@ -16,6 +15,33 @@ namespace Crevasse
   void
   Integrator::restart()
   {
+  }
+
+
+
+  void
+  Integrator::start(RateEquation &f,
+                    const double  t,
+                    const Vector &r,
+                    Vector       &rate)
+  {
+    f.rate(t, r, rate);
+  }
+
+
+
+  bool
+  Integrator::has_error_estimate() const
+  {
+    return false;
+  }
+
+
+
+  bool
+  Integrator::has_matrix_of_step() const
+  {
+    return false;
   }
 
 

@@ -14,22 +14,20 @@
 namespace Crevasse
 {
   void
-  PredictorCorrector::step(RateEquation                &f,
-                           const double                 t,
-                           const double                 time_step,
-                           Vector                      &r,
-                           const std::function<void()> &at_start)
+  PredictorCorrector::advance(RateEquation &f,
+                              const double  t,
+                              const double  time_step,
+                              const Vector &rate,
+                              Vector       &r,
+                              Vector *)
   {
-    rate.reinit(r, true);
-    f.rate(t, r, rate);
-    at_start();
-
+    last_rate.reinit(r, true);
     predicted = r;
     predicted.add(time_step, rate);
     const double half = 0.5 * time_step;
     r.add(half, rate);
-    f.semi_implicit_rate(t + time_step, predicted, r, half, rate);
-    r.add(half, rate);
+    f.semi_implicit_rate(t + time_step, predicted, r, half, last_rate);
+    r.add(half, last_rate);
   }
 
 

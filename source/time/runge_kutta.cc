@@ -15,39 +15,52 @@ namespace Crevasse
 {
   RungeKutta::RungeKutta(const ButcherTableau &tableau)
     : tableau(tableau)
-    , rates(tableau.weights.size())
+    , rates(tableau.weights.size() - 1)
   {
   }
 
 
 
   void
-  RungeKutta::step(RateEquation                &f,
-                   const double                 t,
-                   const double                 time_step,
-                   Vector                      &r,
-                   const std::function<void()> &at_start)
+  RungeKutta::advance(RateEquation &f,
+                      const double  t,
+                      const double  time_step,
+                      const Vector &rate,
+                      Vector       &r,
+                      Vector       *error)
   {
     if (!stage.partitioners_are_compatible(*r.get_partitioner()))
       {
         stage.reinit(r, true);
-        for (Vector &rate : rates)
-          rate.reinit(r, true);
+        for (Vector &later_rate : rates)
+          later_rate.reinit(r, true);
       }
+    const auto rate_of = [&](const unsigned int s) -> const Vector & {
+      return s == 0 ? rate : rates[s - 1];
+    };
+    const auto add = [&](Vector &to, const std::vector<double> &coefficients) {
+      for (unsigned int s = 0; s < coefficients.size(); ++s)
+        if (coefficients[s] != 0.)
+          to.add(time_step * coefficients[s], rate_of(s));
+    };
 
-    f.rate(t, r, rates[0]);
-    at_start();
-    for (unsigned int s = 1; s < rates.size(); ++s)
+    for (unsigned int s = 1; s < tableau.weights.size(); ++s)
       {
         stage = r;
-        for (unsigned int i = 0; i < s; ++i)
-          if (tableau.matrix[s][i] != 0.)
-            stage.add(time_step * tableau.matrix[s][i], rates[i]);
-        f.rate(t + tableau.nodes[s] * time_step, stage, rates[s]);
+        add(stage, tableau.matrix[s]);
+        f.rate(t + tableau.nodes[s] * time_step, stage, rates[s - 1]);
       }
-    for (unsigned int s = 0; s < rates.size(); ++s)
-      if (tableau.weights[s] != 0.)
-        r.add(time_step * tableau.weights[s], rates[s]);
+    add(r, tableau.weights);
+    if (error != nullptr)
+      add(*error, tableau.error_weights);
+  }
+
+
+
+  bool
+  RungeKutta::has_error_estimate() const
+  {
+    return !tableau.error_weights.empty();
   }
 
 

@@ -20,7 +20,11 @@ namespace Crevasse
   namespace
   {
     constexpr double gamma = 1. - dealii::numbers::SQRT1_2;
-  }
+    // The embedded method of order 1 has the weights (1−a, a), a = 2 − 5√2/4
+    // (Ellsiepen, 1999); γ − a is the difference.
+    constexpr double error_weight =
+      gamma - (2. - 1.25 * dealii::numbers::SQRT2);
+  } // namespace
 
 
 
@@ -33,23 +37,49 @@ namespace Crevasse
 
 
   void
-  Sdirk2::step(RateEquation                &f,
-               const double                 t,
-               const double                 time_step,
-               Vector                      &r,
-               const std::function<void()> &at_start)
+  Sdirk2::start(RateEquation &f, const double t, const Vector &r, Vector &rate)
   {
-    rate.reinit(r, true);
     if (!goes_on)
       f.rate(t, r, rate);
-    at_start();
+  }
 
+
+
+  void
+  Sdirk2::advance(RateEquation &f,
+                  const double  t,
+                  const double  time_step,
+                  const Vector &,
+                  Vector &r,
+                  Vector *error)
+  {
+    stage_rate.reinit(r, true);
     const double c = gamma * time_step;
-    f.implicit_rate(t + c, r, c, rate);
-    r.add((1. - gamma) * time_step, rate);
-    f.implicit_rate(t + time_step, r, c, rate);
-    r.add(c, rate);
+    f.implicit_rate(t + c, r, c, stage_rate);
+    r.add((1. - gamma) * time_step, stage_rate);
+    if (error != nullptr)
+      error->add(-error_weight * time_step, stage_rate);
+    f.implicit_rate(t + time_step, r, c, stage_rate);
+    r.add(c, stage_rate);
+    if (error != nullptr)
+      error->add(error_weight * time_step, stage_rate);
     goes_on = true;
+  }
+
+
+
+  bool
+  Sdirk2::has_error_estimate() const
+  {
+    return true;
+  }
+
+
+
+  bool
+  Sdirk2::has_matrix_of_step() const
+  {
+    return true;
   }
 
 

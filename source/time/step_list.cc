@@ -19,17 +19,54 @@
 
 namespace Crevasse
 {
-  StepList::StepList(const TimeIntegrationParameters &parameters,
-                     const double                     period)
-    : uniform(parameters.step_control == "uniform")
+  namespace
   {
+    /** Sorted, with 0 and the period, and without what rounding takes apart. */
+    std::vector<double>
+    complete(std::vector<double> instants, const double period)
+    {
+      instants.push_back(0.);
+      instants.push_back(period);
+      std::sort(instants.begin(), instants.end());
+      const double rounding = 1e-12 * period;
+      const auto   is_same  = [rounding](const double a, const double b) {
+        return b - a <= rounding;
+      };
+      instants.erase(std::unique(instants.begin(), instants.end(), is_same),
+                     instants.end());
+      instants.back() = period;
+      return instants;
+    }
+  } // namespace
+
+
+
+  double
+  StepList::within_period(const double t, const double period)
+  {
+    // A stage may end on the period but for rounding.
+    const double rest = t - period * std::floor(t / period);
+    return rest >= period * (1. - 1e-14) ? 0. : rest;
+  }
+
+
+
+  StepList::StepList(const TimeIntegrationParameters &parameters,
+                     const double                     period,
+                     const std::vector<double>       &more)
+    : uniform(parameters.step_control == "uniform")
+    , adaptive(parameters.step_control == "adaptive")
+  {
+    std::vector<double> asked_for;
     if (!uniform)
+      asked_for = parameters.steps;
+    if (adaptive)
+      for (const double t : more)
+        asked_for.push_back(within_period(t, period));
+    fixed = complete(asked_for, period);
+    if (!uniform && !adaptive)
       {
-        instants = parameters.steps;
-        if (instants.empty() || instants.front() > 0.)
-          instants.insert(instants.begin(), 0.);
-        if (instants.back() < period)
-          instants.push_back(period);
+        instants = fixed;
         return;
       }
     // Computed from the step number: sums of steps would drift.
@@ -37,6 +74,35 @@ namespace Crevasse
     instants.resize(n + 1);
     for (unsigned int k = 0; k <= n; ++k)
       instants[k] = period * k / n;
+    if (adaptive)
+      {
+        instants.insert(instants.end(), fixed.begin(), fixed.end());
+        instants = complete(instants, period);
+      }
+  }
+
+
+
+  void
+  StepList::reset(const std::vector<double> &new_instants)
+  {
+    instants = new_instants;
+  }
+
+
+
+  void
+  StepList::divide(const unsigned int k, const double t)
+  {
+    instants.insert(instants.begin() + k + 1, t);
+  }
+
+
+
+  const std::vector<double> &
+  StepList::fixed_instants() const
+  {
+    return fixed;
   }
 
 
@@ -117,9 +183,7 @@ namespace Crevasse
   double
   StepList::within_period(const double t) const
   {
-    // A stage may end on the period but for rounding.
-    const double rest = t - period() * std::floor(t / period());
-    return rest >= period() * (1. - 1e-14) ? 0. : rest;
+    return within_period(t, period());
   }
 
 
@@ -156,7 +220,25 @@ namespace Crevasse
       }
     else
       message << "Add instants to [Time integration] Steps";
-    message << "; or choose Scheme = sdirk2, which is stable with any step.";
+    message << "; or choose Scheme = sdirk2 or exponential, which are stable "
+               "with any step.";
+    throw NumericalError(message.str());
+  }
+
+
+
+  void
+  StepList::require_possible(const double longest_step) const
+  {
+    constexpr unsigned int most = TimeIntegrationParameters::most_steps;
+    if (period() <= most * longest_step)
+      return;
+    std::ostringstream message;
+    message << "The smallest relaxation time allows this scheme steps of "
+            << longest_step << ", which are more than " << most
+            << " in a period. Choose Scheme = sdirk2 or exponential, which are "
+               "stable with any step, or look at the viscosity in [Material], "
+               "at [Loads] Period and at their units.";
     throw NumericalError(message.str());
   }
 } // namespace Crevasse

@@ -16,6 +16,7 @@
 #include <crevasse/material/maxwell_law.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/time/exponential_heun.h>
 #include <crevasse/time/predictor_corrector.h>
 #include <crevasse/time/runge_kutta.h>
 #include <crevasse/time/sdirk.h>
@@ -67,6 +68,15 @@ namespace
                        const Vector &,
                        const double,
                        Vector &) override
+    {
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
+
+    void
+    apply_relaxation(const unsigned int,
+                     const double,
+                     const double,
+                     Vector &) override
     {
       AssertThrow(false, dealii::ExcNotImplemented());
     }
@@ -139,6 +149,17 @@ namespace
       rate(0)        = (q - known(0) / tau) / (1. + c / tau);
     }
 
+    void
+    apply_relaxation(const unsigned int order,
+                     const double,
+                     const double c,
+                     Vector      &values) override
+    {
+      const double z     = -c / tau;
+      const double first = std::expm1(z) / z;
+      values *= order == 1 ? first : (first - 1.) / z;
+    }
+
   private:
     const double tau, p;
   };
@@ -150,11 +171,14 @@ namespace
             const double       end,
             const unsigned int n_steps)
   {
-    Vector r(1);
+    Vector r(1), rate(1);
     r(0) = start;
     scheme.restart();
     for (unsigned int k = 0; k < n_steps; ++k)
-      scheme.step(equation, end * k / n_steps, end / n_steps, r, []() {});
+      {
+        scheme.start(equation, end * k / n_steps, r, rate);
+        scheme.advance(equation, end * k / n_steps, end / n_steps, rate, r);
+      }
     return r(0);
   }
 
@@ -328,6 +352,7 @@ main(int argc, char **argv)
                 Relaxation(0.5, 0.6),
                 2.);
     check_order("sdirk2", Sdirk2(), Relaxation(0.5, 0.6), 2.);
+    check_order("exponential", ExponentialHeun(), Relaxation(0.5, 0.6), 2.);
     check_stability("euler", RungeKutta(euler_tableau()));
     check_stability("heun", RungeKutta(heun_tableau(0.75)));
     check_stability("rk4", RungeKutta(rk4_tableau()));

@@ -19,6 +19,7 @@
 #include <crevasse/time/step_list.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -69,12 +70,11 @@ namespace Crevasse
     const Space<dim>           &space;
     const StressRecovery<dim>  &recovery;
     const ContactBoundary<dim> &lip;
-    const unsigned int          n_steps;
     const std::string           directory;
 
-    /** By step, so that a period replaces the one before. */
-    std::map<unsigned int, Snapshot> snapshots;
-    std::vector<bool>                wanted;
+    /** By instant, so that a period replaces the one before. */
+    std::map<double, Snapshot> snapshots;
+    std::set<double>           wanted;
   };
 } // namespace Crevasse
 

@@ -27,7 +27,7 @@ namespace Crevasse
   public:
     Progress(Log                        &log,
              const ContactBoundary<dim> &lip,
-             const unsigned int          steps_per_period,
+             const double                period,
              const unsigned int          maximum_periods,
              const MPI_Comm              communicator);
 
@@ -40,7 +40,7 @@ namespace Crevasse
   private:
     Log                        &log;
     const ContactBoundary<dim> &lip;
-    const unsigned int          steps_per_period;
+    const double                length; ///< of a period
     const unsigned int          maximum_periods;
     const MPI_Comm              communicator;
     const bool                  any_terminal;

@@ -25,6 +25,8 @@ namespace Crevasse
     unsigned int period; ///< 1 for the first
     unsigned int step;   ///< 0 … n_steps; n_steps only at the very end
     double       time;   ///< goes on over the periods
+    /** Within the period, the same in each; the period at the very end. */
+    double instant;
 
     const State  &state;
     const Vector &viscous_strain;

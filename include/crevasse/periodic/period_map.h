@@ -15,6 +15,7 @@
 #include <crevasse/periodic/observer.h>
 #include <crevasse/time/evolution.h>
 #include <crevasse/time/integrator.h>
+#include <crevasse/time/step_control.h>
 #include <crevasse/time/step_list.h>
 
 #include <functional>
@@ -30,7 +31,8 @@ namespace Crevasse
      * are sequences of elastic states. All arguments must outlive this. */
     PeriodMap(Evolution<dim> &evolution,
               Integrator     *integrator,
-              const StepList &steps);
+              StepControl    &step_control,
+              StepList       &steps);
 
     /** Advances @p r over period @p period (1 for the first) and shows the
      * state at the beginning of every step. */
@@ -54,11 +56,19 @@ namespace Crevasse
     has_memory() const;
 
   private:
+    /** One step of the list, or as far as the control divides it. */
+    void
+    step(const unsigned int                         period,
+         const unsigned int                         k,
+         Vector                                    &r,
+         const std::function<void(const Sample &)> &observe);
+
     Evolution<dim> &evolution;
     Integrator     *integrator;
-    const StepList &step_list;
+    StepControl    &step_control;
+    StepList       &step_list;
 
-    Vector unused_rate;
+    Vector rate; ///< at the beginning of a step
   };
 } // namespace Crevasse
 

@@ -14,26 +14,34 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <vector>
+#include <map>
 
 namespace Crevasse
 {
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
   /** The stress at all samples of one period, and how much each differs from
-   * the sample that it replaces. */
+   * the sample that it replaces: that of the same instant. */
   class StressHistory
   {
   public:
-    explicit StressHistory(const unsigned int n_samples);
+    /** @param period Instants are the same if they differ by rounding of it. */
+    explicit StressHistory(const double period);
 
+    /** @param t The instant within the period. */
     void
-    record(const unsigned int sample, const Vector &stress);
+    record(const double t, const Vector &stress);
 
-    /** Largest change since the last call, relative to the largest stress
-     * component (0 if all stress is zero), over all ranks; then starts anew. */
+    /** Ends a period. Largest change since the last call, relative to the
+     * largest stress component (0 if all stress is zero), over all ranks, and
+     * over those instants that the period before had too. What is new is
+     * compared with an unstressed state in the first period only. */
     double
     take_change();
+
+    /** Whether the last two periods had the same instants. */
+    bool
+    is_complete() const;
 
     /** Largest stress component of the last period for which take_change() was
      * called. */
@@ -41,11 +49,21 @@ namespace Crevasse
     largest_stress() const;
 
   private:
-    std::vector<Vector> samples;
-    MPI_Comm            communicator    = MPI_COMM_SELF;
-    double              largest_change  = 0.;
-    double              largest         = 0.;
-    double              largest_of_last = 0.;
+    struct Entry
+    {
+      Vector       stress;
+      unsigned int period;
+    };
+
+    const double            rounding;
+    std::map<double, Entry> samples;
+    unsigned int            periods  = 0; ///< that have ended
+    bool                    complete = true, complete_last = true;
+
+    MPI_Comm communicator    = MPI_COMM_SELF;
+    double   largest_change  = 0.;
+    double   largest         = 0.;
+    double   largest_of_last = 0.;
   };
 } // namespace Crevasse
 

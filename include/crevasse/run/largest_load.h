@@ -33,6 +33,12 @@ namespace Crevasse
   template <int dim>
   double
   largest_load(const Body<dim> &body, const StepList &steps);
+
+  /** A few instants whose elastic stress tells the size of all: that of the
+   * largest load, and some of the period. */
+  template <int dim>
+  std::vector<double>
+  instants_of_scale(const Body<dim> &body, const StepList &steps);
 } // namespace Crevasse
 
 #endif

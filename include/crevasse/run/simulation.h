@@ -22,6 +22,7 @@
 #include <crevasse/run/solvers.h>
 #include <crevasse/scene/scene.h>
 #include <crevasse/time/integrator.h>
+#include <crevasse/time/step_control.h>
 #include <crevasse/time/step_list.h>
 
 #include <deal.II/base/timer.h>
@@ -76,6 +77,10 @@ namespace Crevasse
     PeriodicResult
     march(Solvers<dim> &solvers, const std::vector<Observer *> &observers);
 
+    /** What integrator and step control have to say. */
+    void
+    summarise_steps(Summary &summary) const;
+
     void
     summarise(Summary &summary, Solvers<dim> &solvers) const;
 
@@ -92,8 +97,9 @@ namespace Crevasse
     const Body<dim>                        body;
     const StressRecovery<dim>              recovery;
     const std::vector<ProbeEvaluator<dim>> probes;
-    const StepList                         steps;
+    StepList                               steps;      // adaptive ones change
     const std::unique_ptr<Integrator>      integrator; // none without viscosity
+    std::unique_ptr<StepControl>           step_control;
     const double                           smallest_relaxation_time;
     const double                           largest_thermal_strain;
     SecularSplit                           secular_split;

@@ -57,6 +57,9 @@ namespace Crevasse
     ImplicitInstant<dim>
     implicit_material_at(const double t, const double c) override;
 
+    const RelaxationFunctions<dim> &
+    relaxation_at(const double t, const double c) override;
+
     /** The matrix, without its factor, and the contact problem of the last
      * instant that was asked for; before, those of the stiffness at t = 0. */
     ContactSystem<dim> &
@@ -91,10 +94,11 @@ namespace Crevasse
     const MaterialState<dim> &
     material_at(const double t);
 
-    typename InstantCache<AlgorithmicModuli<dim>>::Key
-    implicit_key(const double              t,
-                 const double              c,
-                 const MaterialState<dim> &material) const;
+    /** Of what depends on a time c. */
+    std::pair<double, double>
+    step_key(const double              t,
+             const double              c,
+             const MaterialState<dim> &material) const;
 
     const Scene     &scene;
     const Body<dim> &body;
@@ -108,10 +112,13 @@ namespace Crevasse
     SolverStatistics                    of_the_past;
 
     // What belongs to instants. A system is not dropped for a material.
-    InstantMemory                        memory;
-    InstantCache<MaterialState<dim>>     materials;
-    InstantCache<AlgorithmicModuli<dim>> moduli;
-    InstantCache<ContactSystem<dim>>     systems; ///< of K, or of moduli
+    InstantMemory                          memory;
+    InstantCache<MaterialState<dim>>       materials;
+    InstantCache<AlgorithmicModuli<dim>>   moduli;
+    InstantCache<RelaxationFunctions<dim>> relaxation;
+    InstantCache<ContactSystem<dim>>       systems; ///< of K, or of moduli
+
+    std::shared_ptr<const RelaxationFunctions<dim>> last_relaxation;
   };
 } // namespace Crevasse
 

@@ -189,6 +189,8 @@ namespace Crevasse
     double       absolute_tolerance    = 0.;
     unsigned int order                 = 4; ///< of ARKODE's methods
     bool         locate_contact_events = false;
+    /** Whether steps beyond the limit of the scheme are refused. */
+    bool check_stability = true;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -24,6 +24,8 @@ namespace Crevasse
     std::vector<double>              nodes;   ///< c, with c₁ = 0
     std::vector<std::vector<double>> matrix;  ///< a, row s has s entries
     std::vector<double>              weights; ///< b
+    /** b less those of an embedded method of order 1; empty: there is none. */
+    std::vector<double> error_weights;
 
     /** Length of the interval of the negative real axis on which the stability
      * function is at most 1 in modulus. */

@@ -83,6 +83,12 @@ namespace Crevasse
                        const double  c,
                        Vector       &rate) override;
 
+    void
+    apply_relaxation(const unsigned int order,
+                     const double       t,
+                     const double       c,
+                     Vector            &values) override;
+
     double
     stress_scale() const override;
 

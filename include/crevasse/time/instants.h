@@ -15,6 +15,7 @@
 #include <crevasse/contact/contact_solver.h>
 #include <crevasse/discretisation/algorithmic_moduli.h>
 #include <crevasse/discretisation/material_field.h>
+#include <crevasse/discretisation/relaxation_functions.h>
 
 namespace Crevasse
 {
@@ -55,6 +56,10 @@ namespace Crevasse
     /** The same without contact solver. */
     virtual ImplicitInstant<dim>
     implicit_material_at(const double t, const double c) = 0;
+
+    /** How the material relaxes over a time c, as at @p t. */
+    virtual const RelaxationFunctions<dim> &
+    relaxation_at(const double t, const double c) = 0;
   };
 } // namespace Crevasse
 

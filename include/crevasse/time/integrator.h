@@ -8,13 +8,11 @@
 // either version 2.1 of the License, or (at your option) any later version.
 //
 // ---------------------------------------------------------------------
-
 #ifndef crevasse_time_integrator_h
 #define crevasse_time_integrator_h
 
 #include <crevasse/time/rate_equation.h>
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,22 +41,46 @@ namespace Crevasse
     restart();
 
     /**
-     * One step from (t, r) to t + Δt.
+     * Makes the last evaluation of f that at (t, r), so that what f has solved
+     * on its way (the state at t) can be observed. Methods whose steps end with
+     * that evaluation have nothing to do where one step follows the other.
      *
-     * @param at_start called when the last evaluation of f was that at (t, r),
-     * so that what f has solved on its way (the state at t) can be observed.
+     * @param[out] rate f(r,t) for those methods that begin their steps with it;
+     * it has the layout of r.
      */
     virtual void
-    step(RateEquation                &f,
-         const double                 t,
-         const double                 time_step,
-         Vector                      &r,
-         const std::function<void()> &at_start) = 0;
+    start(RateEquation &f, const double t, const Vector &r, Vector &rate);
+
+    /**
+     * One step from (t, r), which was the last start, to t + Δt. Several steps
+     * of different lengths may be tried from one start.
+     *
+     * @param rate what start() gave.
+     * @param[in,out] error null, or a vector to which the estimated error of
+     * the step is added, if the method has_error_estimate(). It is the
+     * difference to an embedded method of order 1, in which the step is not
+     * continued.
+     */
+    virtual void
+    advance(RateEquation &f,
+            const double  t,
+            const double  time_step,
+            const Vector &rate,
+            Vector       &r,
+            Vector       *error = nullptr) = 0;
+
+    virtual bool
+    has_error_estimate() const;
 
     /** Largest Δt / τ_min for which decaying solutions decay; infinite for
-     * implicit methods. */
+     * methods without such a limit. */
     virtual double
     stability_limit() const = 0;
+
+    /** Whether every length of step has a matrix, and so a factorisation, of
+     * its own. */
+    virtual bool
+    has_matrix_of_step() const;
 
     /** The instants of a step at which f is evaluated, as fractions of the
      * step, and the rule by which it integrates an f that does not depend on

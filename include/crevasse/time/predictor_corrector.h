@@ -31,11 +31,12 @@ namespace Crevasse
   {
   public:
     void
-    step(RateEquation                &f,
-         const double                 t,
-         const double                 time_step,
-         Vector                      &r,
-         const std::function<void()> &at_start) override;
+    advance(RateEquation &f,
+            const double  t,
+            const double  time_step,
+            const Vector &rate,
+            Vector       &r,
+            Vector       *error) override;
 
     /** 6. If all relax alike there is none; it comes from where relaxing parts
      * are loaded by others. With two of them in parallel, of which one does not
@@ -52,7 +53,7 @@ namespace Crevasse
     description() const override;
 
   private:
-    Vector predicted, rate;
+    Vector predicted, last_rate;
   };
 } // namespace Crevasse
 

@@ -53,6 +53,14 @@ namespace Crevasse
                        const double  c,
                        Vector       &rate) = 0;
 
+    /** How each point relaxes over a time c where the strain is held: v ←
+     * φ(−cL) v, φ₁ or φ₂ by @p order, with L(t) = k w/η₀ HK. */
+    virtual void
+    apply_relaxation(const unsigned int order,
+                     const double       t,
+                     const double       c,
+                     Vector            &values) = 0;
+
     /** The largest stress of the elastic body over a period: what tolerances
      * are relative to. */
     virtual double

@@ -26,11 +26,15 @@ namespace Crevasse
     explicit RungeKutta(const ButcherTableau &tableau);
 
     void
-    step(RateEquation                &f,
-         const double                 t,
-         const double                 time_step,
-         Vector                      &r,
-         const std::function<void()> &at_start) override;
+    advance(RateEquation &f,
+            const double  t,
+            const double  time_step,
+            const Vector &rate,
+            Vector       &r,
+            Vector       *error) override;
+
+    bool
+    has_error_estimate() const override;
 
     double
     stability_limit() const override;
@@ -45,7 +49,7 @@ namespace Crevasse
     const ButcherTableau tableau;
 
     // Work space, given its size by the first step and kept.
-    std::vector<Vector> rates;
+    std::vector<Vector> rates; ///< but the first
     Vector              stage;
   };
 } // namespace Crevasse

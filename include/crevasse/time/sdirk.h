@@ -33,11 +33,24 @@ namespace Crevasse
     restart() override;
 
     void
-    step(RateEquation                &f,
-         const double                 t,
-         const double                 time_step,
-         Vector                      &r,
-         const std::function<void()> &at_start) override;
+    start(RateEquation &f,
+          const double  t,
+          const Vector &r,
+          Vector       &rate) override;
+
+    void
+    advance(RateEquation &f,
+            const double  t,
+            const double  time_step,
+            const Vector &rate,
+            Vector       &r,
+            Vector       *error) override;
+
+    bool
+    has_error_estimate() const override;
+
+    bool
+    has_matrix_of_step() const override;
 
     double
     stability_limit() const override;
@@ -50,7 +63,7 @@ namespace Crevasse
 
   private:
     bool   goes_on = false; ///< the last evaluation was at the last step's end
-    Vector rate;
+    Vector stage_rate;
   };
 } // namespace Crevasse
 

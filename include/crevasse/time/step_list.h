@@ -19,12 +19,26 @@
 namespace Crevasse
 {
   /** The instants 0 = t₀ < t₁ < … = T at which a period is sampled: M = 1 +
-   * number of steps in the paper's count. */
+   * number of steps in the paper's count. Adaptive steps change while they are
+   * taken. */
   class StepList
   {
   public:
-    /** Uniform steps, or the scene's list completed by 0 and the period. */
-    StepList(const TimeIntegrationParameters &parameters, const double period);
+    /** Uniform steps, or the scene's list completed by 0 and the period; for
+     * adaptive steps both, as a first guess.
+     *
+     * @param more instants at which steps end if they are adaptive. */
+    StepList(const TimeIntegrationParameters &parameters,
+             const double                     period,
+             const std::vector<double>       &more = {});
+
+    /** Replaces all instants; the first is 0, the last the period. */
+    void
+    reset(const std::vector<double> &new_instants);
+
+    /** Ends step @p k at @p t, where a new one begins. */
+    void
+    divide(const unsigned int k, const double t);
 
     unsigned int
     n_steps() const;
@@ -35,6 +49,10 @@ namespace Crevasse
     /** Instant k within the period, 0 ≤ k ≤ n_steps(). */
     double
     instant(const unsigned int k) const;
+
+    /** Those instants that the scene asks for by name, 0 and the period. */
+    const std::vector<double> &
+    fixed_instants() const;
 
     double
     step(const unsigned int k) const;
@@ -63,9 +81,18 @@ namespace Crevasse
     require_stability(const double limit,
                       const double smallest_relaxation_time) const;
 
+    /** @throw NumericalError if steps of at most this length are too many. */
+    void
+    require_possible(const double longest_step) const;
+
   private:
+    static double
+    within_period(const double t, const double period);
+
     const bool          uniform;
+    const bool          adaptive;
     std::vector<double> instants;
+    std::vector<double> fixed;
   };
 } // namespace Crevasse
 

@@ -1,0 +1,198 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#include <crevasse/scene/problems.h>
+#include <crevasse/time/adaptive_steps.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Crevasse
+{
+  namespace
+  {
+    constexpr unsigned int most_searches = 3;
+    // Steps are found anew if so many of them would do.
+    constexpr double too_many = 0.7;
+    constexpr double safety   = 0.9;
+
+
+
+    [[noreturn]] void
+    fail(const double t, const double step, const double error)
+    {
+      std::ostringstream message;
+      message << "no step is short enough for the tolerance: from t = " << t
+              << " on a step of " << step << " still has " << error
+              << " times the error that is allowed. Choose a larger [Time "
+                 "integration] Relative tolerance; if a load or a material "
+                 "jumps at an instant, name it in Steps, so that a step ends "
+                 "there.";
+      throw NumericalError(message.str());
+    }
+  } // namespace
+
+
+
+  AdaptiveSteps::AdaptiveSteps(const Settings &settings)
+    : settings(settings)
+    , proposed(settings.largest_step)
+  {
+  }
+
+
+
+  void
+  AdaptiveSteps::begin_period(StepList &steps)
+  {
+    is_free =
+      n_found == 0 || (n_found < most_searches && needed < too_many * taken);
+    if (is_free)
+      {
+        steps.reset(settings.fixed_instants);
+        ++n_found;
+      }
+    needed = 0.;
+    taken  = 0;
+  }
+
+
+
+  double
+  AdaptiveSteps::dyadic_step(const double t, const double longest) const
+  {
+    const std::vector<double> &fixed = settings.fixed_instants;
+    const double rounding            = 1e-12 * (fixed.back() - fixed.front());
+    const auto   after =
+      std::upper_bound(fixed.begin(), fixed.end() - 1, t + rounding);
+    const double begin = *(after - 1);
+    double       step  = *after - begin;
+    const auto   fits  = [&]() {
+      const double parts = (t - begin) / step;
+      return step <= longest * (1. + 1e-12) &&
+             std::abs(parts - std::round(parts)) * step <= rounding;
+    };
+    while (!fits())
+      step *= 0.5;
+    return step;
+  }
+
+
+
+  double
+  AdaptiveSteps::first_trial(const Integrator &integrator,
+                             const double      t,
+                             const double      end) const
+  {
+    const double left = end - t;
+    if (!is_free)
+      return left;
+    const double longest = std::min(proposed, settings.largest_step);
+    if (integrator.has_matrix_of_step())
+      return std::min(left, dyadic_step(t, longest));
+    // Two steps of the same length instead of one and a short rest.
+    return left <= longest ? left : std::min(longest, 0.5 * left);
+  }
+
+
+
+  double
+  AdaptiveSteps::relative_error(const RateEquation &f, const Vector &r)
+  {
+    if (!scale.partitioners_are_compatible(*r.get_partitioner()) ||
+        scale.size() == 0)
+      f.strain_per_stress(r, scale);
+    double largest = 0.;
+    for (unsigned int i = 0; i < error.locally_owned_size(); ++i)
+      {
+        const double stress =
+          std::abs(error.local_element(i)) / scale.local_element(i);
+        // A comparison with nan is false.
+        largest = stress <= largest ? largest : stress;
+      }
+    largest = dealii::Utilities::MPI::max(largest, r.get_mpi_communicator());
+    const double allowed = settings.relative_tolerance * f.stress_scale() +
+                           settings.absolute_tolerance;
+    return largest == 0. ? 0. : largest / allowed;
+  }
+
+
+
+  void
+  AdaptiveSteps::propose(const double step,
+                         const double step_error,
+                         const bool   was_rejected)
+  {
+    // The error of the embedded method is of the order 2 in the step.
+    const double now    = std::max(step_error, 1e-8);
+    double       factor = safety * std::pow(now, -0.35) * //
+                    std::pow(last_error, 0.2);
+    factor     = std::clamp(factor, 0.2, was_rejected ? 1. : 4.);
+    proposed   = std::min(step * factor, settings.largest_step);
+    last_error = now;
+  }
+
+
+
+  void
+  AdaptiveSteps::advance(Integrator        &integrator,
+                         RateEquation      &f,
+                         StepList          &steps,
+                         const unsigned int k,
+                         const Vector      &rate,
+                         Vector            &r)
+  {
+    const double t = steps.instant(k), end = steps.instant(k + 1);
+    double       step         = first_trial(integrator, t, end);
+    bool         was_rejected = false;
+    error.reinit(r, true);
+    saved = r;
+    while (true)
+      {
+        error = 0.;
+        integrator.advance(f, t, step, rate, r, &error);
+        const double step_error = relative_error(f, r);
+        if (step_error <= 1.)
+          {
+            propose(step, step_error, was_rejected);
+            needed += std::sqrt(step_error) / safety;
+            break;
+          }
+        if (step < 1e-10 * steps.period())
+          fail(t, step, step_error);
+        ++rejected;
+        was_rejected = true;
+        r            = saved;
+        // The steps of a list are halved, so that its lengths stay few.
+        const bool   halves = !is_free || integrator.has_matrix_of_step();
+        const double factor =
+          std::isfinite(step_error) ? safety / std::sqrt(step_error) : 0.1;
+        step *= halves ? 0.5 : std::clamp(factor, 0.1, 0.8);
+      }
+    ++accepted;
+    ++taken;
+    if (end - t - step > 1e-12 * steps.period())
+      steps.divide(k, t + step);
+  }
+
+
+
+  IntegratorStatistics
+  AdaptiveSteps::statistics() const
+  {
+    return {{"accepted_steps", accepted},
+            {"rejected_steps", rejected},
+            {"steps_of_last_period", taken},
+            {"searches_for_steps", n_found}};
+  }
+} // namespace Crevasse

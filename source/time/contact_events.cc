@@ -1,0 +1,260 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#include <crevasse/time/contact_events.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int most_events = 100;  // of a step
+    constexpr unsigned int most_trials = 12;   // for one of them
+    constexpr double       one_instant = 1e-4; // of a step
+    // Of the largest switching function; solutions are certified to less.
+    constexpr double rounding_of_functions = 1e-10;
+  } // namespace
+
+
+
+  ContactEvents::ContactEvents(std::unique_ptr<Integrator> &&method)
+    : method(std::move(method))
+  {
+  }
+
+
+
+  void
+  ContactEvents::restart()
+  {
+    goes_on = false;
+    method->restart();
+  }
+
+
+
+  void
+  ContactEvents::start(RateEquation &f,
+                       const double  t,
+                       const Vector &r,
+                       Vector       &rate)
+  {
+    if (goes_on)
+      std::swap(begin, to);
+    else
+      {
+        communicator = r.get_mpi_communicator();
+        begin.t      = t;
+        begin.rate.reinit(r, true);
+        method->start(f, t, r, begin.rate);
+        f.switching_functions(begin.functions);
+      }
+    goes_on = false;
+    rate    = begin.rate;
+  }
+
+
+
+  void
+  ContactEvents::go_to(RateEquation &f,
+                       const double  t,
+                       const bool    estimates_error)
+  {
+    ++trials;
+    to.t = t;
+    to.r = from.r;
+    to.rate.reinit(from.r, true);
+    if (estimates_error)
+      to.error.reinit(from.r);
+    method->advance(f,
+                    from.t,
+                    t - from.t,
+                    from.rate,
+                    to.r,
+                    estimates_error ? &to.error : nullptr);
+    method->start(f, t, to.r, to.rate);
+    f.switching_functions(to.functions);
+  }
+
+
+
+  void
+  ContactEvents::find_sides(const double shortest)
+  {
+    double largest = 0.;
+    for (const Place *place : {&from, &to})
+      for (const double function : place->functions)
+        largest = std::max(largest, std::abs(function));
+    rounding = std::max(rounding,
+                        rounding_of_functions *
+                          Utilities::MPI::max(largest, communicator));
+
+    const double part = shortest / (to.t - from.t);
+    sides.resize(from.functions.size());
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      {
+        const double before = from.functions[k], after = to.functions[k];
+        const bool   switches_at_once =
+          std::abs(before) <= part * std::abs(after - before);
+        sides[k] = switches_at_once || std::abs(before) <= rounding
+                     ? 0
+                     : (before > 0. ? 1 : -1);
+      }
+  }
+
+
+
+  double
+  ContactEvents::least_function(const Place &place) const
+  {
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      if (sides[k] != 0)
+        least = std::min(least, sides[k] * place.functions[k] + rounding);
+    return Utilities::MPI::min(least, communicator);
+  }
+
+
+
+  void
+  ContactEvents::locate(RateEquation &f,
+                        const double  shortest,
+                        const bool    estimates_error)
+  {
+    struct End
+    {
+      double t, value;
+      double weight = 1.;
+    };
+    const double end = to.t;
+    End          left{from.t, least_function(from)};
+    End          right{end, least_function(to)};
+    const End   *last = nullptr; // the end that was moved last
+    for (unsigned int trial = 0; trial < most_trials; ++trial)
+      {
+        const double at_left  = left.weight * left.value;
+        const double at_right = right.weight * right.value;
+        const double t =
+          left.t + (right.t - left.t) * at_left / (at_left - at_right);
+        if (trial == 0 && end - t <= shortest)
+          return; // the end is the event
+        go_to(f, t, estimates_error);
+
+        const double here  = least_function(to);
+        const double slope = (left.value - right.value) / (right.t - left.t);
+        if (std::abs(here) <= shortest * slope || right.t - left.t <= shortest)
+          return;
+        End &moved = here > 0. ? left : right;
+        End &stays = here > 0. ? right : left;
+        // One that stays again counts less, so that both ends come closer.
+        const double ratio = 1. - here / moved.value;
+        stays.weight *= last != &moved ? 1. : (ratio > 0. ? ratio : 0.5);
+        moved = {t, here};
+        last  = &moved;
+      }
+  }
+
+
+
+  void
+  ContactEvents::advance(RateEquation &f,
+                         const double  t,
+                         const double  time_step,
+                         const Vector &rate,
+                         Vector       &r,
+                         Vector       *error)
+  {
+    const double end      = t + time_step;
+    const double shortest = one_instant * time_step;
+    from.t                = t;
+    from.r                = r;
+    from.rate             = rate;
+    from.functions        = begin.functions;
+    for (unsigned int n = 0;; ++n)
+      {
+        go_to(f, end, error != nullptr);
+        find_sides(shortest);
+        const bool crosses = least_function(to) < 0.;
+        if (crosses && n < most_events)
+          {
+            locate(f, shortest, error != nullptr);
+            ++events;
+          }
+        else if (crosses)
+          ++given_up;
+        if (error != nullptr)
+          *error += to.error;
+        if (to.t == end)
+          break;
+        std::swap(from, to);
+      }
+    r       = to.r;
+    goes_on = true;
+  }
+
+
+
+  bool
+  ContactEvents::has_error_estimate() const
+  {
+    return method->has_error_estimate();
+  }
+
+
+
+  double
+  ContactEvents::stability_limit() const
+  {
+    return method->stability_limit();
+  }
+
+
+
+  bool
+  ContactEvents::has_matrix_of_step() const
+  {
+    return method->has_matrix_of_step();
+  }
+
+
+
+  TimeQuadrature
+  ContactEvents::quadrature() const
+  {
+    return method->quadrature();
+  }
+
+
+
+  std::string
+  ContactEvents::description() const
+  {
+    return method->description() + " with contact events";
+  }
+
+
+
+  IntegratorStatistics
+  ContactEvents::statistics() const
+  {
+    IntegratorStatistics all = method->statistics();
+    all.emplace_back("contact_events", events);
+    all.emplace_back("trial_steps", trials);
+    all.emplace_back("steps_with_too_many_events", given_up);
+    return all;
+  }
+} // namespace Crevasse

@@ -1,0 +1,76 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#include <crevasse/time/exponential_heun.h>
+
+#include <limits>
+
+namespace Crevasse
+{
+  void
+  ExponentialHeun::advance(RateEquation &f,
+                           const double  t,
+                           const double  time_step,
+                           const Vector &rate,
+                           Vector       &r,
+                           Vector       *error)
+  {
+    second_rate.reinit(r, true);
+    increment = rate;
+    f.apply_relaxation(1, t, time_step, increment);
+    increment *= time_step;
+    r += increment;
+    f.rate(t + time_step, r, second_rate);
+
+    // Into one vector: Δt φ₂ [f(a) − f(r)] + d − φ₁ d.
+    second_rate -= rate;
+    f.apply_relaxation(2, t, time_step, second_rate);
+    second_rate *= time_step;
+    second_rate += increment;
+    f.apply_relaxation(1, t, time_step, increment);
+    second_rate -= increment;
+    r += second_rate;
+    if (error != nullptr)
+      *error += second_rate;
+  }
+
+
+
+  bool
+  ExponentialHeun::has_error_estimate() const
+  {
+    return true;
+  }
+
+
+
+  double
+  ExponentialHeun::stability_limit() const
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+
+
+
+  TimeQuadrature
+  ExponentialHeun::quadrature() const
+  {
+    // How the two rates are weighted depends on the relaxation.
+    return {{0., 1.}, {}};
+  }
+
+
+
+  std::string
+  ExponentialHeun::description() const
+  {
+    return "exponential";
+  }
+} // namespace Crevasse
