@@ -24,7 +24,7 @@ namespace Crevasse
   {
     constexpr unsigned int most_events = 100;  // of a step
     constexpr unsigned int most_trials = 12;   // for one of them
-    constexpr double       one_instant = 1e-4; // of a step
+    constexpr double       one_instant = 1e-7; // of a step
     // Of the largest switching function; solutions are certified to less.
     constexpr double rounding_of_functions = 1e-10;
   } // namespace
