@@ -312,9 +312,9 @@ namespace Crevasse
                       list_of_numbers);
     prm.add_parameter("Relative tolerance",
                       relative_tolerance,
-                      "Error of the stress that a step of the step control "
-                      "\"adaptive\" may make, relative to the largest elastic "
-                      "stress of the period. Allowed: a number of at least 0 "
+                      "Error of the stress that the step control \"adaptive\" "
+                      "aims at, relative to the largest elastic stress of the "
+                      "period. Allowed: a number of at least 0 "
                       "and less than 1");
     prm.add_parameter("Absolute tolerance",
                       absolute_tolerance,

@@ -18,7 +18,8 @@
 namespace Crevasse
 {
   /**
-   * Steps whose estimated error of the stress is within a tolerance.
+   * Steps whose error of the stress is within a tolerance: a part of what an
+   * embedded method of order 1 estimates.
    *
    * The first period finds them by a proportional–integral controller
    * (Gustafsson, ACM Trans. Math. Softw. 17, 1991; Hairer and Wanner, Solving
@@ -48,8 +49,7 @@ namespace Crevasse
     void
     begin_period(StepList &steps) override;
 
-    /** @throw NumericalError if the tolerance takes steps that are lost in
-     * rounding. */
+    /** @throw NumericalError if the tolerance takes too many steps. */
     void
     advance(Integrator        &integrator,
             RateEquation      &f,
