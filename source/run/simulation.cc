@@ -178,7 +178,8 @@ namespace Crevasse
 
   template <int dim>
   void
-  Simulation<dim>::run(const std::string &directory)
+  Simulation<dim>::run(const std::string             &directory,
+                       const std::vector<Observer *> &others)
   {
     Timer        timer;
     Solvers<dim> solvers(scene, body, steps, log, phases);
@@ -195,7 +196,7 @@ namespace Crevasse
           summarise(summary, solvers);
           return PeriodicResult();
         }
-      Outputs<dim>         outputs(scene,
+      Outputs<dim>            outputs(scene,
                            body,
                            recovery,
                            probes,
@@ -204,7 +205,9 @@ namespace Crevasse
                            integrator.get(),
                            log,
                            directory);
-      const PeriodicResult result = march(solvers, outputs.observers());
+      std::vector<Observer *> observers = outputs.observers();
+      observers.insert(observers.end(), others.begin(), others.end());
+      const PeriodicResult result = march(solvers, observers);
       summarise(summary, solvers);
       outputs.finish(summary);
       if (body.effects.viscosity.on)
@@ -234,6 +237,15 @@ namespace Crevasse
     std::snprintf(text, sizeof(text), "  Time = %.2f s", timer.wall_time());
     log.line(text);
     conclude(result);
+  }
+
+
+
+  template <int dim>
+  const Body<dim> &
+  Simulation<dim>::discretised_body() const
+  {
+    return body;
   }
 
 
@@ -445,7 +457,7 @@ namespace Crevasse
                              scene.periodic_state.tolerance)
             << " or \"Tolerance\", or set Tolerance = 0 to compute a fixed "
                "number of periods.";
-    throw NumericalError(message.str());
+    throw NotPeriodicError(message.str());
   }
 
 

@@ -1,0 +1,434 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/output/output_directory.h>
+#include <crevasse/run/history.h>
+#include <crevasse/run/parameter_sweep.h>
+#include <crevasse/run/sweep_run.h>
+#include <crevasse/run/version.h>
+#include <crevasse/scene/collectively.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/scene_file.h>
+#include <crevasse/scene/text.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <map>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::string
+    sweep_directory(const Command &command, const Scene &scene)
+    {
+      if (!command.output_directory.empty())
+        return command.output_directory;
+      return (!scene.output_directory.empty()
+                ? scene.output_directory
+                : "results/" +
+                    std::filesystem::path(command.scene_file).stem().string()) +
+             "_sweep";
+    }
+
+
+
+    bool
+    want_stress(const std::vector<Quantity> &quantities)
+    {
+      return std::any_of(quantities.begin(),
+                         quantities.end(),
+                         [](const Quantity &quantity) {
+                           return quantity.is_stress_field();
+                         });
+    }
+
+
+
+    /** Everything that is wrong with some scenes that share most of their
+     * mistakes, each told once. */
+    class Mistakes
+    {
+    public:
+      void
+      collect(const std::function<void()> &read)
+      {
+        try
+          {
+            read();
+          }
+        catch (const SceneError &error)
+          {
+            add(error.what());
+          }
+      }
+
+      void
+      throw_if_any() const
+      {
+        if (!lines.empty())
+          throw SceneError((lines.size() == 1
+                              ? ""
+                              : std::to_string(lines.size()) + " problems:\n") +
+                           Text::join(lines, "\n"));
+      }
+
+    private:
+      void
+      add(const std::string &message)
+      {
+        const auto all = Text::split(message, '\n');
+        // What Problems says of more than one begins with their number.
+        for (std::size_t i = all.size() > 1 ? 1 : 0; i < all.size(); ++i)
+          if (std::find(lines.begin(), lines.end(), all[i]) == lines.end())
+            lines.push_back(all[i]);
+      }
+
+      std::vector<std::string> lines;
+    };
+
+
+
+    /** Ends the sweep as the reference run would have ended by itself. */
+    [[noreturn]] void
+    throw_of_reference(const std::exception_ptr &exception)
+    {
+      const std::string what = "The reference run: ";
+      try
+        {
+          std::rethrow_exception(exception);
+        }
+      catch (const SceneError &error)
+        {
+          throw SceneError(what + error.what());
+        }
+      catch (const std::exception &error)
+        {
+          throw NumericalError(what + error.what());
+        }
+    }
+  } // namespace
+
+
+
+  ParameterSweep::ParameterSweep(const Command &command,
+                                 const MPI_Comm for_failures,
+                                 Log           &log)
+    : command(command)
+    , communicator(MPI_COMM_WORLD)
+    , for_failures(for_failures)
+    , log(log)
+    , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , plan(command.sweep_request)
+  {
+    read_all();
+    refuse_equal_points();
+    std::vector<const Scene *> scenes = {&base.scene};
+    for (const Variant &point : points)
+      scenes.push_back(&point.scene);
+    quantities = choose_quantities(command.sweep_request, scenes);
+    directory  = sweep_directory(command, base.scene);
+    table      = std::make_unique<SweepTable>(
+      plan,
+      quantities,
+      "Sweep of " +
+        std::filesystem::path(command.scene_file).filename().string(),
+      describe_reference());
+  }
+
+
+
+  ParameterSweep::Variant
+  ParameterSweep::read(const std::vector<Override> &own) const
+  {
+    // Fields of many points fill disks; whoever wants them says so.
+    std::vector<Override> overrides = {{"Output/Fields=none", "sweep"}};
+    overrides.insert(overrides.end(),
+                     command.overrides.begin(),
+                     command.overrides.end());
+    overrides.insert(overrides.end(), own.begin(), own.end());
+
+    ParameterHandler prm;
+    Problems         problems;
+    Variant          variant;
+    variant.scene = read_scene(command.scene_file, overrides, prm, problems);
+    variant.scene.check(problems);
+    problems.throw_if_any();
+    variant.used = used_parameters(prm);
+    return variant;
+  }
+
+
+
+  void
+  ParameterSweep::read_all()
+  {
+    std::vector<std::vector<Override>> all(1);
+    for (const std::string &text : command.sweep_request.reference)
+      all[0].push_back({text, "--reference"});
+    for (const SweepPoint &point : plan.points())
+      all.push_back(plan.overrides(point));
+
+    Mistakes             mistakes;
+    std::vector<Variant> variants(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      mistakes.collect([&]() { variants[i] = read(all[i]); });
+    mistakes.throw_if_any();
+    base = std::move(variants[0]);
+    points.assign(std::make_move_iterator(variants.begin() + 1),
+                  std::make_move_iterator(variants.end()));
+  }
+
+
+
+  void
+  ParameterSweep::refuse_equal_points() const
+  {
+    std::map<std::string, std::size_t> known; // folders, too, would be one
+    for (std::size_t p = 0; p < points.size(); ++p)
+      {
+        const auto [place, is_new] = known.emplace(points[p].used, p);
+        if (!is_new)
+          throw SceneError("--vary: the points " +
+                           std::to_string(place->second + 1) + " and " +
+                           std::to_string(p + 1) +
+                           " are the same: each value may be listed once");
+      }
+  }
+
+
+
+  bool
+  ParameterSweep::needs_reference() const
+  {
+    return std::any_of(quantities.begin(),
+                       quantities.end(),
+                       [](const Quantity &quantity) {
+                         return quantity.exact == nullptr;
+                       });
+  }
+
+
+
+  std::string
+  ParameterSweep::describe_reference() const
+  {
+    std::vector<std::string> parts;
+    if (needs_reference())
+      parts.push_back("the run with " +
+                      Text::join(command.sweep_request.reference, ", "));
+    for (const Quantity &quantity : quantities)
+      if (quantity.exact != nullptr)
+        parts.push_back(quantity.name + " = " + quantity.exact->formula());
+    return "Errors are measured against " + Text::join(parts, "; ");
+  }
+
+
+
+  std::string
+  ParameterSweep::basis() const
+  {
+    std::string text;
+    for (const Quantity &quantity : quantities)
+      text +=
+        quantity.name +
+        (quantity.exact != nullptr ? " = " + quantity.exact->formula() : "") +
+        "; ";
+    if (needs_reference())
+      text += base.used;
+    return std::to_string(std::hash<std::string>()(text));
+  }
+
+
+
+  void
+  ParameterSweep::run()
+  {
+    collectively(communicator, [&]() {
+      if (first_rank)
+        require_writable_directory(directory);
+    });
+    log.open_file(directory + "/log.txt");
+    log.line("Crevasse " CREVASSE_VERSION ": sweep of " +
+             std::filesystem::path(command.scene_file).filename().string() +
+             ", " + std::to_string(points.size()) + " points");
+    log.line("  " + describe_reference());
+    if (needs_reference())
+      table->set_reference(find_reference());
+
+    for (std::size_t p = 0; p < points.size(); ++p)
+      {
+        const SweepFolder folder(directory + '/' + plan.points()[p].folder,
+                                 points[p].used);
+        if (const auto result = stored(points[p], folder))
+          {
+            conclude_point(p, *result, true);
+            continue;
+          }
+        SweepResult result = run_for_sweep(points[p].scene,
+                                           folder,
+                                           want_stress(quantities),
+                                           for_failures)
+                               .result;
+        collectively(communicator, [&]() {
+          if (first_rank)
+            {
+              measure(points[p], folder, result);
+              folder.finish(result);
+            }
+        });
+        conclude_point(p, result, false);
+      }
+
+    log.line("  table in " + directory + "/sweep.md, sweep.csv, sweep.json");
+    if (Utilities::MPI::broadcast(communicator, table->n_with_results(), 0) ==
+        0)
+      throw NumericalError("None of the points has results: " + directory +
+                           "/sweep.md tells why.");
+  }
+
+
+
+  SweepResult
+  ParameterSweep::find_reference()
+  {
+    const SweepFolder folder(directory + "/reference", base.used);
+    const auto        read_stress = [&]() {
+      if (want_stress(quantities))
+        reference_stress =
+          std::make_unique<StressRecord>(folder.file(SweepFolder::stress_file));
+    };
+
+    SweepResult result;
+    bool        was_there = false;
+    if (first_rank)
+      try
+        {
+          const auto finished = folder.finished();
+          was_there           = finished && finished->has_results();
+          if (was_there)
+            {
+              read_stress();
+              result = *finished;
+            }
+        }
+      catch (const FileError &)
+        {
+          was_there = false; // damaged
+        }
+    was_there = Utilities::MPI::broadcast(communicator, was_there, 0);
+    if (!was_there)
+      {
+        log.progress("  reference ...");
+        const SweepRun run = run_for_sweep(base.scene,
+                                           folder,
+                                           want_stress(quantities),
+                                           for_failures);
+        if (run.exception != nullptr)
+          throw_of_reference(run.exception);
+        result = run.result;
+        collectively(communicator, [&]() {
+          if (first_rank)
+            {
+              read_stress();
+              folder.finish(result);
+            }
+        });
+      }
+    log.line(std::string("  reference: ") +
+             (was_there ? "already there" : "computed"));
+    return result;
+  }
+
+
+
+  std::optional<SweepResult>
+  ParameterSweep::stored(const Variant &variant, const SweepFolder &folder)
+  {
+    std::optional<SweepResult> result;
+    std::string                remark;
+    if (first_rank)
+      {
+        result = folder.finished();
+        if (result && result->has_results() && result->basis != basis())
+          try
+            {
+              measure(variant, folder, *result);
+              remark = "  errors of " + folder.path() + " measured anew";
+            }
+          catch (const FileError &error)
+            {
+              remark =
+                std::string("  computed again, to measure errors anew: ") +
+                error.what();
+              result = std::nullopt;
+            }
+      }
+    const bool there =
+      Utilities::MPI::broadcast(communicator, result.has_value(), 0);
+    collectively(communicator, [&]() {
+      if (there && !remark.empty())
+        folder.finish(*result);
+    });
+    if (!remark.empty())
+      log.line(remark);
+    if (there && !result)
+      result = SweepResult(); // the other ranks need not know more
+    return result;
+  }
+
+
+
+  void
+  ParameterSweep::measure(const Variant     &variant,
+                          const SweepFolder &folder,
+                          SweepResult       &result)
+  {
+    result.basis = basis();
+    result.errors.clear();
+    if (!result.has_results())
+      return;
+    const double tolerance = 1e-9 * variant.scene.loads.period;
+    for (const Quantity &quantity : quantities)
+      result.errors[quantity.name] =
+        quantity.is_stress_field()
+          ? StressRecord(folder.file(SweepFolder::stress_file))
+              .error(*reference_stress)
+          : history_error(quantity,
+                          folder.path(),
+                          directory + "/reference",
+                          tolerance);
+  }
+
+
+
+  void
+  ParameterSweep::conclude_point(const std::size_t  number,
+                                 const SweepResult &result,
+                                 const bool         was_there)
+  {
+    std::string line;
+    collectively(communicator, [&]() {
+      if (!first_rank)
+        return;
+      table->add(result);
+      table->write(directory);
+      line = table->line(number);
+    });
+    log.line("  " + std::to_string(number + 1) + " of " +
+             std::to_string(points.size()) + ": " + line +
+             (was_there ? " (already there)" : ""));
+  }
+} // namespace Crevasse

@@ -1,0 +1,417 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/run/sweep_folder.h>
+#include <crevasse/run/sweep_table.h>
+#include <crevasse/scene/text.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** For people: two significant digits. */
+    std::string
+    short_number(const std::optional<double> &number, const char *format)
+    {
+      if (!number)
+        return "";
+      char text[40];
+      std::snprintf(text, sizeof(text), format, *number);
+      return text;
+    }
+
+
+
+    /** A cell of a table with commas, as RFC 4180 has it. */
+    std::string
+    csv_cell(const std::string &text)
+    {
+      if (text.find_first_of(",\"\n") == std::string::npos)
+        return text;
+      std::string quoted = "\"";
+      for (const char c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+      return quoted + '"';
+    }
+
+
+
+    std::string
+    csv_row(const std::vector<std::string> &cells)
+    {
+      std::vector<std::string> quoted;
+      for (const std::string &cell : cells)
+        quoted.push_back(csv_cell(cell));
+      return Text::join(quoted, ",") + '\n';
+    }
+
+
+
+    std::string
+    markdown_row(const std::vector<std::string> &cells)
+    {
+      std::string row = "|";
+      for (const std::string &cell : cells)
+        {
+          row += ' ';
+          for (const char c : cell)
+            row += c == '|' ? std::string("\\|") : std::string(1, c);
+          row += " |";
+        }
+      return row + '\n';
+    }
+
+
+
+    std::string
+    in_one_line(std::string text)
+    {
+      for (char &c : text)
+        if (c == '\n')
+          c = ' ';
+      return text;
+    }
+
+
+
+    /** A cost for people; nothing if it is not known. */
+    std::string
+    cost(const SweepResult &result, const std::string &name)
+    {
+      if (!result.costs.contains(name))
+        return "";
+      const Summary &value = result.costs.at(name);
+      return value.is_number_float() ? short_number(value.get<double>(), "%.2f")
+                                     : value.dump();
+    }
+
+
+
+    /** What a run has cost, in words. */
+    std::string
+    costs_in_words(const SweepResult &result)
+    {
+      const bool contact = cost(result, "vi_solves") != "0";
+      return (contact ? cost(result, "vi_solves") + " VIs"
+                      : cost(result, "linear_solves") + " linear solves") +
+             ", " + cost(result, "seconds") + " s";
+    }
+  } // namespace
+
+
+
+  SweepTable::SweepTable(const SweepPlan             &plan,
+                         const std::vector<Quantity> &quantities,
+                         const std::string           &title,
+                         const std::string           &reference)
+    : plan(plan)
+    , quantities(quantities)
+    , title(title)
+    , reference(reference)
+    , numbers(plan.main_numbers())
+  {
+  }
+
+
+
+  void
+  SweepTable::set_reference(const SweepResult &result)
+  {
+    reference_result = result;
+  }
+
+
+
+  void
+  SweepTable::add(const SweepResult &result)
+  {
+    results.push_back(result);
+  }
+
+
+
+  std::size_t
+  SweepTable::n_with_results() const
+  {
+    std::size_t n = 0;
+    for (const SweepResult &result : results)
+      n += result.has_results() ? 1 : 0;
+    return n;
+  }
+
+
+
+  void
+  SweepTable::write(const std::string &directory) const
+  {
+    write_atomically(csv(), directory + "/sweep.csv");
+    write_atomically(markdown(), directory + "/sweep.md");
+    write_atomically(json().dump(2) + '\n', directory + "/sweep.json");
+  }
+
+
+
+  std::optional<double>
+  SweepTable::error(const std::size_t point, const Quantity &quantity) const
+  {
+    const auto &errors = results[point].errors;
+    const auto  found  = errors.find(quantity.name);
+    return found == errors.end() ? std::nullopt : found->second.value;
+  }
+
+
+
+  std::vector<std::size_t>
+  SweepTable::group(const std::size_t point) const
+  {
+    const std::size_t        axis = plan.main_axis();
+    std::vector<std::size_t> group;
+    for (std::size_t other = 0; other < results.size(); ++other)
+      {
+        auto indices  = plan.points()[other].indices;
+        indices[axis] = plan.points()[point].indices[axis];
+        if (indices == plan.points()[point].indices)
+          group.push_back(other);
+      }
+    return group;
+  }
+
+
+
+  std::optional<double>
+  SweepTable::order(const std::size_t point, const Quantity &quantity) const
+  {
+    if (numbers.empty())
+      return std::nullopt;
+    const std::size_t axis   = plan.main_axis();
+    const auto        number = [&](const std::size_t p) {
+      return numbers[plan.points()[p].indices[axis]];
+    };
+    // d log(error) / d log(number)
+    const auto slope = [&](const std::size_t a,
+                           const std::size_t b) -> std::optional<double> {
+      const auto e = error(a, quantity), f = error(b, quantity);
+      if (!e || !f || !(*e > 0.) || !(*f > 0.))
+        return std::nullopt;
+      return std::log(*f / *e) / std::log(number(b) / number(a));
+    };
+
+    std::vector<std::size_t> known;
+    std::optional<double>    result;
+    for (const std::size_t p : group(point))
+      {
+        if (p == point && !known.empty() && p > 0)
+          result = slope(known.back(), p);
+        if (error(p, quantity) && *error(p, quantity) > 0.)
+          known.push_back(p);
+      }
+    if (!result || known.size() < 2)
+      return std::nullopt;
+    // Errors fall with the number of steps, and rise with a step size: both
+    // have a positive order.
+    const auto overall = slope(known.front(), known.back());
+    return overall && *overall > 0. ? *result : -*result;
+  }
+
+
+
+  std::string
+  SweepTable::csv() const
+  {
+    std::vector<std::string> header = {"point"};
+    for (const std::string &name : plan.parameters())
+      header.push_back(name);
+    header.push_back("status");
+    for (const Quantity &quantity : quantities)
+      for (const char *what : {"error:", "order:", "instants:"})
+        header.push_back(what + quantity.name);
+    for (const std::string &name : cost_names())
+      header.push_back(name);
+    header.push_back("message");
+
+    std::string text = csv_row(header);
+    for (std::size_t p = 0; p < results.size(); ++p)
+      {
+        const SweepResult       &result = results[p];
+        std::vector<std::string> row    = {plan.points()[p].folder};
+        for (const std::string &value : plan.points()[p].values)
+          row.push_back(value);
+        row.push_back(result.status);
+        for (const Quantity &quantity : quantities)
+          {
+            const auto value = error(p, quantity);
+            const auto found = result.errors.find(quantity.name);
+            row.push_back(value ? Text::from_number(*value) : "");
+            row.push_back(short_number(order(p, quantity), "%.3f"));
+            row.push_back(found == result.errors.end()
+                            ? ""
+                            : std::to_string(found->second.instants));
+          }
+        for (const std::string &name : cost_names())
+          row.push_back(
+            result.costs.contains(name) ? result.costs.at(name).dump() : "");
+        row.push_back(in_one_line(result.message));
+        text += csv_row(row);
+      }
+    return text;
+  }
+
+
+
+  std::string
+  SweepTable::short_name(const std::size_t parameter) const
+  {
+    const auto without_section = [](const std::string &name) {
+      return name.substr(name.rfind('/') + 1);
+    };
+    const std::string name = without_section(plan.parameters()[parameter]);
+    for (std::size_t k = 0; k < plan.parameters().size(); ++k)
+      if (k != parameter && without_section(plan.parameters()[k]) == name)
+        return plan.parameters()[parameter];
+    return name;
+  }
+
+
+
+  std::string
+  SweepTable::markdown() const
+  {
+    std::vector<std::string> header, rule;
+    for (std::size_t k = 0; k < plan.parameters().size(); ++k)
+      header.push_back(short_name(k));
+    for (const Quantity &quantity : quantities)
+      {
+        header.push_back("error of " + quantity.name);
+        if (!numbers.empty())
+          header.push_back("order");
+      }
+    for (const char *name : {"VIs",
+                             "linear solves",
+                             "factorisations",
+                             "rate evaluations",
+                             "seconds",
+                             "of these time stepping",
+                             "status"})
+      header.push_back(name);
+    for (std::size_t k = 0; k < header.size(); ++k)
+      rule.push_back(k + 1 == header.size() ? "---" : "---:");
+
+    std::string text = "# " + title + "\n\n" + reference;
+    if (reference_result)
+      text += " (" + costs_in_words(*reference_result) + ")";
+    text += ".\n\n" + markdown_row(header) + markdown_row(rule);
+    for (std::size_t p = 0; p < results.size(); ++p)
+      {
+        std::vector<std::string> row = plan.points()[p].values;
+        for (const Quantity &quantity : quantities)
+          {
+            row.push_back(short_number(error(p, quantity), "%.1e"));
+            if (!numbers.empty())
+              row.push_back(short_number(order(p, quantity), "%.2f"));
+          }
+        for (const char *name : {"vi_solves",
+                                 "linear_solves",
+                                 "factorisations",
+                                 "rate_evaluations",
+                                 "seconds",
+                                 "seconds_time_stepping"})
+          row.push_back(cost(results[p], name));
+        row.push_back(results[p].status);
+        text += markdown_row(row);
+      }
+    return text + markdown_notes();
+  }
+
+
+
+  std::string
+  SweepTable::markdown_notes() const
+  {
+    std::string notes;
+    for (std::size_t p = 0; p < results.size(); ++p)
+      {
+        const std::string begin = "- " + values(p) + ": ";
+        if (!results[p].message.empty())
+          notes += begin + results[p].status + ". " +
+                   in_one_line(results[p].message) + '\n';
+        for (const Quantity &quantity : quantities)
+          {
+            const auto found = results[p].errors.find(quantity.name);
+            if (found != results[p].errors.end() &&
+                !found->second.reason.empty())
+              notes += begin + "no error of " + quantity.name + ", because " +
+                       found->second.reason + ".\n";
+          }
+      }
+    return notes.empty() ? "" : "\nRemarks:\n\n" + notes;
+  }
+
+
+
+  Summary
+  SweepTable::json() const
+  {
+    Summary json;
+    json["title"]      = title;
+    json["parameters"] = plan.parameters();
+    for (const Quantity &quantity : quantities)
+      json["quantities"].push_back(quantity.name);
+    json["reference"]["description"] = reference;
+    if (reference_result)
+      json["reference"]["costs"] = reference_result->costs;
+    json["points"] = Summary::array();
+    for (std::size_t p = 0; p < results.size(); ++p)
+      {
+        Summary point;
+        point["folder"] = plan.points()[p].folder;
+        for (std::size_t k = 0; k < plan.parameters().size(); ++k)
+          point["values"][plan.parameters()[k]] = plan.points()[p].values[k];
+        point.update(results[p].to_json());
+        json["points"].push_back(point);
+      }
+    return json;
+  }
+
+
+
+  std::string
+  SweepTable::values(const std::size_t point) const
+  {
+    std::vector<std::string> parts;
+    for (std::size_t k = 0; k < plan.parameters().size(); ++k)
+      parts.push_back(short_name(k) + " = " + plan.points()[point].values[k]);
+    return Text::join(parts, ", ");
+  }
+
+
+
+  std::string
+  SweepTable::line(const std::size_t point) const
+  {
+    const SweepResult &result = results[point];
+    std::string        text   = values(point) + ": ";
+    if (!result.has_results())
+      return text + result.status;
+
+    constexpr std::size_t    most = 3;
+    std::vector<std::string> parts;
+    for (const Quantity &quantity : quantities)
+      if (const auto value = error(point, quantity);
+          value && parts.size() < most)
+        parts.push_back(quantity.name + ' ' + short_number(value, "%.1e"));
+    text += parts.empty() ? "no error" : "error of " + Text::join(parts, ", ");
+    text += "; " + costs_in_words(result);
+    return result.status == "done" ? text : text + "; " + result.status;
+  }
+} // namespace Crevasse
