@@ -89,7 +89,6 @@ def changes_with(rows, name, along):
 def draw(rows, options):
     try:
         from plotting import BLUE, GREEN, GREY, INK, VERMILION, pyplot
-        from matplotlib.ticker import LogLocator, NullFormatter
     except ImportError as missing:
         sys.exit(f"{missing}. Figures need Debian's package python3-matplotlib.")
     names = parameters(rows)
@@ -121,15 +120,22 @@ def draw(rows, options):
     axes.set_title(f"numbers: {along.split('/')[-1]}", fontsize=8, loc="right",
                    color=GREY)
     axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_minor_locator(LogLocator(subs=range(2, 10)))
-        low, high = axis.get_view_interval()
-        if high > 10 * low:
-            axis.set_minor_formatter(NullFormatter())
+    name_costs(axes)
     if others:
         axes.legend()
     figure.savefig(options.out)
     print(options.out)
+
+
+def name_costs(axes):
+    """Costs without powers of ten: 1, 2, 5, 10, ..."""
+    from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+    from plotting import ladder
+    low, high = axes.get_xlim()
+    axes.xaxis.set_major_locator(FixedLocator(
+        ladder(low, high, (1,) if high > 1e4 * low else (1, 2, 5))))
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:.10g}"))
 
 
 def write_numbers(axes, points):

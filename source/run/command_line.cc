@@ -137,14 +137,15 @@ namespace Crevasse
                      command.scene_file,
                      "The scene: a .prm or .json file")
         ->required();
-      add_overrides(*sweep,
-                    "--vary",
-                    "LIST",
-                    "\"Section/Name=a,b,c\": the values of a parameter, "
-                    "separated by \";\" if they contain commas. May be "
-                    "repeated: all combinations are computed. "
-                    "\"S/N=a,b & S/M=c,d\" changes two together",
-                    request.vary);
+      add_overrides(
+        *sweep,
+        "--vary",
+        "LIST",
+        "\"Section/Name=a,b,c\": the values of a parameter, "
+        "separated by \";\" if they contain commas, by \" | \" if both. May be "
+        "repeated: all combinations are computed. "
+        "\"S/N=a,b & S/M=c,d\" changes two together",
+        request.vary);
       add_overrides(*sweep,
                     "--reference",
                     "ASSIGNMENT",

@@ -25,7 +25,8 @@ namespace Crevasse
   {
     constexpr const char *form =
       "must have the form \"Section/Name=a,b,c\", with \";\" between values "
-      "that contain commas, and \" & \" between parameters that change "
+      "that contain commas, \" | \" between values that contain both, and \" & "
+      "\" between parameters that change "
       "together";
 
 
@@ -69,6 +70,23 @@ namespace Crevasse
 
 
 
+    /** Cuts at the rarest separator that there is: a value may contain those
+     * before it. */
+    std::vector<std::string>
+    list_of_values(const std::string &list)
+    {
+      const std::string bar = " | ";
+      if (list.find(bar) == std::string::npos)
+        return Text::split(list,
+                           list.find(';') == std::string::npos ? ',' : ';');
+      std::vector<std::string> values;
+      for (const std::string &value : parts_of(list, bar))
+        values.push_back(Text::squeeze(value));
+      return values;
+    }
+
+
+
     /** Adds one "Section/Name=a,b,c" to an axis. */
     void
     read_values(const std::string &option,
@@ -83,9 +101,8 @@ namespace Crevasse
           problems.add(quote(option) + form);
           return;
         }
-      const std::string list = text.substr(equals + 1);
-      const char separator   = list.find(';') == std::string::npos ? ',' : ';';
-      const std::vector<std::string> values = Text::split(list, separator);
+      const std::string              list   = text.substr(equals + 1);
+      const std::vector<std::string> values = list_of_values(list);
       if (values.empty() ||
           std::find(values.begin(), values.end(), "") != values.end())
         problems.add(quote(option) + name + " lacks a value; it " + form);

@@ -92,8 +92,10 @@ namespace Crevasse
       if (!result.costs.contains(name))
         return "";
       const Summary &value = result.costs.at(name);
-      return value.is_number_float() ? short_number(value.get<double>(), "%.2f")
-                                     : value.dump();
+      if (!value.is_number_float())
+        return value.dump();
+      const double seconds = value.get<double>();
+      return short_number(seconds, seconds < 10. ? "%.2g" : "%.1f");
     }
 
 

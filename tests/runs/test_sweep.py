@@ -34,7 +34,7 @@ def sweep(name, *arguments, status=0, fresh=True, ranks=1):
                            else execute_on(ranks, *words))
     check(code == status, f"{name}: exit status {code} instead of {status}\n"
                           + output + error)
-    return table(directory) if status == 0 else None, output or error
+    return (table(directory), output) if status == 0 else (None, error)
 
 
 def table(directory):
@@ -107,7 +107,7 @@ def test_order_against_closed_form():
 
 def test_zipped():
     rows, _ = sweep("zipped", "--vary", "Time integration/Scheme=euler,heun & "
-                    + STEPS + "=160,80", "--vary", "Loads/Traction=0; t",
+                    + STEPS + "=160,80", "--vary", "Loads/Traction=0; t | 0; 2*t",
                     "--reference", STEPS + "=320", "--error", "probe_top/u")
     values = [(row["Time integration/Scheme"], row[STEPS],
                row["Loads/Traction"]) for row in rows]
