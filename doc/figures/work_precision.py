@@ -132,8 +132,9 @@ def name_costs(axes):
     from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
     from plotting import ladder
     low, high = axes.get_xlim()
-    axes.xaxis.set_major_locator(FixedLocator(
-        ladder(low, high, (1,) if high > 1e4 * low else (1, 2, 5))))
+    mantissas = ((1,) if high > 1e4 * low else
+                 (1, 2, 5) if high > 10 * low else (1, 1.5, 2, 3, 4, 5, 7))
+    axes.xaxis.set_major_locator(FixedLocator(ladder(low, high, mantissas)))
     axes.xaxis.set_minor_locator(NullLocator())
     axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:.10g}"))
 

@@ -16,14 +16,11 @@
 #include <crevasse/run/version.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
-#include <crevasse/scene/scene_file.h>
 #include <crevasse/scene/text.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <iterator>
-#include <map>
 
 namespace Crevasse
 {
@@ -54,50 +51,6 @@ namespace Crevasse
                            return quantity.is_stress_field();
                          });
     }
-
-
-
-    /** Everything that is wrong with some scenes that share most of their
-     * mistakes, each told once. */
-    class Mistakes
-    {
-    public:
-      void
-      collect(const std::function<void()> &read)
-      {
-        try
-          {
-            read();
-          }
-        catch (const SceneError &error)
-          {
-            add(error.what());
-          }
-      }
-
-      void
-      throw_if_any() const
-      {
-        if (!lines.empty())
-          throw SceneError((lines.size() == 1
-                              ? ""
-                              : std::to_string(lines.size()) + " problems:\n") +
-                           Text::join(lines, "\n"));
-      }
-
-    private:
-      void
-      add(const std::string &message)
-      {
-        const auto all = Text::split(message, '\n');
-        // What Problems says of more than one begins with their number.
-        for (std::size_t i = all.size() > 1 ? 1 : 0; i < all.size(); ++i)
-          if (std::find(lines.begin(), lines.end(), all[i]) == lines.end())
-            lines.push_back(all[i]);
-      }
-
-      std::vector<std::string> lines;
-    };
 
 
 
@@ -132,80 +85,19 @@ namespace Crevasse
     , log(log)
     , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
     , plan(command.sweep_request)
+    , scenes(command, plan)
   {
-    read_all();
-    refuse_equal_points();
-    std::vector<const Scene *> scenes = {&base.scene};
-    for (const Variant &point : points)
-      scenes.push_back(&point.scene);
-    quantities = choose_quantities(command.sweep_request, scenes);
-    directory  = sweep_directory(command, base.scene);
+    std::vector<const Scene *> all = {&scenes.reference.scene};
+    for (const SweepVariant &point : scenes.points)
+      all.push_back(&point.scene);
+    quantities = choose_quantities(command.sweep_request, all);
+    directory  = sweep_directory(command, scenes.reference.scene);
     table      = std::make_unique<SweepTable>(
       plan,
       quantities,
       "Sweep of " +
         std::filesystem::path(command.scene_file).filename().string(),
       describe_reference());
-  }
-
-
-
-  ParameterSweep::Variant
-  ParameterSweep::read(const std::vector<Override> &own) const
-  {
-    // Fields of many points fill disks; whoever wants them says so.
-    std::vector<Override> overrides = {{"Output/Fields=none", "sweep"}};
-    overrides.insert(overrides.end(),
-                     command.overrides.begin(),
-                     command.overrides.end());
-    overrides.insert(overrides.end(), own.begin(), own.end());
-
-    ParameterHandler prm;
-    Problems         problems;
-    Variant          variant;
-    variant.scene = read_scene(command.scene_file, overrides, prm, problems);
-    variant.scene.check(problems);
-    problems.throw_if_any();
-    variant.used = used_parameters(prm);
-    return variant;
-  }
-
-
-
-  void
-  ParameterSweep::read_all()
-  {
-    std::vector<std::vector<Override>> all(1);
-    for (const std::string &text : command.sweep_request.reference)
-      all[0].push_back({text, "--reference"});
-    for (const SweepPoint &point : plan.points())
-      all.push_back(plan.overrides(point));
-
-    Mistakes             mistakes;
-    std::vector<Variant> variants(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i)
-      mistakes.collect([&]() { variants[i] = read(all[i]); });
-    mistakes.throw_if_any();
-    base = std::move(variants[0]);
-    points.assign(std::make_move_iterator(variants.begin() + 1),
-                  std::make_move_iterator(variants.end()));
-  }
-
-
-
-  void
-  ParameterSweep::refuse_equal_points() const
-  {
-    std::map<std::string, std::size_t> known; // folders, too, would be one
-    for (std::size_t p = 0; p < points.size(); ++p)
-      {
-        const auto [place, is_new] = known.emplace(points[p].used, p);
-        if (!is_new)
-          throw SceneError("--vary: the points " +
-                           std::to_string(place->second + 1) + " and " +
-                           std::to_string(p + 1) +
-                           " are the same: each value may be listed once");
-      }
   }
 
 
@@ -247,7 +139,7 @@ namespace Crevasse
         (quantity.exact != nullptr ? " = " + quantity.exact->formula() : "") +
         "; ";
     if (needs_reference())
-      text += base.used;
+      text += scenes.reference.used;
     return std::to_string(std::hash<std::string>()(text));
   }
 
@@ -260,24 +152,25 @@ namespace Crevasse
       if (first_rank)
         require_writable_directory(directory);
     });
-    log.open_file(directory + "/log.txt");
+    log.open_file(directory + "/sweep.log");
     log.line("Crevasse " CREVASSE_VERSION ": sweep of " +
              std::filesystem::path(command.scene_file).filename().string() +
-             ", " + std::to_string(points.size()) + " points");
+             ", " + std::to_string(scenes.points.size()) + " points");
     log.line("  " + describe_reference());
     if (needs_reference())
       table->set_reference(find_reference());
 
-    for (std::size_t p = 0; p < points.size(); ++p)
+    for (std::size_t p = 0; p < scenes.points.size(); ++p)
       {
         const SweepFolder folder(directory + '/' + plan.points()[p].folder,
-                                 points[p].used);
-        if (const auto result = stored(points[p], folder))
+                                 scenes.points[p].used);
+        if (const auto result = stored(scenes.points[p], folder))
           {
             conclude_point(p, *result, true);
             continue;
           }
-        SweepResult result = run_for_sweep(points[p].scene,
+        log.progress("  " + numbered(p) + table->values(p) + " ...");
+        SweepResult result = run_for_sweep(scenes.points[p].scene,
                                            folder,
                                            want_stress(quantities),
                                            for_failures)
@@ -285,7 +178,7 @@ namespace Crevasse
         collectively(communicator, [&]() {
           if (first_rank)
             {
-              measure(points[p], folder, result);
+              measure(scenes.points[p], folder, result);
               folder.finish(result);
             }
         });
@@ -304,7 +197,7 @@ namespace Crevasse
   SweepResult
   ParameterSweep::find_reference()
   {
-    const SweepFolder folder(directory + "/reference", base.used);
+    const SweepFolder folder(directory + "/reference", scenes.reference.used);
     const auto        read_stress = [&]() {
       if (want_stress(quantities))
         reference_stress =
@@ -332,7 +225,7 @@ namespace Crevasse
     if (!was_there)
       {
         log.progress("  reference ...");
-        const SweepRun run = run_for_sweep(base.scene,
+        const SweepRun run = run_for_sweep(scenes.reference.scene,
                                            folder,
                                            want_stress(quantities),
                                            for_failures);
@@ -355,7 +248,7 @@ namespace Crevasse
 
 
   std::optional<SweepResult>
-  ParameterSweep::stored(const Variant &variant, const SweepFolder &folder)
+  ParameterSweep::stored(const SweepVariant &variant, const SweepFolder &folder)
   {
     std::optional<SweepResult> result;
     std::string                remark;
@@ -392,9 +285,9 @@ namespace Crevasse
 
 
   void
-  ParameterSweep::measure(const Variant     &variant,
-                          const SweepFolder &folder,
-                          SweepResult       &result)
+  ParameterSweep::measure(const SweepVariant &variant,
+                          const SweepFolder  &folder,
+                          SweepResult        &result)
   {
     result.basis = basis();
     result.errors.clear();
@@ -414,6 +307,15 @@ namespace Crevasse
 
 
 
+  std::string
+  ParameterSweep::numbered(const std::size_t number) const
+  {
+    return std::to_string(number + 1) + " of " +
+           std::to_string(scenes.points.size()) + ": ";
+  }
+
+
+
   void
   ParameterSweep::conclude_point(const std::size_t  number,
                                  const SweepResult &result,
@@ -427,8 +329,7 @@ namespace Crevasse
       table->write(directory);
       line = table->line(number);
     });
-    log.line("  " + std::to_string(number + 1) + " of " +
-             std::to_string(points.size()) + ": " + line +
+    log.line("  " + numbered(number) + line +
              (was_there ? " (already there)" : ""));
   }
 } // namespace Crevasse

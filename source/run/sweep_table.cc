@@ -13,6 +13,7 @@
 #include <crevasse/run/sweep_table.h>
 #include <crevasse/scene/text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -20,19 +21,6 @@ namespace Crevasse
 {
   namespace
   {
-    /** For people: two significant digits. */
-    std::string
-    short_number(const std::optional<double> &number, const char *format)
-    {
-      if (!number)
-        return "";
-      char text[40];
-      std::snprintf(text, sizeof(text), format, *number);
-      return text;
-    }
-
-
-
     /** A cell of a table with commas, as RFC 4180 has it. */
     std::string
     csv_cell(const std::string &text)
@@ -42,7 +30,19 @@ namespace Crevasse
       std::string quoted = "\"";
       for (const char c : text)
         quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+      std::replace(quoted.begin(), quoted.end(), '\n', ' ');
       return quoted + '"';
+    }
+
+
+
+    std::string
+    three_decimals(const std::optional<double> &number)
+    {
+      char text[40] = "";
+      if (number)
+        std::snprintf(text, sizeof(text), "%.3f", *number);
+      return text;
     }
 
 
@@ -54,60 +54,6 @@ namespace Crevasse
       for (const std::string &cell : cells)
         quoted.push_back(csv_cell(cell));
       return Text::join(quoted, ",") + '\n';
-    }
-
-
-
-    std::string
-    markdown_row(const std::vector<std::string> &cells)
-    {
-      std::string row = "|";
-      for (const std::string &cell : cells)
-        {
-          row += ' ';
-          for (const char c : cell)
-            row += c == '|' ? std::string("\\|") : std::string(1, c);
-          row += " |";
-        }
-      return row + '\n';
-    }
-
-
-
-    std::string
-    in_one_line(std::string text)
-    {
-      for (char &c : text)
-        if (c == '\n')
-          c = ' ';
-      return text;
-    }
-
-
-
-    /** A cost for people; nothing if it is not known. */
-    std::string
-    cost(const SweepResult &result, const std::string &name)
-    {
-      if (!result.costs.contains(name))
-        return "";
-      const Summary &value = result.costs.at(name);
-      if (!value.is_number_float())
-        return value.dump();
-      const double seconds = value.get<double>();
-      return short_number(seconds, seconds < 10. ? "%.2g" : "%.1f");
-    }
-
-
-
-    /** What a run has cost, in words. */
-    std::string
-    costs_in_words(const SweepResult &result)
-    {
-      const bool contact = cost(result, "vi_solves") != "0";
-      return (contact ? cost(result, "vi_solves") + " VIs"
-                      : cost(result, "linear_solves") + " linear solves") +
-             ", " + cost(result, "seconds") + " s";
     }
   } // namespace
 
@@ -255,7 +201,7 @@ namespace Crevasse
             const auto value = error(p, quantity);
             const auto found = result.errors.find(quantity.name);
             row.push_back(value ? Text::from_number(*value) : "");
-            row.push_back(short_number(order(p, quantity), "%.3f"));
+            row.push_back(three_decimals(order(p, quantity)));
             row.push_back(found == result.errors.end()
                             ? ""
                             : std::to_string(found->second.instants));
@@ -263,100 +209,10 @@ namespace Crevasse
         for (const std::string &name : cost_names())
           row.push_back(
             result.costs.contains(name) ? result.costs.at(name).dump() : "");
-        row.push_back(in_one_line(result.message));
+        row.push_back(result.message);
         text += csv_row(row);
       }
     return text;
-  }
-
-
-
-  std::string
-  SweepTable::short_name(const std::size_t parameter) const
-  {
-    const auto without_section = [](const std::string &name) {
-      return name.substr(name.rfind('/') + 1);
-    };
-    const std::string name = without_section(plan.parameters()[parameter]);
-    for (std::size_t k = 0; k < plan.parameters().size(); ++k)
-      if (k != parameter && without_section(plan.parameters()[k]) == name)
-        return plan.parameters()[parameter];
-    return name;
-  }
-
-
-
-  std::string
-  SweepTable::markdown() const
-  {
-    std::vector<std::string> header, rule;
-    for (std::size_t k = 0; k < plan.parameters().size(); ++k)
-      header.push_back(short_name(k));
-    for (const Quantity &quantity : quantities)
-      {
-        header.push_back("error of " + quantity.name);
-        if (!numbers.empty())
-          header.push_back("order");
-      }
-    for (const char *name : {"VIs",
-                             "linear solves",
-                             "factorisations",
-                             "rate evaluations",
-                             "seconds",
-                             "of these time stepping",
-                             "status"})
-      header.push_back(name);
-    for (std::size_t k = 0; k < header.size(); ++k)
-      rule.push_back(k + 1 == header.size() ? "---" : "---:");
-
-    std::string text = "# " + title + "\n\n" + reference;
-    if (reference_result)
-      text += " (" + costs_in_words(*reference_result) + ")";
-    text += ".\n\n" + markdown_row(header) + markdown_row(rule);
-    for (std::size_t p = 0; p < results.size(); ++p)
-      {
-        std::vector<std::string> row = plan.points()[p].values;
-        for (const Quantity &quantity : quantities)
-          {
-            row.push_back(short_number(error(p, quantity), "%.1e"));
-            if (!numbers.empty())
-              row.push_back(short_number(order(p, quantity), "%.2f"));
-          }
-        for (const char *name : {"vi_solves",
-                                 "linear_solves",
-                                 "factorisations",
-                                 "rate_evaluations",
-                                 "seconds",
-                                 "seconds_time_stepping"})
-          row.push_back(cost(results[p], name));
-        row.push_back(results[p].status);
-        text += markdown_row(row);
-      }
-    return text + markdown_notes();
-  }
-
-
-
-  std::string
-  SweepTable::markdown_notes() const
-  {
-    std::string notes;
-    for (std::size_t p = 0; p < results.size(); ++p)
-      {
-        const std::string begin = "- " + values(p) + ": ";
-        if (!results[p].message.empty())
-          notes += begin + results[p].status + ". " +
-                   in_one_line(results[p].message) + '\n';
-        for (const Quantity &quantity : quantities)
-          {
-            const auto found = results[p].errors.find(quantity.name);
-            if (found != results[p].errors.end() &&
-                !found->second.reason.empty())
-              notes += begin + "no error of " + quantity.name + ", because " +
-                       found->second.reason + ".\n";
-          }
-      }
-    return notes.empty() ? "" : "\nRemarks:\n\n" + notes;
   }
 
 
@@ -383,37 +239,5 @@ namespace Crevasse
         json["points"].push_back(point);
       }
     return json;
-  }
-
-
-
-  std::string
-  SweepTable::values(const std::size_t point) const
-  {
-    std::vector<std::string> parts;
-    for (std::size_t k = 0; k < plan.parameters().size(); ++k)
-      parts.push_back(short_name(k) + " = " + plan.points()[point].values[k]);
-    return Text::join(parts, ", ");
-  }
-
-
-
-  std::string
-  SweepTable::line(const std::size_t point) const
-  {
-    const SweepResult &result = results[point];
-    std::string        text   = values(point) + ": ";
-    if (!result.has_results())
-      return text + result.status;
-
-    constexpr std::size_t    most = 3;
-    std::vector<std::string> parts;
-    for (const Quantity &quantity : quantities)
-      if (const auto value = error(point, quantity);
-          value && parts.size() < most)
-        parts.push_back(quantity.name + ' ' + short_number(value, "%.1e"));
-    text += parts.empty() ? "no error" : "error of " + Text::join(parts, ", ");
-    text += "; " + costs_in_words(result);
-    return result.status == "done" ? text : text + "; " + result.status;
   }
 } // namespace Crevasse

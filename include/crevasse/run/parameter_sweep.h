@@ -19,8 +19,8 @@
 #include <crevasse/run/sweep_folder.h>
 #include <crevasse/run/sweep_plan.h>
 #include <crevasse/run/sweep_result.h>
+#include <crevasse/run/sweep_scenes.h>
 #include <crevasse/run/sweep_table.h>
-#include <crevasse/scene/scene.h>
 
 #include <memory>
 #include <optional>
@@ -51,22 +51,6 @@ namespace Crevasse
     run();
 
   private:
-    /** One scene of the sweep. */
-    struct Variant
-    {
-      Scene       scene;
-      std::string used; ///< its used.prm
-    };
-
-    Variant
-    read(const std::vector<Override> &own) const;
-
-    void
-    read_all();
-
-    void
-    refuse_equal_points() const;
-
     bool
     needs_reference() const;
 
@@ -85,14 +69,19 @@ namespace Crevasse
     /** The result of a point that is there already, with errors against the
      * present reference, or nothing. Collective. */
     std::optional<SweepResult>
-    stored(const Variant &variant, const SweepFolder &folder);
+    stored(const SweepVariant &variant, const SweepFolder &folder);
 
     /** On the first rank; status and costs are known. */
     void
-    measure(const Variant     &variant,
-            const SweepFolder &folder,
-            SweepResult       &result);
+    measure(const SweepVariant &variant,
+            const SweepFolder  &folder,
+            SweepResult        &result);
 
+    /** "3 of 12: " */
+    std::string
+    numbered(const std::size_t number) const;
+
+    /** Tells about a point and writes the table. Collective. */
     void
     conclude_point(const std::size_t  number,
                    const SweepResult &result,
@@ -104,8 +93,7 @@ namespace Crevasse
     Log                          &log;
     const bool                    first_rank;
     const SweepPlan               plan;
-    std::vector<Variant>          points;
-    Variant                       base; ///< with --reference
+    const SweepScenes             scenes;
     std::vector<Quantity>         quantities;
     std::string                   directory;
     std::unique_ptr<SweepTable>   table;

@@ -63,6 +63,8 @@ namespace Crevasse
     std::string
     markdown() const;
     std::string
+    markdown_header() const;
+    std::string
     markdown_notes() const;
     Summary
     json() const;
