@@ -54,6 +54,15 @@ namespace Crevasse
 
 
 
+    /** Whether a run has marched at all; only then there are tables. */
+    bool
+    has_periods(const SweepResult &result)
+    {
+      return result.costs.value("periods", 0) > 0;
+    }
+
+
+
     /** Ends the sweep as the reference run would have ended by itself. */
     [[noreturn]] void
     throw_of_reference(const std::exception_ptr &exception)
@@ -155,7 +164,8 @@ namespace Crevasse
     log.open_file(directory + "/sweep.log");
     log.line("Crevasse " CREVASSE_VERSION ": sweep of " +
              std::filesystem::path(command.scene_file).filename().string() +
-             ", " + std::to_string(scenes.points.size()) + " points");
+             ", " + std::to_string(scenes.points.size()) +
+             (scenes.points.size() == 1 ? " point" : " points"));
     log.line("  " + describe_reference());
     if (needs_reference())
       table->set_reference(find_reference());
@@ -198,8 +208,8 @@ namespace Crevasse
   ParameterSweep::find_reference()
   {
     const SweepFolder folder(directory + "/reference", scenes.reference.used);
-    const auto        read_stress = [&]() {
-      if (want_stress(quantities))
+    const auto        read_stress = [&](const SweepResult &of) {
+      if (want_stress(quantities) && has_periods(of))
         reference_stress =
           std::make_unique<StressRecord>(folder.file(SweepFolder::stress_file));
     };
@@ -213,7 +223,7 @@ namespace Crevasse
           was_there           = finished && finished->has_results();
           if (was_there)
             {
-              read_stress();
+              read_stress(*finished);
               result = *finished;
             }
         }
@@ -235,7 +245,7 @@ namespace Crevasse
         collectively(communicator, [&]() {
           if (first_rank)
             {
-              read_stress();
+              read_stress(result);
               folder.finish(result);
             }
         });
@@ -295,14 +305,26 @@ namespace Crevasse
       return;
     const double tolerance = 1e-9 * variant.scene.loads.period;
     for (const Quantity &quantity : quantities)
-      result.errors[quantity.name] =
-        quantity.is_stress_field()
-          ? StressRecord(folder.file(SweepFolder::stress_file))
-              .error(*reference_stress)
-          : history_error(quantity,
-                          folder.path(),
-                          directory + "/reference",
-                          tolerance);
+      result.errors[quantity.name] = quantity.is_stress_field()
+                                       ? stress_error(folder, result)
+                                       : history_error(quantity,
+                                                       folder.path(),
+                                                       directory + "/reference",
+                                                       tolerance);
+  }
+
+
+
+  MeasuredError
+  ParameterSweep::stress_error(const SweepFolder &folder,
+                               const SweepResult &result) const
+  {
+    if (!has_periods(result))
+      return MeasuredError::none("the run has computed no period");
+    if (reference_stress == nullptr)
+      return MeasuredError::none("the reference has computed no period");
+    return StressRecord(folder.file(SweepFolder::stress_file))
+      .error(*reference_stress);
   }
 
 

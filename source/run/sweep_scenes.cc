@@ -54,11 +54,14 @@ namespace Crevasse
       void
       add(const std::string &message)
       {
-        const auto all = Text::split(message, '\n');
         // What Problems says of more than one begins with their number.
-        for (std::size_t i = all.size() > 1 ? 1 : 0; i < all.size(); ++i)
-          if (std::find(lines.begin(), lines.end(), all[i]) == lines.end())
-            lines.push_back(all[i]);
+        const std::string several = " problems:\n";
+        const std::size_t end     = message.find(several);
+        const std::size_t begin =
+          end == std::string::npos ? 0 : end + several.size();
+        for (const auto &line : Text::split(message.substr(begin), '\n'))
+          if (std::find(lines.begin(), lines.end(), line) == lines.end())
+            lines.push_back(line);
       }
 
       std::vector<std::string> lines;

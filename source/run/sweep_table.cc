@@ -120,19 +120,21 @@ namespace Crevasse
 
 
 
-  std::vector<std::size_t>
-  SweepTable::group(const std::size_t point) const
+  std::optional<std::size_t>
+  SweepTable::predecessor(const std::size_t point) const
   {
-    const std::size_t        axis = plan.main_axis();
-    std::vector<std::size_t> group;
-    for (std::size_t other = 0; other < results.size(); ++other)
+    const std::size_t axis = plan.main_axis();
+    if (axis == plan.axes().size())
+      return std::nullopt;
+    // The next to it on the axis that has results, the other axes alike.
+    for (std::size_t p = point; p-- > 0;)
       {
-        auto indices  = plan.points()[other].indices;
+        auto indices  = plan.points()[p].indices;
         indices[axis] = plan.points()[point].indices[axis];
-        if (indices == plan.points()[point].indices)
-          group.push_back(other);
+        if (indices == plan.points()[point].indices && results[p].has_results())
+          return p;
       }
-    return group;
+    return std::nullopt;
   }
 
 
@@ -140,36 +142,17 @@ namespace Crevasse
   std::optional<double>
   SweepTable::order(const std::size_t point, const Quantity &quantity) const
   {
-    if (numbers.empty())
+    const auto before = predecessor(point);
+    if (!before)
+      return std::nullopt;
+    const auto e = error(*before, quantity), f = error(point, quantity);
+    if (!e || !f || !(*e > 0.) || !(*f > 0.))
       return std::nullopt;
     const std::size_t axis   = plan.main_axis();
     const auto        number = [&](const std::size_t p) {
       return numbers[plan.points()[p].indices[axis]];
     };
-    // d log(error) / d log(number)
-    const auto slope = [&](const std::size_t a,
-                           const std::size_t b) -> std::optional<double> {
-      const auto e = error(a, quantity), f = error(b, quantity);
-      if (!e || !f || !(*e > 0.) || !(*f > 0.))
-        return std::nullopt;
-      return std::log(*f / *e) / std::log(number(b) / number(a));
-    };
-
-    std::vector<std::size_t> known;
-    std::optional<double>    result;
-    for (const std::size_t p : group(point))
-      {
-        if (p == point && !known.empty() && p > 0)
-          result = slope(known.back(), p);
-        if (error(p, quantity) && *error(p, quantity) > 0.)
-          known.push_back(p);
-      }
-    if (!result || known.size() < 2)
-      return std::nullopt;
-    // Errors fall with the number of steps, and rise with a step size: both
-    // have a positive order.
-    const auto overall = slope(known.front(), known.back());
-    return overall && *overall > 0. ? *result : -*result;
+    return -std::log(*f / *e) / std::log(number(point) / number(*before));
   }
 
 

@@ -17,21 +17,23 @@ from crevasse_run import (PROGRAM, check, check_below, execute, execute_on,
                           overrides)
 
 SCENE = "bar.prm"
+CRACK = "crack.prm"
 pathlib.Path(SCENE).write_text(BAR)
+pathlib.Path(CRACK).write_text(BAR.replace("rectangle", "edge crack")
+                               .replace("2, 2", "4, 2"))
 SETTINGS = overrides(RELAXING)
 STEPS = "Time integration/Steps per period"
 SECONDS = ("seconds", "seconds_time_stepping")
 
 
-def sweep(name, *arguments, status=0, fresh=True, ranks=1):
-    """Runs a sweep of the bar into results/<name>; its table as a list of rows,
+def sweep(name, *arguments, status=0, fresh=True, scene=SCENE):
+    """Runs a sweep of the bar, or another scene, into results/<name>; its table as a list of rows,
     and what it said (standard error if it was to fail)."""
     directory = pathlib.Path("results") / name
     if fresh:
         shutil.rmtree(directory, ignore_errors=True)
-    words = ["sweep", SCENE, "--output", directory, *SETTINGS, *arguments]
-    code, output, error = (execute(*words) if ranks == 1
-                           else execute_on(ranks, *words))
+    code, output, error = execute("sweep", scene, "--output", directory,
+                                  *SETTINGS, *arguments)
     check(code == status, f"{name}: exit status {code} instead of {status}\n"
                           + output + error)
     return (table(directory), output) if status == 0 else (None, error)
@@ -191,46 +193,60 @@ def test_points_without_results():
     check("reference" in error, error)
 
 
+def test_failing_point():
+    """One sweep of SOR is not enough; the point after it is computed."""
+    rows, _ = sweep("failed", "--vary", "Contact/Maximum iterations=1,10000",
+                    "--set", STEPS + "=20", "--set", "Contact/Solver=projected "
+                    "sor", "--reference", STEPS + "=40", scene=CRACK)
+    print(rows[0]["message"])
+    check([row["status"] for row in rows] == ["failed", "done"],
+          f"status of a point that fails: {[row['status'] for row in rows]}")
+    check(float(rows[1]["error:contact/force"]) > 0, "the one after it")
+
+
 def test_no_error():
-    """Nothing in common, or another mesh: an empty cell that says why."""
+    """Nothing in common, or another mesh: an empty cell, and why."""
     rows, _ = sweep("nothing", "--vary", "Geometry/Subdivisions=2,2; 3,3",
-                    "--vary", STEPS + "=41", "--reference", STEPS + "=40")
-    for row in rows:
-        check(row["error:probe_top/u"] == "", "t = 0 and T are common")\
-            if row["instants:probe_top/u"] == "1" else None
+                    "--vary", "Loads/Period=601", "--reference", STEPS + "=40")
     markdown = pathlib.Path("results/nothing/sweep.md").read_text()
-    check("not the mesh" in markdown, markdown)
-    check(rows[1]["error:stress"] == "", "stress on another mesh")
+    check([row["instants:probe_top/u"] for row in rows] == ["1", "1"]
+          and [row["error:probe_top/u"] for row in rows] == ["", ""]
+          and rows[1]["error:stress"] == "", "t = 0 alone, and another mesh")
+    check("no instant in common with the reference but t = 0" in markdown and
+          "not the mesh" in markdown, markdown)
+
+
+def check_mistakes(arguments, *messages):
+    _, error = sweep("mistakes", *arguments, status=2)
+    print(error)
+    for message in messages:
+        check(message in error, f"{arguments}: {message}?\n{error}")
 
 
 def test_mistakes():
-    """All are found before anything is computed."""
-    good = (*VARY, *REFERENCE)
-    for arguments, *messages in (
-            (("--vary", "Time integration/Stps=1,2", *REFERENCE),
-             "Stps", "Steps per period", '--vary "'),
-            (("--vary", STEPS + "=80,many", *REFERENCE), "many", "--vary"),
-            (("--vary", STEPS + "=80,80", *REFERENCE), "the same"),
-            (("--vary", STEPS + "=1,2 & Material/Young modulus=1,2,3",
-              *REFERENCE), "has 2 values", "has 3"),
-            ((*VARY, *VARY, *REFERENCE), "varied twice"),
-            (VARY, "--reference", "--exact"),
-            (("--vary", STEPS, *REFERENCE), "must have the form"),
-            (REFERENCE, "--vary"),
-            ((*VARY, "--reference", "Material/Youngs=3"), '--reference "'),
-            ((*good, "--error", "probe_tip/u"), "probe_top"),
-            ((*good, "--error", "probe_top/v"), "no column", "s_22"),
-            ((*good, "--exact", "probe_top/u=t"), "one column"),
-            ((*good, "--exact", "probe_top/u_1=q*t"), "q*t"),
-            ((*good, "--exact", "probe_top/u_1=x"), "x, y, z")):
-        _, error = sweep("mistakes", *arguments, status=2)
-        print(error)
-        for message in messages:
-            check(message in error, f"{arguments}: {message}?\n{error}")
+    """All are found before anything is computed, and told at once."""
+    check_mistakes(
+        ("--vary", "Time integration/Stps=1,2", "--vary", STEPS + "=80,many",
+         "--reference", "Material/Youngs=3"),
+        "4 problems", 'did you mean "Steps"', '--vary "', "many",
+        '--reference "Material/Youngs')
+    check_mistakes((*VARY, *VARY, "--vary", "Title=1,2 & Dimension=1,2,3",
+                    "--vary", STEPS, "--vary", "Title="),
+                   "varied twice", "has 2 values", "has 3",
+                   "must have the form", "lacks a value")
+    check_mistakes(("--vary", STEPS + "=80,80", *REFERENCE), "listed once")
+    check_mistakes(VARY, "--reference", "--exact")
+    check_mistakes((*VARY, "--error", "probe_top/u"), "compare probe_top/u")
+    check_mistakes(REFERENCE, "--vary")
+    check_mistakes((*VARY, *REFERENCE, "--error", "probe_tip/u,probe_top/v",
+                    "--exact", "probe_top/u=t", "--exact", "probe_top/u_1=q*t",
+                    "--exact", "probe_top/u_1=x"),
+                   "probe_top", "no column", "s_22", "one column", "q*t",
+                   "x, y, z")
     check(not pathlib.Path("results/mistakes").exists(), "computed something")
-    for arguments in (("sweep",), ("sweep", SCENE, "--frobnicate"),
-                      (SCENE, "sweep", SCENE, *VARY)):
+    for arguments in (("sweep",), (SCENE, "sweep", SCENE, *VARY)):
         check(execute(*arguments)[0] == 2, f"{arguments}: status")
+    check(execute("sweep", "none.prm", *VARY, *REFERENCE)[0] == 4, "no scene")
     status, output, _ = execute("sweep", "--help")
     check(status == 0 and "--vary" in output and "probe_NAME" in output, output)
 
@@ -238,12 +254,10 @@ def test_mistakes():
 def test_ranks():
     """A crack with contact, on one and on two ranks, which also read what the
     other has left."""
-    scene = BAR.replace("rectangle", "edge crack").replace("2, 2", "4, 2")
-    pathlib.Path("crack.prm").write_text(scene)
     rows = []
     for ranks in (1, 2):
         shutil.rmtree(f"results/ranks_{ranks}", ignore_errors=True)
-        words = ["sweep", "crack.prm", "--output", f"results/ranks_{ranks}",
+        words = ["sweep", CRACK, "--output", f"results/ranks_{ranks}",
                  "--vary", STEPS + "=20,40", "--reference", STEPS + "=80"]
         code, output, error = execute_on(ranks, *words)
         check(code == 0, output + error)
@@ -272,7 +286,7 @@ def test_ranks():
 
 for test in (test_order_against_reference, test_order_against_closed_form,
              test_zipped, test_resumption, test_points_without_results,
-             test_no_error, test_mistakes, test_ranks):
+             test_failing_point, test_no_error, test_mistakes, test_ranks):
     start = time.time()
     test()
     print(f"{test.__name__}: {time.time() - start:.1f} s")

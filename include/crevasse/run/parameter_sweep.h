@@ -77,6 +77,10 @@ namespace Crevasse
             const SweepFolder  &folder,
             SweepResult        &result);
 
+    /** @throw FileError if the file of the point is missing or damaged. */
+    MeasuredError
+    stress_error(const SweepFolder &folder, const SweepResult &result) const;
+
     /** "3 of 12: " */
     std::string
     numbered(const std::size_t number) const;

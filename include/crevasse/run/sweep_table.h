@@ -73,18 +73,16 @@ namespace Crevasse
     std::string
     short_name(const std::size_t parameter) const;
 
-    /** The exponent between a point and its predecessor along the main axis of
-     * the plan; nothing if there is none. */
+    /** The point before this one along the main axis of the plan. */
+    std::optional<std::size_t>
+    predecessor(const std::size_t point) const;
+
+    /** The p of error ~ number^-p between the predecessor and this point. */
     std::optional<double>
     order(const std::size_t point, const Quantity &quantity) const;
 
     std::optional<double>
     error(const std::size_t point, const Quantity &quantity) const;
-
-    /** The points that differ from this one along the main axis only, by their
-     * index there; those that are not computed yet are left out. */
-    std::vector<std::size_t>
-    group(const std::size_t point) const;
 
     const SweepPlan            &plan;
     const std::vector<Quantity> quantities;
