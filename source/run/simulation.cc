@@ -78,6 +78,16 @@ namespace Crevasse
 
 
 
+    std::vector<Observer *>
+    together(std::vector<Observer *>        some,
+             const std::vector<Observer *> &others)
+    {
+      some.insert(some.end(), others.begin(), others.end());
+      return some;
+    }
+
+
+
     /** How many periods more it takes until the change of stress is below the
      * tolerance if it goes on to fall as from the last but one period to the
      * last, in brackets; nothing as long as this cannot be told. The first
@@ -196,7 +206,7 @@ namespace Crevasse
           summarise(summary, solvers);
           return PeriodicResult();
         }
-      Outputs<dim>            outputs(scene,
+      Outputs<dim>         outputs(scene,
                            body,
                            recovery,
                            probes,
@@ -205,9 +215,8 @@ namespace Crevasse
                            integrator.get(),
                            log,
                            directory);
-      std::vector<Observer *> observers = outputs.observers();
-      observers.insert(observers.end(), others.begin(), others.end());
-      const PeriodicResult result = march(solvers, observers);
+      const PeriodicResult result =
+        march(solvers, together(outputs.observers(), others));
       summarise(summary, solvers);
       outputs.finish(summary);
       if (body.effects.viscosity.on)
