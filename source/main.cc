@@ -13,6 +13,7 @@
 #include <crevasse/run/command_line.h>
 #include <crevasse/run/failure.h>
 #include <crevasse/run/output_choice.h>
+#include <crevasse/run/parameter_sweep.h>
 #include <crevasse/run/simulation.h>
 #include <crevasse/run/version.h>
 #include <crevasse/scene/collectively.h>
@@ -25,22 +26,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 #include <string>
 
 namespace
 {
   using namespace Crevasse;
-
-  std::string
-  used_parameters(dealii::ParameterHandler &prm)
-  {
-    std::ostringstream text;
-    prm.print_parameters(text, dealii::ParameterHandler::PRM);
-    return text.str();
-  }
-
-
 
   /** Makes the output directory ready for this run's results. */
   void
@@ -123,7 +113,9 @@ namespace
     int status = done;
     try
       {
-        if (command.print_format.empty())
+        if (command.sweep)
+          ParameterSweep(command, for_failures, log).run();
+        else if (command.print_format.empty())
           read_and_run_scene(command, log);
         else if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
           print_parameters(std::cout, command.print_format);

@@ -38,9 +38,10 @@ namespace Crevasse
     /** What follows the options in the help text. The exit statuses are those
      * of ExitStatus. */
     constexpr const char *examples_and_statuses =
-      "Example:\n"
+      "Examples:\n"
       "  crevasse prm/raous1980.prm --set \"Geometry/Crack length=0.3\" "
-      "--output results/short_crack\n\n"
+      "--output results/short_crack\n"
+      "  crevasse sweep --help\n\n"
       "Exit status:\n"
       "  0  done\n"
       "  2  bad command line, parameter, expression or mesh, found before "
@@ -52,6 +53,123 @@ namespace Crevasse
       "results are\n"
       "     written then\n"
       "  4  cannot read or write a file";
+
+
+
+    constexpr const char *sweep_examples =
+      "Quantities, for --error and --exact:\n"
+      "  probe_NAME/COLUMN     a column of a probe's table: u_1, s_22, "
+      "opening, "
+      "...\n"
+      "  probe_NAME/u, .../s   all its displacements, all its stresses\n"
+      "  contact/COLUMN        of the lip's table: force, largest_pressure, "
+      "closed_nodes\n"
+      "  periods/stress_change\n"
+      "  stress                at all quadrature points, in the last period\n"
+      "  Without --error: stress, u and s of every probe, and "
+      "contact/force.\n\n"
+      "Examples:\n"
+      "  crevasse sweep prm/raous1980.prm --vary \"Time integration/Scheme="
+      "heun,sdirk2\" \\\n"
+      "    --vary \"Time integration/Steps per period=20,40,80\" \\\n"
+      "    --reference \"Time integration/Steps per period=1280\"\n\n"
+      "What is finished is not computed again: after an interruption the same "
+      "command\ngoes on. doc/sweep.md explains errors, tables and folders.\n\n"
+      "Exit status: as that of a run. Points that are refused or fail have "
+      "rows "
+      "that say\nso; the status is 3 only if no point has results.";
+
+
+
+    void
+    add_overrides(CLI::App                 &app,
+                  const std::string        &name,
+                  const std::string        &type,
+                  const std::string        &meaning,
+                  std::vector<std::string> &texts)
+    {
+      // One value each: the scene may follow.
+      app.add_option(name, texts, meaning)
+        ->type_name(type)
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    }
+
+
+
+    /** What runs and sweeps have in common. */
+    void
+    add_common_options(CLI::App                 &app,
+                       const std::string        &default_directory,
+                       Command                  &command,
+                       std::vector<std::string> &overrides)
+    {
+      add_overrides(app,
+                    "--set",
+                    "ASSIGNMENT",
+                    "\"Section/Name=value\": overrides a parameter of the "
+                    "scene; may be repeated",
+                    overrides);
+      app
+        .add_option("--output",
+                    command.output_directory,
+                    "Output directory (default: " + default_directory +
+                      " in the working directory)")
+        ->type_name("DIR");
+      app.add_flag("--quiet", command.quiet, "Print nothing but errors");
+    }
+
+
+
+    CLI::App *
+    add_sweep(CLI::App                 &app,
+              Command                  &command,
+              std::vector<std::string> &overrides)
+    {
+      SweepRequest &request = command.sweep_request;
+      CLI::App     *sweep =
+        app.add_subcommand("sweep",
+                           "Run a scene for all combinations of some "
+                           "parameters; tabulate errors and costs");
+      sweep
+        ->add_option("scene",
+                     command.scene_file,
+                     "The scene: a .prm or .json file")
+        ->required();
+      add_overrides(
+        *sweep,
+        "--vary",
+        "LIST",
+        "\"Section/Name=a,b,c\": the values of a parameter, "
+        "separated by \";\" if they contain commas, by \" | \" if both. May be "
+        "repeated: all combinations are computed. "
+        "\"S/N=a,b & S/M=c,d\" changes two together",
+        request.vary);
+      add_overrides(*sweep,
+                    "--reference",
+                    "ASSIGNMENT",
+                    "\"Section/Name=value\": the run that errors are measured "
+                    "against is the scene with this; may be repeated",
+                    request.reference);
+      add_overrides(*sweep,
+                    "--exact",
+                    "FORMULA",
+                    "\"QUANTITY=formula of t\": what a quantity is compared "
+                    "with instead; may be repeated",
+                    request.exact);
+      sweep
+        ->add_option("--error",
+                     request.error,
+                     "Quantities whose errors are wanted, separated by commas")
+        ->type_name("LIST");
+      add_common_options(*sweep,
+                         "results/<scene name>_sweep",
+                         command,
+                         overrides);
+      sweep->footer(sweep_examples);
+      return sweep;
+    }
   } // namespace
 
 
@@ -59,37 +177,22 @@ namespace Crevasse
   Command
   parse_command_line(const int argc, const char *const *argv)
   {
-    Command  command;
-    CLI::App app(
+    Command                  command;
+    std::vector<std::string> overrides;
+    CLI::App                 app(
       "Crevasse: periodic states of cracked viscoelastic solids "
-      "with one-sided contact on the crack lips.");
+                      "with one-sided contact on the crack lips.");
     app.set_version_flag("--version", "crevasse " CREVASSE_VERSION);
     app.footer(examples_and_statuses);
     auto *scene = app.add_option("scene",
                                  command.scene_file,
                                  "The scene: a .prm or .json file");
-    // One value each: the scene may follow.
-    app
-      .add_option("--set",
-                  command.overrides,
-                  "\"Section/Name=value\": overrides a parameter of the scene; "
-                  "may be repeated")
-      ->type_name("ASSIGNMENT")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app
-      .add_option("--output",
-                  command.output_directory,
-                  "Output directory (default: results/<scene name> in the "
-                  "working directory)")
-      ->type_name("DIR");
+    add_common_options(app, "results/<scene name>", command, overrides);
     app.add_flag(
       "--check",
       command.check,
       "Check the scene and report effects, boundaries, sizes, memory "
       "and output directory; compute and write nothing");
-    app.add_flag("--quiet", command.quiet, "Print nothing but errors");
     auto *print = app
                     .add_option("--print-parameters",
                                 command.print_format,
@@ -98,13 +201,21 @@ namespace Crevasse
                     ->type_name("FORMAT")
                     ->expected(0, 1)
                     ->check(print_format_problem);
+    const CLI::App *sweep = add_sweep(app, command, overrides);
     try
       {
         app.parse(argc, argv);
+        command.sweep = sweep->parsed();
+        if (command.sweep &&
+            (!scene->empty() || !print->empty() || command.check))
+          throw CLI::ParseError("\"sweep\" comes first, and all else after it.",
+                                CLI::ExitCodes::ExtrasError);
         if (print->count() > 0 && command.print_format.empty())
           command.print_format = "prm";
-        if (scene->empty() && print->empty())
+        if (scene->empty() && print->empty() && !command.sweep)
           throw CLI::RequiredError("A scene file");
+        for (const std::string &text : overrides)
+          command.overrides.push_back({text, "--set"});
       }
     catch (const CLI::ParseError &error)
       {

@@ -61,6 +61,16 @@ namespace Crevasse
 
 
 
+    std::vector<Observer *>
+    together(std::vector<Observer *>        some,
+             const std::vector<Observer *> &others)
+    {
+      some.insert(some.end(), others.begin(), others.end());
+      return some;
+    }
+
+
+
     /** How many periods more it takes until the change of stress is below the
      * tolerance if it goes on to fall as from the last but one period to the
      * last, in brackets; nothing as long as this cannot be told. The first
@@ -168,7 +178,8 @@ namespace Crevasse
 
   template <int dim>
   void
-  Simulation<dim>::run(const std::string &directory)
+  Simulation<dim>::run(const std::string             &directory,
+                       const std::vector<Observer *> &others)
   {
     Timer        timer;
     Solvers<dim> solvers(scene, body, steps, log, phases);
@@ -194,7 +205,8 @@ namespace Crevasse
                            integrator.get(),
                            log,
                            directory);
-      const PeriodicResult result = march(solvers, outputs.observers());
+      const PeriodicResult result =
+        march(solvers, together(outputs.observers(), others));
       summarise(summary, solvers);
       outputs.finish(summary);
       if (body.effects.viscosity.on)
@@ -224,6 +236,15 @@ namespace Crevasse
     std::snprintf(text, sizeof(text), "  Time = %.2f s", timer.wall_time());
     log.line(text);
     conclude(result);
+  }
+
+
+
+  template <int dim>
+  const Body<dim> &
+  Simulation<dim>::discretised_body() const
+  {
+    return body;
   }
 
 
@@ -467,7 +488,7 @@ namespace Crevasse
                              scene.periodic_state.tolerance)
             << " or \"Tolerance\", or set Tolerance = 0 to compute a fixed "
                "number of periods.";
-    throw NumericalError(message.str());
+    throw NotPeriodicError(message.str());
   }
 
 

@@ -152,12 +152,13 @@ namespace Crevasse
 
 
   void
-  read_override(const std::string       &text,
+  read_override(const Override          &override,
                 std::vector<Assignment> &assignments,
                 Problems                &problems)
   {
-    Assignment assignment;
-    assignment.place = "--set \"" + Text::shorten(text) + "\"";
+    const std::string &text = override.text;
+    Assignment         assignment;
+    assignment.place = override.option + " \"" + Text::shorten(text) + "\"";
 
     const std::size_t equals = text.find('=');
     const std::string path   = text.substr(0, equals);

@@ -17,6 +17,7 @@
 #include <crevasse/scene/text_file.h>
 
 #include <filesystem>
+#include <sstream>
 
 namespace Crevasse
 {
@@ -71,17 +72,17 @@ namespace Crevasse
 
 
   Scene
-  read_scene(const std::string              &file_name,
-             const std::vector<std::string> &overrides,
-             dealii::ParameterHandler       &prm,
-             Problems                       &problems)
+  read_scene(const std::string           &file_name,
+             const std::vector<Override> &overrides,
+             dealii::ParameterHandler    &prm,
+             Problems                    &problems)
   {
     Scene scene;
     scene.add_parameters(prm);
 
     std::vector<Assignment> assignments = read_assignments(file_name, problems);
-    for (const std::string &text : overrides)
-      read_override(text, assignments, problems);
+    for (const Override &override : overrides)
+      read_override(override, assignments, problems);
     apply(assignments, prm, problems);
 
     resolve_file(file_name,
@@ -96,5 +97,15 @@ namespace Crevasse
                    scene.loads.temperature,
                    prm);
     return scene;
+  }
+
+
+
+  std::string
+  used_parameters(dealii::ParameterHandler &prm)
+  {
+    std::ostringstream text;
+    prm.print_parameters(text, dealii::ParameterHandler::PRM);
+    return text.str();
   }
 } // namespace Crevasse

@@ -12,6 +12,8 @@
 #ifndef crevasse_run_command_line_h
 #define crevasse_run_command_line_h
 
+#include <crevasse/scene/assignments.h>
+
 #include <string>
 #include <vector>
 
@@ -26,15 +28,27 @@ namespace Crevasse
     file_failure      = 4
   };
 
+  /** What `crevasse sweep` is asked, as it was written; see SweepPlan and
+   * Quantity for what it means. */
+  struct SweepRequest
+  {
+    std::vector<std::string> vary;      ///< "Section/Name=a,b & ..."
+    std::vector<std::string> reference; ///< "Section/Name=value"
+    std::vector<std::string> exact;     ///< "quantity=formula of t"
+    std::string              error;     ///< list of quantities
+  };
+
   /** What the command line says. */
   struct Command
   {
-    std::string              scene_file;
-    std::vector<std::string> overrides; ///< "Section/Name=value"
-    std::string              output_directory;
-    std::string              print_format; ///< prm, json, markdown or nothing
-    bool                     check = false;
-    bool                     quiet = false;
+    std::string           scene_file;
+    std::vector<Override> overrides; ///< "Section/Name=value"
+    std::string           output_directory;
+    std::string           print_format; ///< prm, json, markdown or nothing
+    bool                  check = false;
+    bool                  quiet = false;
+    bool                  sweep = false; ///< a whole study of the scene
+    SweepRequest          sweep_request;
 
     /** Set if there is nothing to do but to exit: help, version, or a mistake,
      * about which the user has been told. */

@@ -20,6 +20,7 @@
 #include <crevasse/run/body.h>
 #include <crevasse/run/secular_problem.h>
 #include <crevasse/run/solvers.h>
+#include <crevasse/scene/problems.h>
 #include <crevasse/scene/scene.h>
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/step_control.h>
@@ -34,6 +35,13 @@
 
 namespace Crevasse
 {
+  /** The stress is not periodic after the last period allowed: all results are
+   * written, but they are not what was asked for. */
+  struct NotPeriodicError : NumericalError
+  {
+    using NumericalError::NumericalError;
+  };
+
   /**
    * Composes one run from its scene: the only place that knows all the parts,
    * and that owns them.
@@ -52,9 +60,14 @@ namespace Crevasse
 
     /** Computes, and writes everything to @p directory, which must exist.
      * @throw NumericalError; after all that was computed has been written if
-     * the periodic state was not reached. */
+     * the periodic state was not reached.
+     * @param others see what the tables see. */
     void
-    run(const std::string &directory);
+    run(const std::string             &directory,
+        const std::vector<Observer *> &others = {});
+
+    const Body<dim> &
+    discretised_body() const;
 
   private:
     /** Those of the scene, and the secular flow. */

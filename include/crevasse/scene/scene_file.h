@@ -12,6 +12,7 @@
 #ifndef crevasse_scene_scene_file_h
 #define crevasse_scene_scene_file_h
 
+#include <crevasse/scene/assignments.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/scene.h>
 
@@ -41,10 +42,14 @@ namespace Crevasse
    * @throw FileError if the file cannot be read.
    */
   Scene
-  read_scene(const std::string              &file_name,
-             const std::vector<std::string> &overrides,
-             dealii::ParameterHandler       &prm,
-             Problems                       &problems);
+  read_scene(const std::string           &file_name,
+             const std::vector<Override> &overrides,
+             dealii::ParameterHandler    &prm,
+             Problems                    &problems);
+
+  /** The text of used.prm: every parameter of a scene that was read. */
+  std::string
+  used_parameters(dealii::ParameterHandler &prm);
 } // namespace Crevasse
 
 #endif

@@ -1,0 +1,177 @@
+#!/usr/bin/python3
+# Copyright (C) 2026 by the Crevasse authors
+# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+
+"""Draws what accuracy costs: the errors of a sweep against its costs, one line
+for each combination of the parameters that are not followed along a line."""
+
+import argparse
+import csv
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
+
+COSTS = {"vi_solves": "variational inequalities",
+         "linear_solves": "linear solves",
+         "seconds": "wall time (s)",
+         "seconds_time_stepping": "wall time of the time stepping (s)"}
+MARKERS = "osD^vPX*"
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def read_rows(directory):
+    path = directory / "sweep.csv"
+    try:
+        with open(path, newline="") as file:
+            rows = list(csv.DictReader(file))
+    except OSError as error:
+        sys.exit(f"{path}: {error.strerror}. Give the output directory of "
+                 "crevasse sweep.")
+    if not rows:
+        sys.exit(f"{path}: there are no points yet.")
+    return rows
+
+
+def parameters(rows):
+    """The columns between "point" and "status"."""
+    names = list(rows[0])
+    return names[1:names.index("status")]
+
+
+def choose(wanted, available, what):
+    """The one whose name, or the end of it, is wanted."""
+    found = [name for name in available
+             if wanted in (name, name.split("/")[-1])]
+    if not found:
+        sys.exit(f"There is no {what} {wanted}. There are: "
+                 f"{', '.join(available) or 'none'}.")
+    return found[0]
+
+
+def most_numeric(rows, names):
+    """The parameter with the most values, among those that are numbers."""
+    def values(name):
+        texts = {row[name] for row in rows}
+        return len(texts) if all(number(text) is not None
+                                 for text in texts) else 0
+    return max(names, key=values)
+
+
+def lines(rows, along, others):
+    """Label and rows of each line, in the order in which they were computed."""
+    groups = {}
+    for row in rows:
+        groups.setdefault(tuple(row[name] for name in others), []).append(row)
+    for values, members in groups.items():
+        members.sort(key=lambda row: (number(row[along]) is None,
+                                      number(row[along]) or 0))
+        label = ", ".join(
+            value if number(value) is None
+            else f"{name.split('/')[-1]} {value}"
+            for name, value in zip(others, values))
+        yield label, members
+
+
+def changes_with(rows, name, along):
+    """Whether a parameter has one value for each value of another: the two
+    were changed together."""
+    pairs = {(row[along], row[name]) for row in rows}
+    return len(pairs) == len({row[along] for row in rows})
+
+
+def draw(rows, options):
+    try:
+        from plotting import BLUE, GREEN, GREY, INK, VERMILION, pyplot
+    except ImportError as missing:
+        sys.exit(f"{missing}. Figures need Debian's package python3-matplotlib.")
+    names = parameters(rows)
+    along = (choose(options.along, names, "parameter") if options.along
+             else most_numeric(rows, names))
+    others = [name for name in names
+              if name != along and not changes_with(rows, name, along)]
+    figure, axes = pyplot.subplots(figsize=(5.6, 4.0), constrained_layout=True)
+    error = "error:" + options.quantity
+    drawn = []
+    for i, (label, members) in enumerate(lines(rows, along, others)):
+        points = [(number(row[options.x]), number(row[error]), row[along])
+                  for row in members]
+        points = [point for point in points if point[0] and point[1]]
+        if not points:
+            print(f"{label or 'the points'}: nothing to draw")
+            continue
+        colour = (BLUE, VERMILION, GREEN, INK, GREY)[i % 5]
+        axes.loglog(*zip(*[point[:2] for point in points]), label=label,
+                    color=colour, marker=MARKERS[i % len(MARKERS)],
+                    markersize=4.5)
+        drawn += [(*point, colour) for point in points]
+    if not drawn:
+        sys.exit(f"No point has an error of {options.quantity} and "
+                 f"{COSTS[options.x]}; --x and --quantity choose others.")
+    write_numbers(axes, drawn)
+    axes.set(xlabel=COSTS[options.x],
+             ylabel=f"relative error of {options.quantity}")
+    axes.set_title(f"numbers: {along.split('/')[-1]}", fontsize=8, loc="right",
+                   color=GREY)
+    axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
+    name_costs(axes)
+    if others:
+        axes.legend()
+    figure.savefig(options.out)
+    print(options.out)
+
+
+def name_costs(axes):
+    """Costs without powers of ten: 1, 2, 5, 10, ..."""
+    from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+    from plotting import ladder
+    low, high = axes.get_xlim()
+    mantissas = ((1,) if high > 1e4 * low else
+                 (1, 2, 5) if high > 10 * low else (1, 1.5, 2, 3, 4, 5, 7))
+    axes.xaxis.set_major_locator(FixedLocator(ladder(low, high, mantissas)))
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:.10g}"))
+
+
+def write_numbers(axes, points):
+    """At each point the value along its line."""
+    for x, y, value, colour in points:
+        axes.annotate(value, (x, y), xytext=(4, 4), fontsize=6.5, color=colour,
+                      textcoords="offset points")
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("results", type=pathlib.Path,
+                        help="the output directory of crevasse sweep")
+    parser.add_argument("--x", choices=list(COSTS), default="linear_solves",
+                        help="the cost (linear_solves)")
+    parser.add_argument("--quantity", help="whose error (the first one)")
+    parser.add_argument("--along", metavar="NAME",
+                        help="the parameter that is followed along a line (the "
+                             "one with the most numeric values)")
+    parser.add_argument("--out", type=pathlib.Path, help="the figure's file "
+                        "(work_precision.png in RESULTS)")
+    options = parser.parse_args()
+    options.out = options.out or options.results / "work_precision.png"
+    return options
+
+
+def main():
+    options = arguments()
+    rows = read_rows(options.results)
+    quantities = [name[len("error:"):] for name in rows[0]
+                  if name.startswith("error:")]
+    options.quantity = (choose(options.quantity, quantities, "quantity")
+                        if options.quantity else quantities[0])
+    draw(rows, options)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,67 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_history_h
+#define crevasse_run_history_h
+
+#include <crevasse/run/measured_error.h>
+#include <crevasse/run/quantity.h>
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** A table that a run has written, read again. */
+  class History
+  {
+  public:
+    /** @throw FileError if the file cannot be read or is no table of numbers:
+     * it was damaged. */
+    explicit History(const std::string &file_name);
+
+    const std::vector<std::string> &
+    columns() const;
+
+    /** nullptr: there is no such column. */
+    const std::vector<double> *
+    find(const std::string &column) const;
+
+    /** The end of a period in periods.csv, t elsewhere. */
+    const std::vector<double> &
+    instants() const;
+
+  private:
+    void
+    read_row(const std::string &line);
+
+    const std::string                file_name;
+    std::vector<std::string>         names;
+    std::vector<std::vector<double>> values; ///< of each column
+  };
+
+  /**
+   * The error of a quantity that is a column over time: the largest difference
+   * over the largest value of the reference, at all instants of the run that
+   * both have, over all columns that the quantity stands for.
+   *
+   * @param reference folder; not used if the quantity has a closed form.
+   * @param tolerance for instants to be the same.
+   * @throw FileError for a damaged table.
+   */
+  MeasuredError
+  history_error(const Quantity    &quantity,
+                const std::string &folder,
+                const std::string &reference,
+                const double       tolerance);
+} // namespace Crevasse
+
+#endif

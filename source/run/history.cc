@@ -1,0 +1,220 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/run/history.h>
+#include <crevasse/scene/problems.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace Crevasse
+{
+  namespace
+  {
+    std::vector<std::string>
+    cells_of(const std::string &line)
+    {
+      std::vector<std::string> cells(1);
+      for (const char c : line)
+        if (c == ',')
+          cells.emplace_back();
+        else
+          cells.back() += c;
+      return cells;
+    }
+
+
+
+    /** Largest difference and value while two columns are compared. */
+    struct Extremes
+    {
+      double difference = 0.;
+      double size       = 0.;
+
+      void
+      add(const double value, const double reference)
+      {
+        // Unlike std::max, these keep what is not a number.
+        if (!(std::abs(value - reference) <= difference))
+          difference = std::abs(value - reference);
+        if (!(std::abs(reference) <= size))
+          size = std::abs(reference);
+      }
+    };
+
+
+
+    bool
+    contains(const std::string &folder, const Quantity &quantity)
+    {
+      return std::filesystem::exists(folder + '/' + quantity.table() + ".csv");
+    }
+
+
+
+    History
+    table_of(const std::string &folder, const Quantity &quantity)
+    {
+      return History(folder + '/' + quantity.table() + ".csv");
+    }
+
+
+
+    MeasuredError
+    compare_with_formula(const Quantity &quantity, const History &history)
+    {
+      const std::vector<double> *column = history.find(quantity.column());
+      if (column == nullptr)
+        return MeasuredError::none("the run has no such column");
+      const std::vector<double> &t = history.instants();
+      Extremes                   extremes;
+      try
+        {
+          for (std::size_t i = 0; i < t.size(); ++i)
+            extremes.add((*column)[i],
+                         quantity.exact->value(dealii::Point<2>(), t[i]));
+        }
+      catch (const SceneError &error)
+        {
+          return MeasuredError::none(error.what());
+        }
+      return MeasuredError::relative(extremes.difference,
+                                     extremes.size,
+                                     t.size(),
+                                     !t.empty() && t.back() > 0.);
+    }
+
+
+
+    MeasuredError
+    compare_with_run(const Quantity &quantity,
+                     const History  &history,
+                     const History  &reference,
+                     const double    tolerance)
+    {
+      const auto common =
+        common_instants(history.instants(), reference.instants(), tolerance);
+      Extremes extremes;
+      bool     found = false;
+      for (const std::string &name : reference.columns())
+        if (quantity.selects(name) && history.find(name) != nullptr)
+          {
+            found = true;
+            for (const auto &[i, j] : common)
+              extremes.add((*history.find(name))[i],
+                           (*reference.find(name))[j]);
+          }
+      if (!found)
+        return MeasuredError::none("the runs have no such column");
+      return MeasuredError::relative(extremes.difference,
+                                     extremes.size,
+                                     common.size(),
+                                     !common.empty() &&
+                                       history.instants()[common.back().first] >
+                                         tolerance);
+    }
+  } // namespace
+
+
+
+  History::History(const std::string &file_name)
+    : file_name(file_name)
+  {
+    std::ifstream file(file_name);
+    std::string   line;
+    if (!std::getline(file, line))
+      throw FileError("Cannot read " + file_name + ".");
+    names = cells_of(line);
+    values.resize(names.size());
+    while (std::getline(file, line))
+      {
+        // The last line of a whole table ends too.
+        if (file.eof())
+          throw FileError(file_name + ": the last line is not complete.");
+        read_row(line);
+      }
+    if (find("t") == nullptr && find("t_end") == nullptr)
+      throw FileError(file_name + ": there is no column t.");
+  }
+
+
+
+  void
+  History::read_row(const std::string &line)
+  {
+    const std::vector<std::string> cells = cells_of(line);
+    if (cells.size() != names.size())
+      throw FileError(file_name + ": a row has " +
+                      std::to_string(cells.size()) + " entries instead of " +
+                      std::to_string(names.size()) + ".");
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      {
+        const char *begin = cells[c].data();
+        const char *end   = begin + cells[c].size();
+        double      value = 0.;
+        const auto  read  = std::from_chars(begin, end, value);
+        if (read.ec != std::errc() || read.ptr != end)
+          throw FileError(file_name + ": \"" + cells[c] + "\" is no number.");
+        values[c].push_back(value);
+      }
+  }
+
+
+
+  const std::vector<std::string> &
+  History::columns() const
+  {
+    return names;
+  }
+
+
+
+  const std::vector<double> *
+  History::find(const std::string &column) const
+  {
+    const auto place = std::find(names.begin(), names.end(), column);
+    return place == names.end() ? nullptr : &values[place - names.begin()];
+  }
+
+
+
+  const std::vector<double> &
+  History::instants() const
+  {
+    const std::vector<double> *t = find("t");
+    return t != nullptr ? *t : *find("t_end");
+  }
+
+
+
+  MeasuredError
+  history_error(const Quantity    &quantity,
+                const std::string &folder,
+                const std::string &reference,
+                const double       tolerance)
+  {
+    if (!contains(folder, quantity))
+      return MeasuredError::none("the run has no table " + quantity.table());
+    const History history = table_of(folder, quantity);
+    if (quantity.exact != nullptr)
+      return compare_with_formula(quantity, history);
+    if (!contains(reference, quantity))
+      return MeasuredError::none("the reference has no table " +
+                                 quantity.table());
+    return compare_with_run(quantity,
+                            history,
+                            table_of(reference, quantity),
+                            tolerance);
+  }
+} // namespace Crevasse

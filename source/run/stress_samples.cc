@@ -1,0 +1,174 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/run/stress_record.h>
+#include <crevasse/run/stress_samples.h>
+#include <crevasse/scene/collectively.h>
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/cell_id.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <numeric>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    write_numbers(std::ofstream &file, const std::vector<double> &values)
+    {
+      file.write(reinterpret_cast<const char *>(values.data()),
+                 values.size() * sizeof(double));
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  StressSamples<dim>::StressSamples(const Body<dim> &body, const double period)
+    : body(body)
+    , period(period)
+  {
+  }
+
+
+
+  template <int dim>
+  void
+  StressSamples<dim>::observe(const Sample &sample)
+  {
+    if (sample.step == 0)
+      instants.clear();
+    const std::size_t k = instants.size();
+    instants.push_back(sample.time - (sample.period - 1) * period);
+    if (samples.size() <= k)
+      samples.emplace_back();
+    const Vector &stress = sample.state.stress;
+    samples[k].assign(stress.begin(), stress.end());
+  }
+
+
+
+  template <int dim>
+  std::vector<std::size_t>
+  StressSamples<dim>::order_of_cells() const
+  {
+    std::vector<CellId::binary_type> mine;
+    for (const auto &cell : body.space.mesh().active_cell_iterators())
+      if (cell->is_locally_owned())
+        mine.push_back(cell->id().template to_binary<dim>());
+
+    std::vector<CellId> ids;
+    for (const auto &theirs :
+         Utilities::MPI::gather(body.space.communicator(), mine))
+      ids.insert(ids.end(), theirs.begin(), theirs.end());
+    std::vector<std::size_t> order(ids.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(),
+              order.end(),
+              [&ids](const std::size_t a, const std::size_t b) {
+                return ids[a] < ids[b];
+              });
+    return order;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  StressSamples<dim>::gather(const std::vector<double>      &values,
+                             const std::vector<std::size_t> &order) const
+  {
+    std::vector<double> all;
+    for (const auto &theirs :
+         Utilities::MPI::gather(body.space.communicator(), values))
+      all.insert(all.end(), theirs.begin(), theirs.end());
+    if (order.empty())
+      return all;
+
+    std::vector<double> sorted(all.size());
+    const std::size_t   n = all.size() / order.size(); // of a cell
+    for (std::size_t i = 0; i < order.size(); ++i)
+      std::copy_n(all.begin() + order[i] * n, n, sorted.begin() + i * n);
+    return sorted;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  StressSamples<dim>::coordinates() const
+  {
+    FEValues<dim>       values(body.space.mapping(),
+                         body.space.finite_element(),
+                         body.space.quadrature(),
+                         update_quadrature_points);
+    std::vector<double> all;
+    for (const auto &cell : body.space.mesh().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          values.reinit(cell);
+          for (const Point<dim> &point : values.get_quadrature_points())
+            all.insert(all.end(), point.begin_raw(), point.end_raw());
+        }
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  StressSamples<dim>::write(const std::string &file_name) const
+  {
+    if (instants.empty())
+      return;
+    StressRecordHeader header;
+    header.dimension    = dim;
+    header.n_points     = body.points.n_points();
+    header.n_components = n_stress_components<dim>;
+    header.n_samples    = instants.size();
+    header.period       = period;
+
+    const MPI_Comm communicator = body.space.communicator();
+    const bool     writes = Utilities::MPI::this_mpi_process(communicator) == 0;
+    const std::string part = file_name + ".part";
+    std::ofstream     file;
+    if (writes)
+      {
+        file.open(part, std::ios::binary);
+        file.write(reinterpret_cast<const char *>(&header), sizeof(header));
+        write_numbers(file, instants);
+      }
+    // All ranks go on together, whatever becomes of the file.
+    const std::vector<std::size_t> order = order_of_cells();
+    write_numbers(file, gather(coordinates(), order));
+    for (std::size_t k = 0; k < instants.size(); ++k)
+      write_numbers(file, gather(samples[k], order));
+    file.close();
+    collectively(communicator, [&]() {
+      if (writes &&
+          (!file || std::rename(part.c_str(), file_name.c_str()) != 0))
+        throw FileError("Cannot write " + file_name + ": is the disk full?");
+    });
+  }
+
+
+
+  template class StressSamples<2>;
+  template class StressSamples<3>;
+} // namespace Crevasse

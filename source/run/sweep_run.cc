@@ -1,0 +1,127 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/run/failure.h>
+#include <crevasse/run/simulation.h>
+#include <crevasse/run/stress_samples.h>
+#include <crevasse/run/sweep_run.h>
+#include <crevasse/run/version.h>
+#include <crevasse/scene/collectively.h>
+#include <crevasse/scene/problems.h>
+
+#include <filesystem>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** @param status is "failed" as soon as the scene is not refused, and says
+     * in the end whether there are results. */
+    template <int dim>
+    void
+    compute(const Scene       &scene,
+            const SweepFolder &folder,
+            const bool         keep_stress,
+            Log               &log,
+            std::string       &status)
+    {
+      Simulation<dim> simulation(scene, MPI_COMM_WORLD, log);
+      simulation.describe();
+      status = "failed";
+
+      StressSamples<dim>      samples(simulation.discretised_body(),
+                                 scene.loads.period);
+      std::vector<Observer *> observers;
+      if (keep_stress)
+        observers.push_back(&samples);
+      try
+        {
+          simulation.run(folder.path(), observers);
+          samples.write(folder.file(SweepFolder::stress_file));
+          status = "done";
+        }
+      catch (const NotPeriodicError &)
+        {
+          samples.write(folder.file(SweepFolder::stress_file));
+          status = "not converged";
+          throw;
+        }
+    }
+
+
+
+    /** What is thrown on all ranks ends this run only. */
+    void
+    require_all_ranks(const std::exception &error, const MPI_Comm communicator)
+    {
+      if (Utilities::MPI::n_mpi_processes(communicator) > 1 &&
+          !all_ranks_arrive(communicator))
+        abort_all_ranks(error, communicator);
+    }
+
+
+
+    void
+    read_costs(const SweepFolder &folder, SweepResult &result)
+    {
+      // Also of what failed, if it came so far as to write it.
+      if (std::filesystem::exists(folder.file("summary.json")))
+        result.costs = costs_in(folder.summary());
+    }
+  } // namespace
+
+
+
+  SweepRun
+  run_for_sweep(const Scene       &scene,
+                const SweepFolder &folder,
+                const bool         keep_stress,
+                const MPI_Comm     for_failures)
+  {
+    const MPI_Comm communicator = MPI_COMM_WORLD;
+    const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
+    collectively(communicator, [&]() {
+      if (first_rank)
+        folder.prepare();
+    });
+
+    Log log(communicator, true);
+    log.open_file(folder.file("log.txt"));
+    log.line("Crevasse " CREVASSE_VERSION ": a point of a sweep");
+    SweepRun     run;
+    std::string &status = run.result.status = "refused";
+    try
+      {
+        if (scene.dimension == 2)
+          compute<2>(scene, folder, keep_stress, log, status);
+        else
+          compute<3>(scene, folder, keep_stress, log, status);
+      }
+    catch (const FileError &)
+      {
+        throw;
+      }
+    catch (const std::exception &error)
+      {
+        require_all_ranks(error, for_failures);
+        run.result.message = error.what();
+        run.exception      = std::current_exception();
+        log.line("crevasse: " + run.result.message);
+      }
+    collectively(communicator, [&]() {
+      if (first_rank)
+        read_costs(folder, run.result);
+    });
+    return run;
+  }
+} // namespace Crevasse
