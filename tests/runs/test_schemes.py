@@ -111,8 +111,8 @@ def mean_rate(scheme, settings):
 
 for scheme, order in ORDERS.items():
     expected = 2 if scheme == "rk4" else order
-    check(abs(mean_rate(scheme, []) - expected) < (1 if scheme == "rk4" else 0.8),
-          f"contact, {scheme}: order about {expected}")
+    check(abs(mean_rate(scheme, []) - expected) < 0.25,
+          f"contact, {scheme}: order {expected}")
     check(mean_rate(scheme, EVENTS) > (3.7 if scheme == "rk4" else order - 0.25),
           f"contact with located events, {scheme}: order {order}")
 

@@ -10,12 +10,14 @@
 // ---------------------------------------------------------------------
 
 // Orders of the schemes on equations with known solutions, their stability
-// limits on decaying ones, and the relaxation times
+// limits on decaying ones, events at kinks, and the relaxation times
 // on which the limits are based.
 
 #include <crevasse/material/maxwell_law.h>
+#include <crevasse/material/phi_functions.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/time/contact_events.h>
 #include <crevasse/time/exponential_heun.h>
 #include <crevasse/time/predictor_corrector.h>
 #include <crevasse/time/runge_kutta.h>
@@ -271,6 +273,125 @@ namespace
                 1e-9);
   }
 
+  /** r' = |cos t| r: the "contact" has a kink wherever cos t changes its sign.
+   */
+  class Kinks : public ExplicitEquation
+  {
+  public:
+    void
+    rate(const double t, const Vector &r, Vector &rate) override
+    {
+      last_time = t;
+      rate.equ(std::abs(std::cos(t)), r);
+    }
+
+    void
+    switching_functions(std::vector<double> &values) const override
+    {
+      // One that switches 10⁻¹¹ later, and one that rounding switches.
+      values = {std::cos(last_time),
+                std::cos(last_time - 1e-11),
+                1e-17 * std::sin(1e5 * last_time)};
+    }
+
+    static double
+    solution(const double t)
+    {
+      // ∫|cos| up to 2 < 3π/2
+      return std::exp(2. - std::sin(t));
+    }
+
+  private:
+    double last_time = 0.;
+  };
+
+  ContactEvents
+  rk4_with_events()
+  {
+    return ContactEvents(std::make_unique<RungeKutta>(rk4_tableau()));
+  }
+
+  /** What switches without end within a step. */
+  class Zeno : public Kinks
+  {
+  public:
+    void
+    switching_functions(std::vector<double> &values) const override
+    {
+      Kinks::switching_functions(values);
+      const double kink = dealii::numbers::PI_2;
+      values            = {std::sin(1. / (std::abs(values[0]) + 1e-9)), kink};
+    }
+  };
+
+  std::size_t
+  count(const Integrator &scheme, const std::string &name)
+  {
+    for (const auto &[key, number] : scheme.statistics())
+      if (key == name)
+        return number;
+    return 0;
+  }
+
+  void
+  check_contact_events()
+  {
+    const auto error = [](const unsigned int n_steps, ContactEvents &scheme) {
+      Kinks equation;
+      return std::abs(integrate(scheme, equation, 1., 2., n_steps) -
+                      equation.solution(2.));
+    };
+    double errors[2];
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        ContactEvents scheme = rk4_with_events();
+        errors[i]            = error(20 * (i + 1), scheme);
+        check("one event of two functions that switch together",
+              count(scheme, "contact_events") == 1 &&
+                count(scheme, "steps_with_too_many_events") == 0);
+      }
+    check_below("rk4 with events through a kink: |order - 4|",
+                std::abs(std::log2(errors[0] / errors[1]) - 4.),
+                0.2);
+
+    Zeno          equation;
+    ContactEvents scheme = rk4_with_events();
+    const double  r      = integrate(scheme, equation, 1., 2., 4);
+    check("events without end: a step ends nevertheless, and it is counted",
+          count(scheme, "steps_with_too_many_events") >= 1 &&
+            count(scheme, "contact_events") <= 400);
+    check_below("events without end: error",
+                std::abs(r / equation.solution(2.) - 1.),
+                1e-3);
+  }
+
+  /** φ₁ and φ₂ of a matrix with known eigenvectors, and of one whose
+   * eigenvalues are far apart. */
+  void
+  check_phi_functions()
+  {
+    for (const double size : {1e-9, 0.3, 7., 1e4, 1e12})
+      {
+        // Eigenvalues size (1, 1) and 3 size (1, −1).
+        VoigtMatrix<2> rate;
+        rate[0][0] = rate[1][1] = 2. * size;
+        rate[0][1] = rate[1][0]   = -size;
+        const PhiFunctions<2> phi = decay_functions<2>(rate);
+        const auto first  = [](const double z) { return std::expm1(z) / z; };
+        const auto second = [&](const double z) {
+          return z > -1e-3 ? 0.5 + z / 6. + z * z / 24. : (first(z) - 1.) / z;
+        };
+        const auto worst = [&](const VoigtMatrix<2> &value, const auto &f) {
+          const double sum        = value[0][0] + value[0][1];
+          const double difference = value[0][0] - value[0][1];
+          return std::max(std::abs(sum / f(-size) - 1.),
+                          std::abs(difference / f(-3. * size) - 1.));
+        };
+        check_below("phi_1, relative error", worst(phi.first, first), 1e-13);
+        check_below("phi_2, relative error", worst(phi.second, second), 1e-11);
+      }
+  }
+
   double
   relaxation_rate(const MaterialParameters &material)
   {
@@ -353,6 +474,8 @@ main(int argc, char **argv)
                 2.);
     check_order("sdirk2", Sdirk2(), Relaxation(0.5, 0.6), 2.);
     check_order("exponential", ExponentialHeun(), Relaxation(0.5, 0.6), 2.);
+    check_contact_events();
+    check_phi_functions();
     check_stability("euler", RungeKutta(euler_tableau()));
     check_stability("heun", RungeKutta(heun_tableau(0.75)));
     check_stability("rk4", RungeKutta(rk4_tableau()));

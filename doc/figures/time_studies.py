@@ -1,0 +1,161 @@
+#!/usr/bin/python3
+# Copyright (C) 2026 by the Crevasse authors
+# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+
+"""The studies of the time schemes, by sweeps over the scenes of prm/studies:
+the paper's comparison at equal numbers of contact problems, relaxation times
+from a hundredth of a period to ten, steps across the stability bound on three
+meshes. Draws the figures of doc/time_schemes.md. What a sweep has computed is
+not computed again."""
+
+import argparse
+import csv
+import pathlib
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
+
+from plotting import BLUE, GREEN, GREY, INK, VERMILION, pyplot, save
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+STUDIES = ROOT / "prm" / "studies"
+SCHEME, STEPS = "Time integration/Scheme", "Time integration/Steps per period"
+EVENTS = "Time integration/Locate contact events"
+REFERENCE = [f"{SCHEME}=rk4", f"{EVENTS}=true", f"{STEPS}=2560"]
+QUANTITY = "probe_C/s"
+
+# Contact problems of a step and how the scheme is drawn.
+STYLES = {"euler": (1, GREY, "o"), "heun": (2, BLUE, "s"),
+          "predictor corrector": (2, GREEN, "D"),
+          "exponential": (2, VERMILION, "^"), "sdirk2": (2, INK, "v"),
+          "rk4": (4, "#CC79A7", "P"), "rk4 with events": (4, "#E69F00", "*")}
+ZERO, COMPRESSIVE = ("0; 10*sin(2*pi*t/600)",
+                     "0; 10*(sin(2*pi*t/600) - 0.1)")
+
+
+class Studies:
+    def __init__(self, program, output):
+        self.program, self.output = program, output
+
+    def sweep(self, name, scene, *options):
+        """The rows of the table of one sweep."""
+        directory = self.output / name
+        subprocess.run([self.program, "sweep", STUDIES / scene, "--quiet",
+                        "--output", directory, "--error", QUANTITY, *options],
+                       check=True)
+        with open(directory / "sweep.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def schemes(self, name, scene, works, settings):
+        """Errors against contact problems a period, by scheme."""
+        points = [(scheme, work // STYLES[scheme][0])
+                  for scheme in STYLES for work in works]
+        vary = (SCHEME + "=" + ",".join(scheme.split(" with")[0]
+                                        for scheme, _ in points)
+                + f" & {STEPS}=" + ",".join(str(steps) for _, steps in points)
+                + f" & {EVENTS}=" + ",".join(
+                    str("events" in scheme).lower() for scheme, _ in points))
+        rows = self.sweep(name, scene, *both("--set", settings), "--vary", vary,
+                          *both("--reference", REFERENCE))
+        curves = {}
+        for (scheme, _), row in zip(points, rows):
+            error = row[f"error:{QUANTITY}"]
+            if error and float(error) > 0:
+                curves.setdefault(scheme, []).append(
+                    (float(row["vi_solves"]) / 2, float(error)))
+        return curves
+
+
+def both(option, values):
+    return [word for value in values for word in (option, value)]
+
+
+def draw_curves(axes, curves, title):
+    for scheme, points in curves.items():
+        _, colour, marker = STYLES[scheme]
+        axes.loglog(*zip(*points), color=colour, marker=marker, markersize=4.5,
+                    label=scheme, linewidth=1.3)
+    axes.set_title(title, fontsize=9)
+    axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
+
+
+def equal_work(studies, directory, formats):
+    figure, panels = pyplot.subplots(1, 2, figsize=(8.2, 3.9), sharey=True,
+                                     constrained_layout=True)
+    for axes, (name, load, title) in zip(panels, (
+            ("zero_mean", ZERO, "without mean load"),
+            ("compressive", COMPRESSIVE, "with a compressive mean load"))):
+        curves = studies.schemes(name, "time_schemes.prm",
+                                 (80, 160, 320, 640, 1280),
+                                 [f"Loads/Traction={load}"])
+        draw_curves(axes, curves, title)
+        axes.set_xlabel("contact problems a period")
+    panels[0].set_ylabel("error of the stress at C, two periods")
+    panels[1].legend(fontsize=8)
+    save(figure, "scheme_work", directory, formats)
+
+
+def relaxation_times(studies, directory, formats):
+    figure, panels = pyplot.subplots(2, 2, figsize=(8.2, 6.6), sharex=True,
+                                     constrained_layout=True)
+    for axes, ratio in zip(panels.flat, (0.01, 0.1, 1, 10)):
+        curves = studies.schemes(
+            f"tau_{ratio}", "relaxation_times.prm", (80, 160, 320, 640),
+            [f"Material/Relaxation time={600 * ratio:g}"])
+        draw_curves(axes, curves, rf"$\tau/T = {ratio}$")
+    for axes in panels[1]:
+        axes.set_xlabel("contact problems a period")
+    for axes in panels[:, 0]:
+        axes.set_ylabel("error of the stress at C")
+    panels[0, 1].legend(fontsize=8)
+    save(figure, "relaxation_times", directory, formats)
+
+
+def stability_bound(studies, directory, formats):
+    steps = (34, 36, 38, 39, 40, 41, 42, 44, 46)
+    rows = studies.sweep(
+        "stability_bound", "stability_bound.prm",
+        "--vary", f"{SCHEME}=euler,heun",
+        "--vary", "Geometry/Refinements=0,2,4",
+        "--vary", f"{STEPS}=" + ",".join(map(str, steps)),
+        *both("--reference", [f"{SCHEME}=sdirk2", f"{STEPS}=1280"]))
+    figure, panels = pyplot.subplots(1, 2, figsize=(8.2, 3.6), sharey=True,
+                                     constrained_layout=True)
+    for axes, scheme in zip(panels, ("euler", "heun")):
+        for refinements, colour, marker in ((0, BLUE, "o"), (2, GREEN, "s"),
+                                            (4, VERMILION, "^")):
+            points = [(40 / float(row[STEPS]), float(row[f"error:{QUANTITY}"]))
+                      for row in rows if row[SCHEME] == scheme
+                      and int(row["Geometry/Refinements"]) == refinements
+                      and row[f"error:{QUANTITY}"]]
+            axes.semilogy(*zip(*points), color=colour, marker=marker,
+                          markersize=4.5, linewidth=1.3,
+                          label=f"h = 1/{14 * 2**refinements}")
+        axes.axvline(1, color=INK, linewidth=0.8, linestyle=(0, (4, 3)))
+        axes.set(xlabel=r"$\Delta t \,/\, 2\tau$", title=scheme)
+        axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
+    panels[0].set_ylabel("error of the stress at C, five periods")
+    panels[0].legend()
+    save(figure, "stability_bound", directory, formats)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", type=pathlib.Path, help="build/crevasse")
+    parser.add_argument("--output", type=pathlib.Path,
+                        default=pathlib.Path("results/time_studies"),
+                        help="where the sweeps are kept")
+    parser.add_argument("--figures", type=pathlib.Path,
+                        default=pathlib.Path(__file__).resolve().parent,
+                        help="where the figures go")
+    parser.add_argument("--formats", nargs="+", default=["png"],
+                        choices=("png", "pdf", "svg"))
+    options = parser.parse_args()
+    studies = Studies(options.program.resolve(), options.output)
+    for draw in (equal_work, relaxation_times, stability_bound):
+        draw(studies, options.figures, options.formats)
+
+
+if __name__ == "__main__":
+    main()
