@@ -12,6 +12,7 @@
 #include <crevasse/contact/sweep.h>
 #include <crevasse/periodic/period_map.h>
 #include <crevasse/run/elastic_reference.h>
+#include <crevasse/run/integrator_choice.h>
 #include <crevasse/run/libraries.h>
 #include <crevasse/run/outputs.h>
 #include <crevasse/run/relaxation_table.h>
@@ -21,9 +22,6 @@
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
 #include <crevasse/scene/unused_parameters.h>
-#include <crevasse/time/predictor_corrector.h>
-#include <crevasse/time/runge_kutta.h>
-#include <crevasse/time/sdirk.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -38,23 +36,6 @@ namespace Crevasse
 
   namespace
   {
-    /** The time integrators by their names in the scene. */
-    std::unique_ptr<Integrator>
-    make_integrator(const TimeIntegrationParameters &parameters)
-    {
-      if (parameters.scheme == "euler")
-        return std::make_unique<RungeKutta>(euler_tableau());
-      if (parameters.scheme == "rk4")
-        return std::make_unique<RungeKutta>(rk4_tableau());
-      if (parameters.scheme == "predictor corrector")
-        return std::make_unique<PredictorCorrector>();
-      if (parameters.scheme == "sdirk2")
-        return std::make_unique<Sdirk2>();
-      return std::make_unique<RungeKutta>(heun_tableau(parameters.heun_weight));
-    }
-
-
-
     /** The instants at which a run evaluates formulas, and some between. */
     std::vector<double>
     survey_instants(const StepList &steps, const Integrator *integrator)
@@ -116,7 +97,7 @@ namespace Crevasse
     , probes(make_probes(scene.output.probes, body.space, recovery, body.lip))
     , steps(scene.time_integration, scene.loads.period)
     , integrator(body.effects.viscosity.on
-                   ? make_integrator(scene.time_integration)
+                   ? make_integrator(scene.time_integration, scene.loads.period)
                    : nullptr)
     , smallest_relaxation_time(
         survey(body, survey_instants(steps, integrator.get())))
@@ -284,6 +265,8 @@ namespace Crevasse
       scene.periodic_state.maximum_periods);
     if (secular_flow && scene.periodic_state.secular_split == "on")
       evolution.split_off(*secular_flow);
+    if (integrator != nullptr && has_tolerances(scene.time_integration))
+      evolution.set_stress_scale(instants_of_stress_scale(body, steps));
     Vector viscous_strain;
     if (body.effects.viscosity.on)
       body.points.initialize(viscous_strain, body.law.branches().size());
@@ -385,6 +368,7 @@ namespace Crevasse
 
     solvers.summarise(summary);
     summary["counters"]["rate_evaluations"] = rate_evaluations;
+    summarise_integrator(summary);
 
     const SolverStatistics statistics = solvers.statistics();
     if (statistics.certified == 0)
@@ -405,6 +389,25 @@ namespace Crevasse
         Text::from_number(scene.contact.tolerance) +
         ". Very flat cells or a Poisson ratio close to its limits do "
         "this.");
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::summarise_integrator(Summary &summary) const
+  {
+    if (integrator == nullptr)
+      return;
+    std::string text;
+    for (const auto &[name, number] : integrator->statistics())
+      {
+        summary["time_integration"][name] = number;
+        text +=
+          (text.empty() ? "" : ", ") + std::to_string(number) + ' ' + name;
+      }
+    if (!text.empty())
+      log.line("  time integration: " + text);
   }
 
 

@@ -280,9 +280,12 @@ namespace Crevasse
                       "of the step: \"euler\", \"heun\" and \"rk4\" of "
                       "order 1, 2 and 4, and \"predictor corrector\" of order "
                       "2, implicit in the material alone. Implicit, without "
-                      "limit: \"sdirk2\" of order 2.",
+                      "limit: \"sdirk2\" of order 2. \"arkode explicit\" and "
+                      "\"arkode implicit\" are methods of the library ARKODE, "
+                      "of the Order given.",
                       Patterns::Selection(
-                        "euler|heun|rk4|predictor corrector|sdirk2"));
+                        "euler|heun|rk4|predictor corrector|sdirk2|"
+                        "arkode explicit|arkode implicit"));
     prm.add_parameter("Heun weight",
                       heun_weight,
                       "Weight w of the second stage of the scheme \"heun\", "
@@ -290,14 +293,16 @@ namespace Crevasse
                       "a number from 0.5 to 1");
     prm.add_parameter("Steps per period",
                       steps_per_period,
-                      "Number of equal steps of the step control \"uniform\". "
+                      "Number of equal steps of the step control \"uniform\", "
+                      "and of samples of \"adaptive\". "
                       "Allowed: an integer from 1 to 1000000",
                       count);
     prm.add_parameter("Step control",
                       step_control,
                       "Where the steps end: \"uniform\" divides the period "
-                      "equally, \"list\" takes the instants of Steps.",
-                      Patterns::Selection("uniform|list"));
+                      "equally, \"list\" takes the instants of Steps, "
+                      "\"adaptive\" chooses steps by the tolerances.",
+                      Patterns::Selection("uniform|list|adaptive"));
     prm.add_parameter("Steps",
                       steps,
                       "Instants of the step control \"list\", in units of "

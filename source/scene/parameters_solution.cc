@@ -120,6 +120,13 @@ namespace Crevasse
                      "must be greater than 0, or Absolute tolerance, for the "
                      "step control \"adaptive\"");
 
+    checker.demand(step_control != "adaptive" || scheme.rfind("arkode", 0) == 0,
+                   "Step control",
+                   step_control,
+                   "is for the schemes \"arkode explicit\" and \"arkode "
+                   "implicit\" only; with Scheme = " +
+                     scheme + " it must be uniform or list");
+
     if (step_control != "list")
       return;
     checker.demand(!steps.empty(),

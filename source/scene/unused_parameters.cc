@@ -144,7 +144,8 @@ namespace Crevasse
       const std::string &scheme = scene.time_integration.scheme;
       const bool         implicit =
         scene.material.viscosity != "none" &&
-        (scheme == "sdirk2" || scheme == "predictor corrector");
+        (scheme == "sdirk2" || scheme == "predictor corrector" ||
+         scheme == "arkode implicit");
       return {
         {here, "Solver", !has_contact(scene), no_contact},
         {here, "Relaxation factor", !has_contact(scene), no_contact},
@@ -172,17 +173,28 @@ namespace Crevasse
     rules_of_time(const Scene &scene)
     {
       const TimeIntegrationParameters &time = scene.time_integration;
-      const char       *here    = TimeIntegrationParameters::section;
-      const bool        uniform = time.step_control == "uniform";
-      const bool        elastic = scene.material.viscosity == "none";
-      const std::string control = "Step control = " + time.step_control;
-      const std::string none    = "[Material] Viscosity = none";
+      const char       *here     = TimeIntegrationParameters::section;
+      const bool        listed   = time.step_control == "list";
+      const bool        adaptive = time.step_control == "adaptive";
+      const bool        arkode   = time.scheme.rfind("arkode", 0) == 0;
+      const bool        elastic  = scene.material.viscosity == "none";
+      const std::string control  = "Step control = " + time.step_control;
+      const std::string none     = "[Material] Viscosity = none";
       return {
         {here, "Scheme", elastic, none},
         {here, "Heun weight", elastic, none},
         {here, "Heun weight", time.scheme != "heun", "Scheme = " + time.scheme},
-        {here, "Steps per period", !uniform, control},
-        {here, "Steps", uniform, control},
+        {here, "Order", elastic, none},
+        {here, "Order", !arkode, "Scheme = " + time.scheme},
+        {here, "Steps per period", listed, control},
+        {here, "Steps", !listed, control},
+        {here, "Relative tolerance", elastic, none},
+        {here, "Relative tolerance", !adaptive, control},
+        {here, "Absolute tolerance", elastic, none},
+        {here, "Absolute tolerance", !adaptive, control},
+        {here, "Locate contact events", elastic, none},
+        {here, "Locate contact events", !has_contact(scene), no_contact},
+        {here, "Locate contact events", !adaptive, control},
         {PeriodicStateParameters::section, "Secular split", elastic, none},
         {PeriodicStateParameters::section,
          "Maximum periods",

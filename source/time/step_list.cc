@@ -21,7 +21,8 @@ namespace Crevasse
 {
   StepList::StepList(const TimeIntegrationParameters &parameters,
                      const double                     period)
-    : uniform(parameters.step_control == "uniform")
+    : uniform(parameters.step_control != "list")
+    , adaptive(parameters.step_control == "adaptive")
   {
     if (!uniform)
       {
@@ -128,19 +129,22 @@ namespace Crevasse
   StepList::require_stability(const double limit,
                               const double smallest_relaxation_time) const
   {
-    const double bound   = limit * smallest_relaxation_time;
-    const double largest = largest_step();
-    if (largest < bound)
+    const double bound    = limit * smallest_relaxation_time;
+    const double n_needed = std::floor(period() / bound * (1 + 1e-12)) + 1.;
+    constexpr unsigned int most = TimeIntegrationParameters::most_steps;
+    // Adaptive steps become as short as it takes.
+    if (adaptive ? n_needed <= most : largest_step() < bound)
       return;
 
     std::ostringstream message;
-    message << "The time step " << largest
-            << " is too large: this scheme is stable below " << limit
+    if (!adaptive)
+      message << "The time step " << largest_step() << " is too large: this";
+    else
+      message << "This";
+    message << " scheme is stable below " << limit
             << " times the smallest relaxation time "
             << smallest_relaxation_time << ", that is below " << bound
             << ", whatever the mesh. ";
-    const double n_needed = std::floor(period() / bound * (1 + 1e-12)) + 1.;
-    constexpr unsigned int most = TimeIntegrationParameters::most_steps;
     if (!(n_needed <= most))
       message << "No number of steps is enough, for a period has at most "
               << most << " of them: that takes relaxation times above "

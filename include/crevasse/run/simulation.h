@@ -79,6 +79,10 @@ namespace Crevasse
     void
     summarise(Summary &summary, Solvers<dim> &solvers) const;
 
+    /** How often the time integrator has done what. */
+    void
+    summarise_integrator(Summary &summary) const;
+
     /** @throw NumericalError if the periodic state was not reached, or if the
      * stress is nothing but rounding. */
     void

@@ -23,7 +23,8 @@ namespace Crevasse
   class StepList
   {
   public:
-    /** Uniform steps, or the scene's list completed by 0 and the period. */
+    /** Uniform steps, or the scene's list completed by 0 and the period. Where
+     * steps are adaptive these are the intervals between samples. */
     StepList(const TimeIntegrationParameters &parameters, const double period);
 
     unsigned int
@@ -58,13 +59,14 @@ namespace Crevasse
     within_period(const double t) const;
 
     /** @throw NumericalError if the largest step is not below @p limit ×
-     * @p smallest_relaxation_time, with both numbers and what to set. */
+     * @p smallest_relaxation_time, with both numbers and what to set; where
+     * steps are adaptive, if steps below that are too many for a period. */
     void
     require_stability(const double limit,
                       const double smallest_relaxation_time) const;
 
   private:
-    const bool          uniform;
+    const bool          uniform, adaptive;
     std::vector<double> instants;
   };
 } // namespace Crevasse

@@ -1,0 +1,104 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_time_arkode_h
+#define crevasse_time_arkode_h
+
+#include <crevasse/scene/parameters.h>
+#include <crevasse/time/arkode_driver.h>
+#include <crevasse/time/integrator.h>
+
+#include <memory>
+
+namespace Crevasse
+{
+  /**
+   * The Runge–Kutta methods of ARKODE (SUNDIALS), explicit or diagonally
+   * implicit, of order 2 to 5 (ArkodeTable). A step of the step list is one of
+   * ARKODE's; or, with the step control "adaptive", ARKODE chooses its own from
+   * an estimate of the error, and the steps of the list are intervals between
+   * samples, which are interpolated.
+   *
+   * Tolerances are on the stress that an error of r makes where the strain is
+   * held: constant for each point, for r itself may drift. ARKODE looks at the
+   * root mean square over all points, but the error is largest where the stress
+   * is, at the tip: tolerances are divided by how much larger the largest rate
+   * of stress of the elastic body is than its root mean square.
+   */
+  class Arkode : public Integrator
+  {
+  public:
+    Arkode(const TimeIntegrationParameters &parameters, const double period);
+
+    void
+    restart() override;
+
+    void
+    step(RateEquation                &f,
+         const double                 t,
+         const double                 time_step,
+         Vector                      &r,
+         const std::function<void()> &at_start) override;
+
+    double
+    stability_limit() const override;
+
+    TimeQuadrature
+    quadrature() const override;
+
+    std::string
+    description() const override;
+
+    IntegratorStatistics
+    statistics() const override;
+
+  private:
+    /** Begins with ARKODE, or again from here. */
+    void
+    begin(const RateEquation &f,
+          const double        t,
+          const double        time_step,
+          const Vector       &r);
+
+    /** The error of r that a step may make, see above. Solves for the elastic
+     * body at some instants. */
+    Vector
+    tolerances(const RateEquation &f, const Vector &r);
+
+    /** Advances to @p end by ARKODE's own steps; r there. */
+    void
+    advance(const double end, const double time_step, Vector &r);
+
+    /** Goes on behind an event so that no step crosses it. */
+    void
+    pass_event(const double time_step);
+
+    const TimeIntegrationParameters parameters;
+    const double                    period;
+    const bool                      is_implicit, is_adaptive;
+    const ArkodeTable               table;
+
+    RememberedRate                 equation;
+    std::unique_ptr<ContactEvents> events; ///< if they are to be located
+    std::unique_ptr<ArkodeDriver>  driver; ///< once there is an r
+    bool                           goes_on         = false;
+    double                         usual_step      = 0.; ///< not cut at the end
+    unsigned int                   steps_of_period = 0;
+
+    double       last_event         = 0.;
+    unsigned int events_of_interval = 0;
+    bool         seeks_events       = false; ///< still, in this interval
+    std::size_t  events_located = 0, events_given_up = 0;
+    Vector       rate;
+  };
+} // namespace Crevasse
+
+#endif
