@@ -31,16 +31,16 @@ namespace Crevasse
       const double number = t / step;
       return std::abs(number - std::round(number)) <= rounding * (1. + number);
     };
-    // What reaches the end of an interval that something else ended may be of
-    // any length.
+    // What something else ended, an event or the period, may have any length.
     const int of_last = std::floor(std::log2(last / unit) + rounding);
     const int lowest  = of_last - 3;
-    int       level   = std::clamp(static_cast<int>(
-                             std::floor(std::log2(wish / unit) + rounding)),
-                           lowest,
-                           of_last + 3);
-    while (level > lowest && !begins(std::ldexp(unit, level)))
-      --level;
-    return std::ldexp(unit, level);
+    const int highest = std::clamp(static_cast<int>(std::floor(
+                                     std::log2(wish / unit) + rounding)),
+                                   lowest,
+                                   of_last + 3);
+    for (int level = highest; level >= lowest; --level)
+      if (begins(std::ldexp(unit, level)))
+        return std::ldexp(unit, level);
+    return std::ldexp(unit, highest);
   }
 } // namespace Crevasse

@@ -11,10 +11,9 @@
 
 #include <crevasse/scene/problems.h>
 #include <crevasse/time/arkode.h>
+#include <crevasse/time/arkode_failure.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
+#include <arkode/arkode.h>
 #include <cmath>
 #include <sstream>
 
@@ -118,8 +117,6 @@ namespace Crevasse
       is_implicit, period, time_step, is_adaptive, Vector()};
     if (is_adaptive)
       settings.tolerances = tolerances(f, r);
-    if (events != nullptr)
-      equation.rate(t, r, rate);
     usual_step = time_step;
     driver     = std::make_unique<ArkodeDriver>(
       settings, table, equation, events.get(), time_step, r);
@@ -148,7 +145,8 @@ namespace Crevasse
       stress = 1.;
     Vector result;
     f.strain_per_stress(r, result);
-    result *= stress / peak_of_elastic_rates(equation, result, period);
+    result *= table.excess_of_estimate() * stress /
+              peak_of_elastic_rates(equation, result, period);
     return result;
   }
 
@@ -159,6 +157,9 @@ namespace Crevasse
   {
     const double rounding = 1e-10 * time_step;
     events_of_interval    = 0;
+    if (gave_up)
+      driver->seek_events(true);
+    gave_up = false;
     while (driver->time() < end - rounding)
       {
         if (++steps_of_period > TimeIntegrationParameters::most_steps)
@@ -189,7 +190,8 @@ namespace Crevasse
     if (++events_of_interval > most)
       {
         ++events_given_up;
-        driver->stop_seeking_events();
+        gave_up = true;
+        driver->seek_events(false);
       }
     if (std::abs(t - last_event) <= same * time_step)
       return;

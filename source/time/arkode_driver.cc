@@ -15,10 +15,11 @@
 
 #include <deal.II/sundials/n_vector.h>
 
+#include <algorithm>
 #include <arkode/arkode_arkstep.h>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace Crevasse
 {
@@ -140,6 +141,11 @@ namespace Crevasse
         // An exact stage has told its rate.
         check(ARKStepSetDeduceImplicitRhs(memory, 1));
       }
+    // ARKODE lowers it to one below the order of the method. From 4 on each
+    // instant between steps takes evaluations, which steps of a list have not.
+    const int degree = settings.is_adaptive ? ARK_INTERP_MAX_DEGREE : 3;
+    check(ARKStepSetInterpolantType(memory, ARK_INTERP_HERMITE));
+    check(ARKStepSetInterpolantDegree(memory, degree));
     if (settings.is_adaptive)
       set_step_control(memory);
   }
@@ -149,27 +155,10 @@ namespace Crevasse
   void
   ArkodeDriver::set_step_control(void *memory)
   {
-    // Of degree 3: those above take evaluations of their own at each sample.
-    int type = ARK_INTERP_HERMITE, degree = 3;
-    if (const char *e = std::getenv("X_LAGRANGE"))
-      {
-        type   = ARK_INTERP_LAGRANGE;
-        degree = std::atoi(e);
-      }
-    if (const char *e = std::getenv("X_HERMITE"))
-      degree = std::atoi(e);
-    check(ARKStepSetInterpolantType(memory, type));
-    check(ARKStepSetInterpolantDegree(memory, degree));
     constexpr double shortest = 1e-12; // of the period
     check(ARKStepSetMinStep(memory, shortest * settings.period));
     check(ARKStepSetSafetyFactor(memory, safety));
-    if (const char *e = std::getenv("X_BIAS"))
-      check(ARKStepSetErrorBias(memory, std::atof(e)));
-    if (const char *e = std::getenv("X_CONTROL"))
-      check(ARKStepSetAdaptivityMethod(memory, std::atoi(e), 1, 0, nullptr));
-    if (const char *e = std::getenv("X_MAXSTEP"))
-      check(ARKStepSetMaxStep(memory, std::atof(e)));
-    if (settings.is_implicit && !std::getenv("X_NOALIGN"))
+    if (settings.is_implicit)
       {
         check(ARKStepSetAdaptivityFn(memory, &choose_step, this));
         // Each of these would shorten a step to one that is not aligned.
@@ -177,11 +166,7 @@ namespace Crevasse
         check(ARKStepSetFixedStepBounds(memory, 1., 1.));
       }
     if (events != nullptr)
-      {
-        const int n = events->count(current);
-        check(ARKStepRootInit(memory, n, &root_function));
-        check(ARKStepSetNoInactiveRootWarn(memory));
-      }
+      seek_events(true);
   }
 
 
@@ -262,9 +247,12 @@ namespace Crevasse
 
 
   void
-  ArkodeDriver::stop_seeking_events()
+  ArkodeDriver::seek_events(const bool on)
   {
-    check(ARKStepRootInit(get_arkode_memory(), 0, nullptr));
+    void     *memory = get_arkode_memory();
+    const int n      = on ? events->count(current) : 0;
+    check(ARKStepRootInit(memory, n, n > 0 ? &root_function : nullptr));
+    check(ARKStepSetNoInactiveRootWarn(memory));
   }
 
 

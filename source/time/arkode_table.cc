@@ -30,20 +30,21 @@ namespace Crevasse
     {
       const char *name;
       int         id;
+      double      excess; ///< of estimates, measured (doc/time_schemes.md)
     };
 
     /** By order, from 2 on. */
     constexpr std::array<Choice, 4> explicit_choices = {
-      {{"Heun-Euler 2(1)", ARKODE_HEUN_EULER_2_1_2},
-       {"Bogacki-Shampine 3(2)", ARKODE_BOGACKI_SHAMPINE_4_2_3},
-       {"Zonneveld 4(3)", ARKODE_ZONNEVELD_5_3_4},
-       {"Dormand-Prince 5(4)", ARKODE_DORMAND_PRINCE_7_4_5}}};
+      {{"Heun-Euler 2(1)", ARKODE_HEUN_EULER_2_1_2, 5.},
+       {"Bogacki-Shampine 3(2)", ARKODE_BOGACKI_SHAMPINE_4_2_3, 4.},
+       {"Zonneveld 4(3)", ARKODE_ZONNEVELD_5_3_4, 10.},
+       {"Dormand-Prince 5(4)", ARKODE_DORMAND_PRINCE_7_4_5, 1.}}};
 
     /** By order, from 3 on. */
     constexpr std::array<Choice, 3> implicit_choices = {
-      {{"ESDIRK3(2)5L[2]SA", ARKODE_ESDIRK325L2SA_5_2_3},
-       {"ESDIRK4(3)6L[2]SA", ARKODE_ESDIRK436L2SA_6_3_4},
-       {"ESDIRK5(4)7L[2]SA2", ARKODE_ESDIRK547L2SA2_7_4_5}}};
+      {{"ESDIRK3(2)5L[2]SA", ARKODE_ESDIRK325L2SA_5_2_3, 1.},
+       {"ESDIRK4(3)6L[2]SA", ARKODE_ESDIRK436L2SA_6_3_4, 1.},
+       {"ESDIRK5(4)7L[2]SA2", ARKODE_ESDIRK547L2SA2_7_4_5, 1.}}};
 
 
 
@@ -75,18 +76,21 @@ namespace Crevasse
       {
         const Choice &choice = explicit_choices[order - 2];
         table_name           = choice.name;
+        excess               = choice.excess;
         coefficients.reset(ARKodeButcherTable_LoadERK(
           static_cast<ARKODE_ERKTableID>(choice.id)));
       }
     else if (order == 2)
       {
         table_name = "SDIRK2(1)";
+        excess     = 10.;
         coefficients.reset(make_sdirk2());
       }
     else
       {
         const Choice &choice = implicit_choices[order - 3];
         table_name           = choice.name;
+        excess               = choice.excess;
         coefficients.reset(ARKodeButcherTable_LoadDIRK(
           static_cast<ARKODE_DIRKTableID>(choice.id)));
       }
@@ -107,6 +111,14 @@ namespace Crevasse
   ArkodeTable::table() const
   {
     return coefficients.get();
+  }
+
+
+
+  double
+  ArkodeTable::excess_of_estimate() const
+  {
+    return excess;
   }
 
 

@@ -95,7 +95,7 @@ namespace Crevasse
 
     double       last_event         = 0.;
     unsigned int events_of_interval = 0;
-    bool         seeks_events       = false; ///< still, in this interval
+    bool         gave_up        = false; ///< seeking events in this interval
     std::size_t  events_located = 0, events_given_up = 0;
     Vector       rate;
   };

@@ -67,8 +67,9 @@ namespace Crevasse
     void
     fix_step(const double step, const double end);
 
+    /** Whether steps end at events. */
     void
-    stop_seeking_events();
+    seek_events(const bool on);
 
     /** One step, or as much of it as there is before an event: whether one was
      * found. */

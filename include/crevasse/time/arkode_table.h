@@ -46,6 +46,12 @@ namespace Crevasse
     ARKodeButcherTable
     table() const;
 
+    /** How many times larger than the error of the stress over periods the
+     * estimate of a step is: it is that of the embedded method of lower order.
+     */
+    double
+    excess_of_estimate() const;
+
     /** Largest z for which |R(−x)| ≤ 1 for all x in [0,z], R the stability
      * function; infinite for implicit methods. */
     double
@@ -64,6 +70,7 @@ namespace Crevasse
 
     const bool  is_implicit;
     std::string table_name;
+    double      excess;
     Pointer     coefficients;
   };
 } // namespace Crevasse
