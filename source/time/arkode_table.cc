@@ -37,7 +37,7 @@ namespace Crevasse
     constexpr std::array<Choice, 4> explicit_choices = {
       {{"Heun-Euler 2(1)", ARKODE_HEUN_EULER_2_1_2, 5.},
        {"Bogacki-Shampine 3(2)", ARKODE_BOGACKI_SHAMPINE_4_2_3, 4.},
-       {"Zonneveld 4(3)", ARKODE_ZONNEVELD_5_3_4, 10.},
+       {"Zonneveld 4(3)", ARKODE_ZONNEVELD_5_3_4, 20.},
        {"Dormand-Prince 5(4)", ARKODE_DORMAND_PRINCE_7_4_5, 1.}}};
 
     /** By order, from 3 on. */

@@ -54,7 +54,7 @@ def evaluations(results):
 for name, order in itertools.product(("arkode explicit", "arkode implicit"),
                                      (2, 3, 4, 5)):
     errors = []
-    for number in (40, 80, 160):
+    for number in (80, 160):
         top = run(BAR, "bar", RELAXING + scheme(name, order)
                   + steps(number)).table("probe_top.csv")
         errors.append(max(abs(s / LOAD - relaxing_bar(t))
@@ -111,7 +111,7 @@ for order in (3, 4, 5):
           and min(quotients) > 0.1,
           f"order {order}: errors are proportional to the tolerance")
 for order in (3, 4, 5):
-    quotients = table(FREE, "arkode implicit", order, TOLERANCES[:5], reference,
+    quotients = table(FREE, "arkode implicit", order, TOLERANCES[:5:2], reference,
                       scale, cost)
     check(max(quotients) < 10, f"implicit, order {order}: {quotients}")
 
@@ -121,48 +121,57 @@ cost = cost_of_heun(CONTACT, reference, scale)
 for name, events in itertools.product(("arkode explicit", "arkode implicit"),
                                       ([], EVENTS)):
     print("  with events" if events else "  without events")
-    quotients = table(CONTACT + events, name, 4, TOLERANCES[:4], reference,
+    quotients = table(CONTACT + events, name, 4, TOLERANCES[:3], reference,
                       scale, cost)
     check(max(quotients) < 10, f"contact, {name}: {quotients}")
 
-# c) Relaxation times of 600 and 6e-4 under a load that stays: the implicit
-# scheme takes steps of 15 and creeps as monotonically as the body does.
+# c) Relaxation times of 600 and 6e-4 side by side, under a load that stays. As
+# soon as the fast one has let go the body creeps at half its stiffness, and
+# after 25000 of its relaxation times, the first step, nothing may ring.
 STIFF = ["Boundary/Contact=none", "Loads/Traction=0; 10",
-         "Material/Relaxation time=if(x < 0.5, 600, 6e-4)",
+         "Material/Viscosity=chain", "Material/Chain=0.5: 600; 0.5: 6e-4",
          "Periodic state/Maximum periods=1", "Periodic state/Tolerance=0"]
-PLATE = ["Geometry/Shape=rectangle", "Output/Probes=top: 0.75, 1; soft: 0.9, 0.5",
-         "Geometry/Subdivisions=4, 4", "Output/Fields=none",
+PLATE = ["Geometry/Shape=rectangle", "Output/Probes=top: 0.5, 1",
+         "Geometry/Subdivisions=2, 2", "Output/Fields=none",
          "Contact/Solver=automatic", "Output/Field times="]
 for order in (2, 3, 4, 5):
     results = run(SCENE, "stiff", PLATE + STIFF
                   + scheme("arkode implicit", order))
-    creep = results.table("probe_top.csv")["u_2"]
-    check(all(b > a for a, b in itertools.pairwise(creep)),
-          f"order {order}: monotone creep {creep}")
-    print(f"stiff, order {order}: u_2 {creep[0]:.3e} {creep[1]:.3e} ... "
-          f"{creep[-1]:.3e}, {results.summary['counters']['factorisations']} "
-          f"factorisations")
+    top = results.table("probe_top.csv")
+    check(all(b > a for a, b in itertools.pairwise(top["u_2"])),
+          f"order {order}: monotone creep")
+    worst = max(abs(u * 13000 / LOAD / (2 * (1 + t / 600)) - 1)
+                for t, u in zip(top["t"][1:], top["u_2"][1:]))
+    check_below(worst, 1e-5, f"stiff, order {order}")
+    check(results.summary["counters"]["factorisations"] <= 3, "factorisations")
+# The same in two halves of a body, of which the fast one flows.
+HALVES = ["Material/Viscosity=relaxation time",
+          "Material/Relaxation time=if(x < 0.5, 600, 6e-4)"]
+creep = run(SCENE, "halves", PLATE + STIFF + HALVES
+            + scheme("arkode implicit")).table("probe_top.csv")["u_2"]
+check(all(b > a for a, b in itertools.pairwise(creep)), "halves: monotone")
 for settings in (scheme("arkode explicit"),
                  adaptive("arkode explicit", 4, 1e-4)
-                 + ["Material/Relaxation time=if(x < 0.5, 600, 1e-4)"]):
+                 + ["Material/Chain=0.5: 600; 0.5: 1e-4"]):
     status, _, message = execute(SCENE, "--output", "results/refused",
                                  *overrides(PLATE + STIFF + settings))
     check(status == 3 and "sdirk2" in message, f"explicit refuses: {message}")
     print(message)
 
 # d) Failures become messages.
-for settings, words in (
-        (CONTACT + adaptive("arkode explicit", 4, 1e-15), "Relative tolerance"),
+for settings, expected, words in (
+        (CONTACT + adaptive("arkode explicit", 4, 1e-15), 3,
+         "Relative tolerance"),
         (["Loads/Traction=0; if(t > 0.5 && t < 7, 1e308*1e10, "
-          "sin(2*pi*t/600))"] + adaptive("arkode explicit", 4, 1e-4),
-         "In period 1, step 1"),
+          "sin(2*pi*t/600))"] + adaptive("arkode explicit", 4, 1e-4), 2,
+         "has no finite value at t"),
         (["Contact/Solver=projected sor", "Contact/Relaxation factor=1.9",
           "Contact/Maximum iterations=3"]
-         + adaptive("arkode explicit", 4, 1e-4), "Maximum iterations")):
+         + scheme("arkode implicit"), 3, "In period 1, step 1")):
     status, _, message = execute(SCENE, "--output", "results/failure",
                                  *overrides(COMMON + settings))
     print(message)
-    check(status == 3 and words in message, f"told: {message}")
+    check(status == expected and words in message, f"told: {message}")
 status, _, message = execute(SCENE, "--output", "results/failure", *overrides(
     ["Time integration/Step control=adaptive"]))
 check(status == 2 and "arkode" in message, f"heun is not adaptive: {message}")
