@@ -108,8 +108,11 @@ namespace Crevasse
     goes_on         = true;
     steps_of_period = 0;
     last_event      = t;
+    pending_event   = -1.;
     if (driver != nullptr)
       {
+        if (events != nullptr)
+          driver->seek_events(true);
         driver->restart(t, usual_step, r);
         return;
       }
@@ -168,8 +171,13 @@ namespace Crevasse
             std::to_string(TimeIntegrationParameters::most_steps) +
             " steps. Raise [Time integration] Relative "
             "tolerance, or choose Scheme = sdirk2.");
+        if (pending_event >= 0. && driver->time() >= pending_event)
+          leave_event();
+        if (events != nullptr)
+          before_step = driver->state();
+        const double t = driver->time();
         if (driver->step())
-          pass_event(time_step);
+          meet_event(t, time_step);
         if (driver->time() < period - rounding)
           usual_step = driver->next_step();
       }
@@ -182,7 +190,7 @@ namespace Crevasse
 
 
   void
-  Arkode::pass_event(const double time_step)
+  Arkode::meet_event(const double last_t, const double time_step)
   {
     constexpr double       same = 1e-6; // of the interval between samples
     constexpr unsigned int most = 100;  // in one
@@ -196,8 +204,24 @@ namespace Crevasse
     if (std::abs(t - last_event) <= same * time_step)
       return;
     ++events_located;
-    last_event = t;
-    driver->restart(t, driver->next_step(), Vector(driver->state()));
+    last_event       = t;
+    pending_event    = t;
+    step_after_event = driver->next_step();
+    if (t - last_t <= same * time_step)
+      return;
+    driver->restart(last_t, t - last_t, before_step);
+    driver->stop_at(t);
+    driver->seek_events(false);
+  }
+
+
+
+  void
+  Arkode::leave_event()
+  {
+    pending_event = -1.;
+    driver->seek_events(!gave_up);
+    driver->restart(driver->time(), step_after_event, Vector(driver->state()));
   }
 
 

@@ -247,10 +247,19 @@ namespace Crevasse
 
 
   void
+  ArkodeDriver::stop_at(const double t)
+  {
+    check(ARKStepSetStopTime(get_arkode_memory(), t));
+  }
+
+
+
+  void
   ArkodeDriver::seek_events(const bool on)
   {
-    void     *memory = get_arkode_memory();
-    const int n      = on ? events->count(current) : 0;
+    void *memory = get_arkode_memory();
+    seeks_events = on;
+    const int n  = on ? events->count(current) : 0;
     check(ARKStepRootInit(memory, n, n > 0 ? &root_function : nullptr));
     check(ARKStepSetNoInactiveRootWarn(memory));
   }
@@ -260,8 +269,24 @@ namespace Crevasse
   bool
   ArkodeDriver::step()
   {
-    const int code = ARKStepEvolve(
-      get_arkode_memory(), settings.period, view, &current_time, ARK_ONE_STEP);
+    const auto evolve = [this]() {
+      return ARKStepEvolve(get_arkode_memory(),
+                           settings.period,
+                           view,
+                           &current_time,
+                           ARK_ONE_STEP);
+    };
+    const int code = evolve();
+    if (code == ARK_ILL_INPUT && seeks_events && !thrown)
+      {
+        // It does not go on from a root beside which the function is zero, as
+        // in the band of ContactEvents. A step on, it does.
+        seek_events(false);
+        check(evolve());
+        seek_events(true);
+        restart(current_time, next_step(), Vector(current));
+        return false;
+      }
     check(code);
     return code == ARK_ROOT_RETURN;
   }

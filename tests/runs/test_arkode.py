@@ -126,8 +126,9 @@ for name, events in itertools.product(("arkode explicit", "arkode implicit"),
     check(max(quotients) < 10, f"contact, {name}: {quotients}")
 
 # c) Relaxation times of 600 and 6e-4 side by side, under a load that stays. As
-# soon as the fast one has let go the body creeps at half its stiffness, and
-# after 25000 of its relaxation times, the first step, nothing may ring.
+# soon as the fast one has let go the body creeps at half its stiffness. A step
+# is 25000 of its relaxation times, of which a method leaves a few 1/25000, and
+# of that the next as little.
 STIFF = ["Boundary/Contact=none", "Loads/Traction=0; 10",
          "Material/Viscosity=chain", "Material/Chain=0.5: 600; 0.5: 6e-4",
          "Periodic state/Maximum periods=1", "Periodic state/Tolerance=0"]
@@ -140,9 +141,10 @@ for order in (2, 3, 4, 5):
     top = results.table("probe_top.csv")
     check(all(b > a for a, b in itertools.pairwise(top["u_2"])),
           f"order {order}: monotone creep")
-    worst = max(abs(u * 13000 / LOAD / (2 * (1 + t / 600)) - 1)
-                for t, u in zip(top["t"][1:], top["u_2"][1:]))
-    check_below(worst, 1e-5, f"stiff, order {order}")
+    errors = [abs(u * 13000 / LOAD / (2 * (1 + t / 600)) - 1)
+              for t, u in zip(top["t"], top["u_2"])]
+    check_below(errors[1], 1e-3, f"stiff, order {order}, after one step")
+    check_below(max(errors[2:]), 1e-5, f"stiff, order {order}, after two")
     check(results.summary["counters"]["factorisations"] <= 3, "factorisations")
 # The same in two halves of a body, of which the fast one flows.
 HALVES = ["Material/Viscosity=relaxation time",

@@ -77,9 +77,16 @@ namespace Crevasse
     void
     advance(const double end, const double time_step, Vector &r);
 
-    /** Goes on behind an event so that no step crosses it. */
+    /** An event was found on the step from @p last_t. What is interpolated
+     * there has seen the other side of the kink: the step is repeated up to the
+     * event, and that is where the next one begins. */
     void
-    pass_event(const double time_step);
+    meet_event(const double last_t, const double time_step);
+
+    /** Goes on behind it. Only when no more instants before it are asked for.
+     */
+    void
+    leave_event();
 
     const TimeIntegrationParameters parameters;
     const double                    period;
@@ -94,9 +101,12 @@ namespace Crevasse
     unsigned int                   steps_of_period = 0;
 
     double       last_event         = 0.;
+    double       pending_event      = -1.; ///< to go on behind; negative: none
+    double       step_after_event   = 0.;
     unsigned int events_of_interval = 0;
     bool         gave_up        = false; ///< seeking events in this interval
     std::size_t  events_located = 0, events_given_up = 0;
+    Vector       before_step; ///< r
     Vector       rate;
   };
 } // namespace Crevasse

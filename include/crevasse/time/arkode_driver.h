@@ -67,6 +67,10 @@ namespace Crevasse
     void
     fix_step(const double step, const double end);
 
+    /** No step goes beyond this instant until restart(). */
+    void
+    stop_at(const double t);
+
     /** Whether steps end at events. */
     void
     seek_events(const bool on);
@@ -147,6 +151,7 @@ namespace Crevasse
     const View                  view; ///< of it: ARKODE keeps a pointer
     std::unique_ptr<ExactStage> exact_stage;
     std::exception_ptr          thrown;
+    bool                        seeks_events = false;
     std::string                 words; ///< ARKODE's last message
   };
 } // namespace Crevasse
