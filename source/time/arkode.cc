@@ -83,7 +83,7 @@ namespace Crevasse
         equation.forget();
         begin(f, t, time_step, r);
       }
-    equation.rate(t, r, rate);
+    equation.show(t, r, rate);
     at_start();
 
     const double end = t + time_step;

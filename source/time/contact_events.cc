@@ -49,7 +49,7 @@ namespace Crevasse
   {
     constexpr double band = 1e-5;
     rate.reinit(r, true);
-    equation.rate(t, r, rate);
+    equation.show(t, r, rate);
     const std::vector<double> all = gather(r.get_mpi_communicator());
     for (const double value : all)
       largest = std::max(largest, std::abs(value));

@@ -28,41 +28,62 @@ namespace Crevasse
   void
   RememberedRate::forget()
   {
-    knows = false;
+    of_method.is_known = of_sample.is_known = false;
+    latest                                  = nullptr;
   }
 
 
 
   bool
-  RememberedRate::is_remembered(const double t, const Vector &r) const
+  RememberedRate::matches(const Evaluation &evaluation,
+                          const double      t,
+                          const Vector     &r)
   {
     // The last stage of a step is its end but for the order of summation.
     constexpr double rounding = 1e-13;
-    if (!knows || std::abs(t - last_t) > rounding * std::abs(t))
+    if (!evaluation.is_known ||
+        std::abs(t - evaluation.t) > rounding * std::abs(t))
       return false;
     Vector difference = r;
-    difference -= last_r;
-    return difference.linfty_norm() <= rounding * last_r.linfty_norm();
+    difference -= evaluation.r;
+    return difference.linfty_norm() <= rounding * evaluation.r.linfty_norm();
   }
 
 
 
   void
-  RememberedRate::remember(const double t, const Vector &rate)
+  RememberedRate::keep(const double  t,
+                       const Vector &rate,
+                       Evaluation   &evaluation)
   {
     ++evaluations;
     if (!std::isfinite(rate.l1_norm()))
       {
-        knows = false;
         std::ostringstream message;
         message << "At t = " << t
                 << " the rate of the viscous strain is not finite. Look at the "
                    "formulas of [Material] and [Loads] at this instant.";
         throw NumericalError(message.str());
       }
-    last_t    = t;
-    last_rate = rate;
-    knows     = true;
+    evaluation.t        = t;
+    evaluation.rate     = rate;
+    evaluation.is_known = true;
+    latest              = &evaluation;
+  }
+
+
+
+  void
+  RememberedRate::evaluate(const double  t,
+                           const Vector &r,
+                           Vector       &rate,
+                           Evaluation   &evaluation)
+  {
+    evaluation.is_known = false;
+    latest              = nullptr;
+    equation->rate(t, r, rate);
+    evaluation.r = r;
+    keep(t, rate, evaluation);
   }
 
 
@@ -70,15 +91,24 @@ namespace Crevasse
   void
   RememberedRate::rate(const double t, const Vector &r, Vector &rate)
   {
-    if (is_remembered(t, r))
-      {
-        rate = last_rate;
-        return;
-      }
-    knows = false;
-    equation->rate(t, r, rate);
-    last_r = r;
-    remember(t, rate);
+    for (const Evaluation *evaluation : {&of_method, &of_sample})
+      if (matches(*evaluation, t, r))
+        {
+          rate = evaluation->rate;
+          return;
+        }
+    evaluate(t, r, rate, of_method);
+  }
+
+
+
+  void
+  RememberedRate::show(const double t, const Vector &r, Vector &rate)
+  {
+    if (latest != nullptr && matches(*latest, t, r))
+      rate = latest->rate;
+    else
+      evaluate(t, r, rate, of_sample);
   }
 
 
@@ -89,11 +119,12 @@ namespace Crevasse
                                 const double  c,
                                 Vector       &rate)
   {
-    knows = false;
+    of_method.is_known = false;
+    latest             = nullptr;
     equation->implicit_rate(t, known, c, rate);
-    last_r = known;
-    last_r.add(c, rate);
-    remember(t, rate);
+    of_method.r = known;
+    of_method.r.add(c, rate);
+    keep(t, rate, of_method);
   }
 
 

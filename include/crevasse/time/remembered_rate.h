@@ -19,9 +19,9 @@
 namespace Crevasse
 {
   /**
-   * An equation that does not solve twice in succession for the same instant
-   * and the same r: what is shown at a sample often is what a method has
-   * evaluated last, or evaluates next.
+   * An equation that is not solved twice for the same instant and the same r:
+   * what is shown at a sample often is what a method has evaluated last, or
+   * evaluates next. The last evaluation for either is kept.
    */
   class RememberedRate
   {
@@ -31,15 +31,19 @@ namespace Crevasse
     void
     attach(RateEquation &equation);
 
-    /** The next evaluation is not the last one's, whatever r is: others have
-     * evaluated the equation. */
+    /** Others have evaluated the equation. */
     void
     forget();
 
-    /** f(r,t); afterwards it is the equation's last evaluation.
+    /** f(r,t) for a method, to which only the rate matters.
      * @throw NumericalError if it is not finite. Collective. */
     void
     rate(const double t, const Vector &r, Vector &rate);
+
+    /** The same, after which it is the equation's last evaluation: what that
+     * has solved can be observed. */
+    void
+    show(const double t, const Vector &r, Vector &rate);
 
     /** f(r,t) for r = r̂ + c f(r,t), see RateEquation. */
     void
@@ -57,17 +61,31 @@ namespace Crevasse
     n_evaluations() const;
 
   private:
-    bool
-    is_remembered(const double t, const Vector &r) const;
+    struct Evaluation
+    {
+      bool   is_known = false;
+      double t        = 0.;
+      Vector r, rate;
+    };
 
+    static bool
+    matches(const Evaluation &evaluation, const double t, const Vector &r);
+
+    /** f(r,t), to be kept there. */
     void
-    remember(const double t, const Vector &rate);
+    evaluate(const double  t,
+             const Vector &r,
+             Vector       &rate,
+             Evaluation   &evaluation);
 
-    RateEquation *equation = nullptr;
-    bool          knows    = false;
-    double        last_t   = 0.;
-    Vector        last_r, last_rate;
-    std::size_t   evaluations = 0;
+    /** Of the last evaluation; its r is set already. */
+    void
+    keep(const double t, const Vector &rate, Evaluation &evaluation);
+
+    RateEquation     *equation = nullptr;
+    Evaluation        of_method, of_sample;
+    const Evaluation *latest      = nullptr; ///< the equation's last
+    std::size_t       evaluations = 0;
   };
 } // namespace Crevasse
 
