@@ -105,7 +105,8 @@ reference = stresses(reference_run, 16)
 scale = reference_run.summary["extremes"]["stress"]
 cost = cost_of_heun(FREE, reference, scale)
 for order in (3, 4, 5):
-    quotients = table(FREE, "arkode explicit", order, TOLERANCES, reference,
+    quotients = table(FREE, "arkode explicit", order,
+                      TOLERANCES if order == 4 else TOLERANCES[::2], reference,
                       scale, cost)
     check(max(quotients) <= 10 * min(quotients) and max(quotients) < 10
           and min(quotients) > 0.1,
@@ -116,7 +117,7 @@ for order in (3, 4, 5):
     check(max(quotients) < 10, f"implicit, order {order}: {quotients}")
 
 print("contact")
-reference = stresses(heun(CONTACT, 5120), 128)
+reference = stresses(heun(CONTACT, 2560), 64)
 cost = cost_of_heun(CONTACT, reference, scale)
 for name, events in itertools.product(("arkode explicit", "arkode implicit"),
                                       ([], EVENTS)):
