@@ -167,10 +167,7 @@ namespace Crevasse
       {
         if (++steps_of_period > TimeIntegrationParameters::most_steps)
           throw NumericalError(
-            "The period takes more than " +
-            std::to_string(TimeIntegrationParameters::most_steps) +
-            " steps. Raise [Time integration] Relative "
-            "tolerance, or choose Scheme = sdirk2.");
+            describe_arkode_failure(ARK_TOO_MUCH_WORK, driver->time(), ""));
         if (pending_event >= 0. && driver->time() >= pending_event)
           leave_event();
         if (events != nullptr)

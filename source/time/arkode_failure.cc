@@ -29,7 +29,8 @@ namespace Crevasse
                    "Absolute tolerance; under a mean load [Periodic state] "
                    "Secular split = on keeps the strain small";
           case ARK_TOO_MUCH_WORK:
-            return "the period takes more steps than it may have. Raise [Time "
+            return "the period takes more steps than the 1000000 that it may "
+                   "have. Raise [Time "
                    "integration] Relative tolerance, or choose Scheme = arkode "
                    "implicit or sdirk2";
           case ARK_ERR_FAILURE:
