@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 #include <crevasse/run/integrator_choice.h>
 #include <crevasse/time/adaptive_steps.h>
+#include <crevasse/time/arkode.h>
 #include <crevasse/time/contact_events.h>
 #include <crevasse/time/exponential_heun.h>
 #include <crevasse/time/predictor_corrector.h>
@@ -22,8 +23,18 @@ namespace Crevasse
 {
   namespace
   {
+    /** Whether the integrator has an adaptive control of its own. */
+    bool
+    controls_itself(const TimeIntegrationParameters &parameters)
+    {
+      return uses_arkode(parameters) && parameters.step_control == "adaptive";
+    }
+
+
+
     std::unique_ptr<Integrator>
-    make_method(const TimeIntegrationParameters &parameters)
+    make_method(const TimeIntegrationParameters &parameters,
+                const double                     period)
     {
       if (parameters.scheme == "euler")
         return std::make_unique<RungeKutta>(euler_tableau());
@@ -35,6 +46,8 @@ namespace Crevasse
         return std::make_unique<ExponentialHeun>();
       if (parameters.scheme == "sdirk2")
         return std::make_unique<Sdirk2>();
+      if (uses_arkode(parameters))
+        return std::make_unique<Arkode>(parameters, period);
       return std::make_unique<RungeKutta>(heun_tableau(parameters.heun_weight));
     }
   } // namespace
@@ -43,10 +56,12 @@ namespace Crevasse
 
   std::unique_ptr<Integrator>
   make_integrator(const TimeIntegrationParameters &parameters,
+                  const double                     period,
                   const bool                       has_contact)
   {
-    std::unique_ptr<Integrator> method = make_method(parameters);
-    if (parameters.locate_contact_events && has_contact)
+    std::unique_ptr<Integrator> method = make_method(parameters, period);
+    if (parameters.locate_contact_events && has_contact &&
+        !controls_itself(parameters))
       return std::make_unique<ContactEvents>(std::move(method));
     return method;
   }
@@ -65,6 +80,12 @@ namespace Crevasse
         if (parameters.check_stability)
           steps.require_stability(limit, smallest_relaxation_time);
         return std::make_unique<FixedSteps>();
+      }
+    if (controls_itself(parameters))
+      {
+        if (parameters.check_stability)
+          steps.require_possible(limit * smallest_relaxation_time);
+        return std::make_unique<FixedSteps>(); // from sample to sample
       }
     // Close to the limit errors hardly decay.
     constexpr double well_below = 0.9;

@@ -110,10 +110,11 @@ namespace Crevasse
     , steps(scene.time_integration,
             scene.loads.period,
             scene.output.field_times)
-    , integrator(
-        body.effects.viscosity.on
-          ? make_integrator(scene.time_integration, body.effects.contact.on)
-          : nullptr)
+    , integrator(body.effects.viscosity.on
+                   ? make_integrator(scene.time_integration,
+                                     scene.loads.period,
+                                     body.effects.contact.on)
+                   : nullptr)
     , smallest_relaxation_time(
         survey(body, survey_instants(steps, integrator.get())))
     , largest_thermal_strain(body.material.largest_thermal_strain(

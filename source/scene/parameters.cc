@@ -281,9 +281,12 @@ namespace Crevasse
                       "order 1, 2 and 4, and \"predictor corrector\" of order "
                       "2, implicit in the material alone. Without limit: "
                       "\"exponential\" of order 2, exact where the strain is "
-                      "held, and \"sdirk2\" of order 2, implicit.",
+                      "held, and \"sdirk2\" of order 2, implicit. \"arkode "
+                      "explicit\" and \"arkode implicit\" are methods of the "
+                      "library ARKODE, of the Order given.",
                       Patterns::Selection("euler|heun|rk4|predictor corrector|"
-                                          "exponential|sdirk2"));
+                                          "exponential|sdirk2|"
+                                          "arkode explicit|arkode implicit"));
     prm.add_parameter("Heun weight",
                       heun_weight,
                       "Weight w of the second stage of the scheme \"heun\", "
@@ -292,16 +295,19 @@ namespace Crevasse
     prm.add_parameter("Steps per period",
                       steps_per_period,
                       "Number of equal steps of the step control \"uniform\"; "
-                      "with \"adaptive\" that of the longest steps. Allowed: "
-                      "an integer from 1 to 1000000",
+                      "with \"adaptive\" that of the longest steps, with the "
+                      "schemes of arkode that of samples. Allowed: an "
+                      "integer from 1 to 1000000",
                       count);
-    prm.add_parameter("Step control",
-                      step_control,
-                      "Where the steps end: \"uniform\" divides the period "
-                      "equally, \"list\" takes the instants of Steps, "
-                      "\"adaptive\" chooses steps by their error, with schemes "
-                      "that can tell it: heun, exponential, sdirk2.",
-                      Patterns::Selection("uniform|list|adaptive"));
+    prm.add_parameter(
+      "Step control",
+      step_control,
+      "Where the steps end: \"uniform\" divides the period "
+      "equally, \"list\" takes the instants of Steps, "
+      "\"adaptive\" chooses steps by their error, with schemes "
+      "that can tell it: heun, exponential, sdirk2 and those of "
+      "arkode.",
+      Patterns::Selection("uniform|list|adaptive"));
     prm.add_parameter("Steps",
                       steps,
                       "Instants of the step control \"list\", in units of "

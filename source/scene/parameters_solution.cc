@@ -90,6 +90,14 @@ namespace Crevasse
 
 
 
+  bool
+  uses_arkode(const TimeIntegrationParameters &parameters)
+  {
+    return parameters.scheme.rfind("arkode", 0) == 0;
+  }
+
+
+
   void
   TimeIntegrationParameters::check(Problems &problems) const
   {
@@ -120,13 +128,14 @@ namespace Crevasse
                      "must be greater than 0, or Absolute tolerance, for the "
                      "step control \"adaptive\"");
     if (step_control == "adaptive")
-      checker.demand(scheme == "heun" || scheme == "exponential" ||
-                       scheme == "sdirk2",
-                     "Scheme",
-                     scheme,
-                     "cannot tell the error of its steps, which the step "
-                     "control \"adaptive\" needs; heun, exponential and sdirk2 "
-                     "can");
+      checker.demand(
+        scheme == "heun" || scheme == "exponential" || scheme == "sdirk2" ||
+          uses_arkode(*this),
+        "Scheme",
+        scheme,
+        "cannot tell the error of its steps, which the step "
+        "control \"adaptive\" needs; heun, exponential, sdirk2 and "
+        "those of arkode can");
 
     if (step_control == "uniform")
       return;

@@ -145,7 +145,7 @@ namespace Crevasse
       const bool         implicit =
         scene.material.viscosity != "none" &&
         (scheme == "sdirk2" || scheme == "predictor corrector" ||
-         scheme == "exponential");
+         scheme == "exponential" || scheme == "arkode implicit");
       return {
         {here, "Solver", !has_contact(scene), no_contact},
         {here, "Relaxation factor", !has_contact(scene), no_contact},
@@ -185,8 +185,12 @@ namespace Crevasse
         {here, "Heun weight", time.scheme != "heun", "Scheme = " + time.scheme},
         {here, "Steps per period", time.step_control == "list", control},
         {here, "Steps", uniform, control},
+        {here, "Relative tolerance", elastic, none},
+        {here, "Absolute tolerance", elastic, none},
         {here, "Relative tolerance", !adaptive, control},
         {here, "Absolute tolerance", !adaptive, control},
+        {here, "Order", elastic, none},
+        {here, "Order", !uses_arkode(time), "Scheme = " + time.scheme},
         {here, "Locate contact events", elastic, none},
         {here, "Locate contact events", !has_contact(scene), no_contact},
         {here, "Check stability", elastic, none},

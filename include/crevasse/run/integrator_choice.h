@@ -24,6 +24,7 @@ namespace Crevasse
    * @param has_contact whether there are events to locate. */
   std::unique_ptr<Integrator>
   make_integrator(const TimeIntegrationParameters &parameters,
+                  const double                     period,
                   const bool                       has_contact);
 
   /** @param smallest_relaxation_time bounds adaptive steps, which are none

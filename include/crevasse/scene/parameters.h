@@ -198,6 +198,10 @@ namespace Crevasse
     check(Problems &problems) const;
   };
 
+  /** Whether the scheme is one of the library ARKODE. */
+  bool
+  uses_arkode(const TimeIntegrationParameters &parameters);
+
   struct PeriodicStateParameters
   {
     static constexpr const char *section = "Periodic state";

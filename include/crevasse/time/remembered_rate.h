@@ -1,0 +1,92 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_time_remembered_rate_h
+#define crevasse_time_remembered_rate_h
+
+#include <crevasse/time/rate_equation.h>
+
+#include <cstddef>
+
+namespace Crevasse
+{
+  /**
+   * An equation that is not solved twice for the same instant and the same r:
+   * what is shown at a sample often is what a method has evaluated last, or
+   * evaluates next. The last evaluation for either is kept.
+   */
+  class RememberedRate
+  {
+  public:
+    /** From now on this equation is evaluated; it must live until the next
+     * call. */
+    void
+    attach(RateEquation &equation);
+
+    /** Others have evaluated the equation. */
+    void
+    forget();
+
+    /** f(r,t) for a method, to which only the rate matters.
+     * @throw NumericalError if it is not finite. Collective. */
+    void
+    rate(const double t, const Vector &r, Vector &rate);
+
+    /** The same, after which it is the equation's last evaluation: what that
+     * has solved can be observed. */
+    void
+    show(const double t, const Vector &r, Vector &rate);
+
+    /** f(r,t) for r = r̂ + c f(r,t), see RateEquation. */
+    void
+    implicit_rate(const double  t,
+                  const Vector &known,
+                  const double  c,
+                  Vector       &rate);
+
+    /** Of the last evaluation's instant. */
+    const RateEquation &
+    last() const;
+
+    /** Without those that were remembered. */
+    std::size_t
+    n_evaluations() const;
+
+  private:
+    struct Evaluation
+    {
+      bool   is_known = false;
+      double t        = 0.;
+      Vector r, rate;
+    };
+
+    static bool
+    matches(const Evaluation &evaluation, const double t, const Vector &r);
+
+    /** f(r,t), to be kept there. */
+    void
+    evaluate(const double  t,
+             const Vector &r,
+             Vector       &rate,
+             Evaluation   &evaluation);
+
+    /** Of the last evaluation; its r is set already. */
+    void
+    keep(const double t, const Vector &rate, Evaluation &evaluation);
+
+    RateEquation     *equation = nullptr;
+    Evaluation        of_method, of_sample;
+    const Evaluation *latest      = nullptr; ///< the equation's last
+    std::size_t       evaluations = 0;
+  };
+} // namespace Crevasse
+
+#endif

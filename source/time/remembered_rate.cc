@@ -1,0 +1,145 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/scene/problems.h>
+#include <crevasse/time/remembered_rate.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Crevasse
+{
+  void
+  RememberedRate::attach(RateEquation &new_equation)
+  {
+    equation = &new_equation;
+  }
+
+
+
+  void
+  RememberedRate::forget()
+  {
+    of_method.is_known = of_sample.is_known = false;
+    latest                                  = nullptr;
+  }
+
+
+
+  bool
+  RememberedRate::matches(const Evaluation &evaluation,
+                          const double      t,
+                          const Vector     &r)
+  {
+    // The last stage of a step is its end but for the order of summation.
+    constexpr double rounding = 1e-13;
+    if (!evaluation.is_known ||
+        std::abs(t - evaluation.t) > rounding * std::abs(t))
+      return false;
+    Vector difference = r;
+    difference -= evaluation.r;
+    return difference.linfty_norm() <= rounding * evaluation.r.linfty_norm();
+  }
+
+
+
+  void
+  RememberedRate::keep(const double  t,
+                       const Vector &rate,
+                       Evaluation   &evaluation)
+  {
+    ++evaluations;
+    if (!std::isfinite(rate.l1_norm()))
+      {
+        std::ostringstream message;
+        message << "At t = " << t
+                << " the rate of the viscous strain is not finite. Look at the "
+                   "formulas of [Material] and [Loads] at this instant.";
+        throw NumericalError(message.str());
+      }
+    evaluation.t        = t;
+    evaluation.rate     = rate;
+    evaluation.is_known = true;
+    latest              = &evaluation;
+  }
+
+
+
+  void
+  RememberedRate::evaluate(const double  t,
+                           const Vector &r,
+                           Vector       &rate,
+                           Evaluation   &evaluation)
+  {
+    evaluation.is_known = false;
+    latest              = nullptr;
+    equation->rate(t, r, rate);
+    evaluation.r = r;
+    keep(t, rate, evaluation);
+  }
+
+
+
+  void
+  RememberedRate::rate(const double t, const Vector &r, Vector &rate)
+  {
+    for (const Evaluation *evaluation : {&of_method, &of_sample})
+      if (matches(*evaluation, t, r))
+        {
+          rate = evaluation->rate;
+          return;
+        }
+    evaluate(t, r, rate, of_method);
+  }
+
+
+
+  void
+  RememberedRate::show(const double t, const Vector &r, Vector &rate)
+  {
+    if (latest != nullptr && matches(*latest, t, r))
+      rate = latest->rate;
+    else
+      evaluate(t, r, rate, of_sample);
+  }
+
+
+
+  void
+  RememberedRate::implicit_rate(const double  t,
+                                const Vector &known,
+                                const double  c,
+                                Vector       &rate)
+  {
+    of_method.is_known = false;
+    latest             = nullptr;
+    equation->implicit_rate(t, known, c, rate);
+    of_method.r = known;
+    of_method.r.add(c, rate);
+    keep(t, rate, of_method);
+  }
+
+
+
+  const RateEquation &
+  RememberedRate::last() const
+  {
+    return *equation;
+  }
+
+
+
+  std::size_t
+  RememberedRate::n_evaluations() const
+  {
+    return evaluations;
+  }
+} // namespace Crevasse
