@@ -135,7 +135,8 @@ def stability_bound(studies, directory, formats):
         axes.axvline(1, color=INK, linewidth=0.8, linestyle=(0, (4, 3)))
         axes.set(xlabel=r"$\Delta t \,/\, 2\tau$", title=scheme)
         axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
-    panels[0].set_ylabel("error of the stress at C, five periods")
+    panels[0].set_ylabel("stress at C over five periods,\n"
+                         "against sdirk2 on the coarse mesh")
     panels[0].legend()
     save(figure, "stability_bound", directory, formats)
 

@@ -105,7 +105,7 @@ for name, load, bound in (("rising load", "5*(1-cos(pi*t/600))", 1e-9),
                 if 0 < max(map(abs, values)) and
                 wavering(values[::50]) <= 1e-9 * max(map(abs, values))}
     check(len(monotone) >= 7, f"{name}: {len(monotone)} monotone histories")
-    for scheme in ("sdirk2", ):
+    for scheme in ("sdirk2", "arkode implicit"):
         ours = histories(load, scheme, 40)
         check_below(max(wavering(ours[key]) / max(map(abs, exact[key]))
                         for key in monotone), bound,
