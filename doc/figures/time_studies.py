@@ -30,6 +30,10 @@ STYLES = {"euler": (1, GREY, "o"), "heun": (2, BLUE, "s"),
           "predictor corrector": (2, GREEN, "D"),
           "exponential": (2, VERMILION, "^"), "sdirk2": (2, INK, "v"),
           "rk4": (4, "#CC79A7", "P"), "rk4 with events": (4, "#E69F00", "*")}
+# Schemes of order 4 that choose their own steps, with events.
+ADAPTIVE = {"arkode explicit": ("#56B4E9", "X"),
+            "arkode implicit": ("#8C510A", "p")}
+TOLERANCES = "1e-2,1e-3,1e-4,1e-5,1e-6,1e-7"
 ZERO, COMPRESSIVE = ("0; 10*sin(2*pi*t/600)",
                      "0; 10*(sin(2*pi*t/600) - 0.1)")
 
@@ -64,7 +68,23 @@ class Studies:
             if error and float(error) > 0:
                 curves.setdefault(scheme, []).append(
                     (float(row["vi_solves"]) / 2, float(error)))
+        curves.update(self.adaptive_schemes(name, scene, settings))
         return curves
+
+    def adaptive_schemes(self, name, scene, settings):
+        rows = self.sweep(
+            name + "_adaptive", scene,
+            *both("--set", settings + [f"{EVENTS}=true",
+                                       "Time integration/Step control=adaptive"]),
+            "--vary", f"{SCHEME}=" + ",".join(ADAPTIVE),
+            "--vary", f"Time integration/Relative tolerance={TOLERANCES}",
+            *both("--reference", REFERENCE
+                  + ["Time integration/Step control=uniform"]))
+        return {scheme: [(float(row["vi_solves"]) / 2,
+                          float(row[f"error:{QUANTITY}"]))
+                         for row in rows if row[SCHEME] == scheme
+                         and row[f"error:{QUANTITY}"]]
+                for scheme in ADAPTIVE}
 
 
 def both(option, values):
@@ -73,11 +93,18 @@ def both(option, values):
 
 def draw_curves(axes, curves, title):
     for scheme, points in curves.items():
-        _, colour, marker = STYLES[scheme]
+        colour, marker = (ADAPTIVE.get(scheme) or STYLES[scheme][1:])
         axes.loglog(*zip(*points), color=colour, marker=marker, markersize=4.5,
-                    label=scheme, linewidth=1.3)
+                    label=scheme + (", adaptive" if scheme in ADAPTIVE else ""),
+                    linewidth=1.3)
     axes.set_title(title, fontsize=9)
     axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
+
+
+def name_schemes(figure, axes):
+    """Below the panels; what is saved grows by what lies outside."""
+    figure.legend(*axes.get_legend_handles_labels(), loc="upper center",
+                  bbox_to_anchor=(0.5, 0), ncols=5, fontsize=8)
 
 
 def equal_work(studies, directory, formats):
@@ -92,7 +119,7 @@ def equal_work(studies, directory, formats):
         draw_curves(axes, curves, title)
         axes.set_xlabel("contact problems a period")
     panels[0].set_ylabel("error of the stress at C, two periods")
-    panels[1].legend(fontsize=8)
+    name_schemes(figure, panels[0])
     save(figure, "scheme_work", directory, formats)
 
 
@@ -108,7 +135,7 @@ def relaxation_times(studies, directory, formats):
         axes.set_xlabel("contact problems a period")
     for axes in panels[:, 0]:
         axes.set_ylabel("error of the stress at C")
-    panels[0, 1].legend(fontsize=8)
+    name_schemes(figure, panels[0, 0])
     save(figure, "relaxation_times", directory, formats)
 
 

@@ -75,7 +75,8 @@ namespace Crevasse
         result.stress_change.push_back(change);
         result.converged =
           !period_map.has_memory() ||
-          (tolerance > 0. && change <= tolerance && history.is_complete());
+          (tolerance > 0. && change <= tolerance && history.is_comparable());
+        result.steps_repeat = history.is_comparable();
         const PeriodReport report{result.periods,
                                   result.periods * period,
                                   change,

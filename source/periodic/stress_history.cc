@@ -39,7 +39,7 @@ namespace Crevasse
           found->second.stress.reinit(stress);
         else
           {
-            complete             = false;
+            ++n_new;
             found->second.stress = stress;
           }
       }
@@ -69,13 +69,10 @@ namespace Crevasse
       if (entry->second.period == periods)
         ++entry;
       else
-        {
-          complete = false; // this instant was not met again
-          entry    = samples.erase(entry);
-        }
+        entry = samples.erase(entry);
     ++periods;
-    complete_last   = complete;
-    complete        = true;
+    comparable      = 4 * n_new <= samples.size();
+    n_new           = 0;
     largest_of_last = values[1];
     largest_change  = 0.;
     largest         = 0.;
@@ -85,9 +82,9 @@ namespace Crevasse
 
 
   bool
-  StressHistory::is_complete() const
+  StressHistory::is_comparable() const
   {
-    return complete_last;
+    return comparable;
   }
 
 

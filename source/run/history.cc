@@ -89,10 +89,11 @@ namespace Crevasse
         {
           return MeasuredError::none(error.what());
         }
+      if (t.empty() || t.back() == 0.)
+        return MeasuredError::none("the run has no instant but t = 0");
       return MeasuredError::relative(extremes.difference,
                                      extremes.size,
-                                     t.size(),
-                                     !t.empty() && t.back() > 0.);
+                                     t.size());
     }
 
 
@@ -103,26 +104,29 @@ namespace Crevasse
                      const History  &reference,
                      const double    tolerance)
     {
-      const auto common =
-        common_instants(history.instants(), reference.instants(), tolerance);
-      Extremes extremes;
-      bool     found = false;
+      const CommonInstants common(history.instants(),
+                                  reference.instants(),
+                                  tolerance);
+      Extremes             extremes;
+      bool                 found = false;
       for (const std::string &name : reference.columns())
         if (quantity.selects(name) && history.find(name) != nullptr)
           {
-            found = true;
-            for (const auto &[i, j] : common)
-              extremes.add((*history.find(name))[i],
-                           (*reference.find(name))[j]);
+            found               = true;
+            const auto &values  = *history.find(name);
+            const auto &correct = *reference.find(name);
+            for (const double value : correct)
+              extremes.add(value, value);
+            for (const auto &[i, j] : common.pairs)
+              extremes.add(values[i], correct[j]);
           }
       if (!found)
         return MeasuredError::none("the runs have no such column");
+      if (!common.objection.empty())
+        return MeasuredError::none(common.objection, common.pairs.size());
       return MeasuredError::relative(extremes.difference,
                                      extremes.size,
-                                     common.size(),
-                                     !common.empty() &&
-                                       history.instants()[common.back().first] >
-                                         tolerance);
+                                     common.pairs.size());
     }
   } // namespace
 

@@ -11,24 +11,48 @@
 
 #include <crevasse/run/measured_error.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Crevasse
 {
+  CommonInstants::CommonInstants(const std::vector<double> &one,
+                                 const std::vector<double> &other,
+                                 const double               tolerance)
+  {
+    std::size_t i = 0, j = 0;
+    while (i < one.size() && j < other.size())
+      if (std::abs(one[i] - other[j]) <= tolerance)
+        pairs.emplace_back(i++, j++);
+      else if (one[i] < other[j])
+        ++i;
+      else
+        ++j;
+
+    constexpr std::size_t fewest = 4; // one of so many
+    if (pairs.empty() || one[pairs.back().first] <= tolerance)
+      objection = "no instant in common with the reference but t = 0";
+    else if (fewest * pairs.size() < std::min(one.size(), other.size()))
+      objection =
+        "only " + std::to_string(pairs.size()) + " of " +
+        std::to_string(std::min(one.size(), other.size())) +
+        " instants in common with the reference: take multiples of the number "
+        "of steps, or name instants in [Time integration] Steps";
+  }
+
+
+
   MeasuredError
   MeasuredError::relative(const double      difference,
                           const double      size,
-                          const std::size_t instants,
-                          const bool        beyond_start)
+                          const std::size_t instants)
   {
     MeasuredError error;
     error.instants = instants;
-    if (!beyond_start)
-      error.reason = "no instant in common with the reference but t = 0";
-    else if (!std::isfinite(difference) || !std::isfinite(size))
+    if (!std::isfinite(difference) || !std::isfinite(size))
       error.reason = "there are values that are not finite";
     else if (size == 0.)
-      error.reason = "the reference is 0 at all common instants";
+      error.reason = "the reference is 0 at all instants";
     else
       error.value = difference / size;
     return error;
@@ -37,29 +61,11 @@ namespace Crevasse
 
 
   MeasuredError
-  MeasuredError::none(const std::string &reason)
+  MeasuredError::none(const std::string &reason, const std::size_t instants)
   {
     MeasuredError error;
-    error.reason = reason;
+    error.instants = instants;
+    error.reason   = reason;
     return error;
-  }
-
-
-
-  std::vector<std::pair<std::size_t, std::size_t>>
-  common_instants(const std::vector<double> &one,
-                  const std::vector<double> &other,
-                  const double               tolerance)
-  {
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    std::size_t                                      i = 0, j = 0;
-    while (i < one.size() && j < other.size())
-      if (std::abs(one[i] - other[j]) <= tolerance)
-        pairs.emplace_back(i++, j++);
-      else if (one[i] < other[j])
-        ++i;
-      else
-        ++j;
-    return pairs;
   }
 } // namespace Crevasse

@@ -158,8 +158,13 @@ namespace Crevasse
         log.line(text.str());
       }
     std::ostringstream time;
-    time << "  time: " << steps.n_steps() << " steps a period, the largest "
-         << steps.largest_step();
+    if (scene.time_integration.step_control == "adaptive")
+      time << "  time: adaptive steps, relative tolerance "
+           << scene.time_integration.relative_tolerance
+           << ", at first none longer than " << steps.largest_step();
+    else
+      time << "  time: " << steps.n_steps() << " steps a period, the largest "
+           << steps.largest_step();
     if (integrator != nullptr)
       {
         const double limit =
@@ -482,12 +487,19 @@ namespace Crevasse
     message << "The stress is not yet periodic: after " << result.periods
             << " period" << (result.periods == 1 ? "" : "s")
             << " it still changes by " << result.stress_change.back()
-            << " of its maximum, more than [Periodic state] Tolerance = "
-            << scene.periodic_state.tolerance
-            << ". All results so far are written. Raise \"Maximum periods\""
-            << periods_to_go(result.stress_change,
-                             scene.periodic_state.tolerance)
-            << " or \"Tolerance\", or set Tolerance = 0 to compute a fixed "
+            << " of its maximum";
+    if (result.stress_change.back() <= scene.periodic_state.tolerance &&
+        !result.steps_repeat)
+      message << " at the few instants that its adaptive steps have in common "
+                 "with those of the period before. All results so far are "
+                 "written. Raise \"Maximum periods\"";
+    else
+      message << ", more than [Periodic state] Tolerance = "
+              << scene.periodic_state.tolerance
+              << ". All results so far are written. Raise \"Maximum periods\""
+              << periods_to_go(result.stress_change,
+                               scene.periodic_state.tolerance);
+    message << " or \"Tolerance\", or set Tolerance = 0 to compute a fixed "
                "number of periods.";
     throw NotPeriodicError(message.str());
   }

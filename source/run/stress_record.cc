@@ -93,21 +93,20 @@ namespace Crevasse
       return MeasuredError::none(
         "the run has not the mesh and the quadrature points of the reference");
 
-    const double tolerance = 1e-9 * header.period;
-    const auto   common =
-      common_instants(instants, reference.instants, tolerance);
+    const CommonInstants common(instants,
+                                reference.instants,
+                                1e-9 * header.period);
+    if (!common.objection.empty())
+      return MeasuredError::none(common.objection, common.pairs.size());
     double difference = 0., size = 0.;
-    for (const auto &[i, j] : common)
+    for (const auto &[i, j] : common.pairs)
       for (std::size_t k = 0; k < samples[i].size(); ++k)
-        {
-          const double value = reference.samples[j][k];
-          difference = std::max(difference, std::abs(samples[i][k] - value));
-          size       = std::max(size, std::abs(value));
-        }
-    return MeasuredError::relative(difference,
-                                   size,
-                                   common.size(),
-                                   !common.empty() &&
-                                     instants[common.back().first] > tolerance);
+        difference =
+          std::max(difference,
+                   std::abs(samples[i][k] - reference.samples[j][k]));
+    for (const std::vector<double> &sample : reference.samples)
+      for (const double value : sample)
+        size = std::max(size, std::abs(value));
+    return MeasuredError::relative(difference, size, common.pairs.size());
   }
 } // namespace Crevasse

@@ -74,7 +74,6 @@ namespace Crevasse
                        const double  t,
                        const bool    estimates_error)
   {
-    ++trials;
     to.t = t;
     to.r = from.r;
     to.rate.reinit(from.r, true);
@@ -143,16 +142,26 @@ namespace Crevasse
     const double end = to.t;
     End          left{from.t, least_function(from)};
     End          right{end, least_function(to)};
-    const End   *last = nullptr; // the end that was moved last
+    const End   *last   = nullptr; // the end that was moved last
+    End          before = left;    // where it was
     for (unsigned int trial = 0; trial < most_trials; ++trial)
       {
         const double at_left  = left.weight * left.value;
         const double at_right = right.weight * right.value;
-        const double t =
-          left.t + (right.t - left.t) * at_left / (at_left - at_right);
+        double t = left.t + (right.t - left.t) * at_left / (at_left - at_right);
+        // The functions are smooth on either side: the secant through two
+        // points of one side is better, if it stays between the ends.
+        if (last != nullptr)
+          {
+            const double secant = last->t - last->value * (last->t - before.t) /
+                                              (last->value - before.value);
+            if (secant > left.t && secant < right.t)
+              t = secant;
+          }
         if (trial == 0 && end - t <= shortest)
           return; // the end is the event
         go_to(f, t, estimates_error);
+        ++trials;
 
         const double here  = least_function(to);
         const double slope = (left.value - right.value) / (right.t - left.t);
@@ -163,8 +172,9 @@ namespace Crevasse
         // One that stays again counts less, so that both ends come closer.
         const double ratio = 1. - here / moved.value;
         stays.weight *= last != &moved ? 1. : (ratio > 0. ? ratio : 0.5);
-        moved = {t, here};
-        last  = &moved;
+        before = moved;
+        moved  = {t, here};
+        last   = &moved;
       }
   }
 
@@ -186,6 +196,7 @@ namespace Crevasse
     from.functions        = begin.functions;
     for (unsigned int n = 0;; ++n)
       {
+        trials += n > 0 ? 1 : 0;
         go_to(f, end, error != nullptr);
         find_sides(shortest);
         const bool crosses = least_function(to) < 0.;
@@ -253,7 +264,7 @@ namespace Crevasse
   {
     IntegratorStatistics all = method->statistics();
     all.emplace_back("contact_events", events);
-    all.emplace_back("trial_steps", trials);
+    all.emplace_back("steps_for_events", trials);
     all.emplace_back("steps_with_too_many_events", given_up);
     return all;
   }

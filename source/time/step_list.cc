@@ -220,8 +220,9 @@ namespace Crevasse
       }
     else
       message << "Add instants to [Time integration] Steps";
-    message << "; or choose Scheme = sdirk2 or exponential, which are stable "
-               "with any step.";
+    message
+      << "; or choose Scheme = sdirk2, or exponential if relaxation times "
+         "are alike: they are stable with any step.";
     throw NumericalError(message.str());
   }
 
@@ -236,8 +237,9 @@ namespace Crevasse
     std::ostringstream message;
     message << "The smallest relaxation time allows this scheme steps of "
             << longest_step << ", which are more than " << most
-            << " in a period. Choose Scheme = sdirk2 or exponential, which are "
-               "stable with any step, or look at the viscosity in [Material], "
+            << " in a period. Choose Scheme = sdirk2, or exponential if "
+               "relaxation times are alike: they are stable with any step; or "
+               "look at the viscosity in [Material], "
                "at [Loads] Period and at their units.";
     throw NumericalError(message.str());
   }

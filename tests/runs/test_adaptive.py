@@ -94,7 +94,7 @@ for settings, exit_status, words in (
         (adaptive("heun", 0), 2, "must be greater than 0"),
         (adaptive("heun", 1e-14), 3, "Relative tolerance"),
         (adaptive("heun", 1e-4) + ["Material/Relaxation time=1e-6"], 3,
-         "Scheme = sdirk2 or exponential")):
+         "Choose Scheme = sdirk2, or exponential")):
     status, _, message = execute(SCENE, "--output", "results/refused",
                                  *overrides(settings))
     print(message.strip())

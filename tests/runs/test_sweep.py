@@ -27,8 +27,8 @@ SECONDS = ("seconds", "seconds_time_stepping")
 
 
 def sweep(name, *arguments, status=0, fresh=True, scene=SCENE):
-    """Runs a sweep of the bar, or another scene, into results/<name>; its table as a list of rows,
-    and what it said (standard error if it was to fail)."""
+    """Runs a sweep of the bar, or another scene, into results/<name>; its table
+    as a list of rows, and what it said (standard error if it was to fail)."""
     directory = pathlib.Path("results") / name
     if fresh:
         shutil.rmtree(directory, ignore_errors=True)
@@ -216,6 +216,25 @@ def test_no_error():
           "not the mesh" in markdown, markdown)
 
 
+def test_too_few_instants():
+    """Adaptive steps meet those of a reference at 0 and T alone, where the load
+    is zero: that tells nothing, unless they end where they are told to."""
+    axes = ("--set", "Time integration/Step control=adaptive",
+            "--vary", "Time integration/Relative tolerance=1e-3,1e-4",
+            "--reference", "Time integration/Step control=uniform", *REFERENCE)
+    rows, _ = sweep("few", *axes)
+    check(all(row["error:probe_top/s"] == row["error:stress"] == ""
+              for row in rows), "no error at two instants")
+    check("name instants" in pathlib.Path("results/few/sweep.md").read_text(),
+          "what to do is told")
+    steps = ",".join(str(15 * k) for k in range(1, 40))
+    rows, _ = sweep("named", *axes, "--set", f"Time integration/Steps={steps}")
+    for row, tolerance in zip(rows, (1e-3, 1e-4)):
+        print(row["error:probe_top/s"], row["instants:probe_top/s"])
+        check(0 < float(row["error:probe_top/s"]) < tolerance
+              and int(row["instants:probe_top/s"]) >= 41, "named instants")
+
+
 def check_mistakes(arguments, *messages):
     _, error = sweep("mistakes", *arguments, status=2)
     print(error)
@@ -286,7 +305,8 @@ def test_ranks():
 
 for test in (test_order_against_reference, test_order_against_closed_form,
              test_zipped, test_resumption, test_points_without_results,
-             test_failing_point, test_no_error, test_mistakes, test_ranks):
+             test_failing_point, test_no_error, test_too_few_instants,
+             test_mistakes, test_ranks):
     start = time.time()
     test()
     print(f"{test.__name__}: {time.time() - start:.1f} s")

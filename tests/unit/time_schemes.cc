@@ -17,6 +17,8 @@
 #include <crevasse/material/phi_functions.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/time/arkode.h>
+#include <crevasse/time/arkode_failure.h>
 #include <crevasse/time/contact_events.h>
 #include <crevasse/time/exponential_heun.h>
 #include <crevasse/time/predictor_corrector.h>
@@ -392,6 +394,69 @@ namespace
       }
   }
 
+  /** A rate that no step resolves, or one that is not there at all. */
+  class Hopeless : public ExplicitEquation
+  {
+  public:
+    explicit Hopeless(const bool throws)
+      : throws(throws)
+    {
+    }
+
+    void
+    rate(const double t, const Vector &, Vector &rate) override
+    {
+      if (throws && t > 0.5)
+        throw NumericalError("no rate beyond 0.5");
+      rate(0) = throws ? 1. : 1e6 * std::sin(1e15 * t);
+    }
+
+  private:
+    const bool throws;
+  };
+
+  std::string
+  failure_of_arkode(const bool throws)
+  {
+    TimeIntegrationParameters parameters;
+    parameters.scheme       = "arkode explicit";
+    parameters.step_control = "adaptive";
+    Arkode   scheme(parameters, 2.);
+    Hopeless equation(throws);
+    try
+      {
+        integrate(scheme, equation, 1., 2., 4);
+      }
+    catch (const NumericalError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+  void
+  check_failures_of_arkode()
+  {
+    const auto contains = [](const std::string &text, const char *words) {
+      return text.find(words) != std::string::npos;
+    };
+    check("arkode: what f throws comes through C code as it is",
+          failure_of_arkode(true) == "no rate beyond 0.5");
+    check("arkode: what no step resolves is told, with a parameter",
+          contains(failure_of_arkode(false),
+                   "[Time integration] Relative tolerance"));
+    bool all_advise = true;
+    for (int code = -45; code < 0; ++code)
+      {
+        const std::string text = describe_arkode_failure(code, 1.5, "");
+        all_advise =
+          all_advise && contains(text, "t = 1.5") &&
+          (contains(text, "[Time integration]") || contains(text, "Scheme =") ||
+           contains(text, "contact problem"));
+      }
+    check("arkode: every error code has its time and its advice", all_advise);
+  }
+
   double
   relaxation_rate(const MaterialParameters &material)
   {
@@ -476,6 +541,7 @@ main(int argc, char **argv)
     check_order("exponential", ExponentialHeun(), Relaxation(0.5, 0.6), 2.);
     check_contact_events();
     check_phi_functions();
+    check_failures_of_arkode();
     check_stability("euler", RungeKutta(euler_tableau()));
     check_stability("heun", RungeKutta(heun_tableau(0.75)));
     check_stability("rk4", RungeKutta(rk4_tableau()));

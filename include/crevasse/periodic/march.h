@@ -23,8 +23,10 @@ namespace Crevasse
   /** How a search for the periodic state ended. */
   struct PeriodicResult
   {
-    unsigned int        periods   = 0;
-    bool                converged = false;
+    unsigned int periods   = 0;
+    bool         converged = false;
+    /** Whether the last two periods had (most of) their samples in common. */
+    bool                steps_repeat = true;
     std::vector<double> stress_change; ///< one entry a period
   };
 

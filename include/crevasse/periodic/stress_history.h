@@ -39,9 +39,10 @@ namespace Crevasse
     double
     take_change();
 
-    /** Whether the last two periods had the same instants. */
+    /** Whether at least three quarters of the instants of the last period were
+     * those of the period before: else its change says little. */
     bool
-    is_complete() const;
+    is_comparable() const;
 
     /** Largest stress component of the last period for which take_change() was
      * called. */
@@ -57,8 +58,9 @@ namespace Crevasse
 
     const double            rounding;
     std::map<double, Entry> samples;
-    unsigned int            periods  = 0; ///< that have ended
-    bool                    complete = true, complete_last = true;
+    unsigned int            periods    = 0; ///< that have ended
+    std::size_t             n_new      = 0; ///< instants of this period
+    bool                    comparable = true;
 
     MPI_Comm communicator    = MPI_COMM_SELF;
     double   largest_change  = 0.;

@@ -20,6 +20,21 @@
 
 namespace Crevasse
 {
+  /** Positions of the instants that two ascending lists have in common. */
+  struct CommonInstants
+  {
+    CommonInstants(const std::vector<double> &one,
+                   const std::vector<double> &other,
+                   const double               tolerance);
+
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+
+    /** Why a comparison at these instants says nothing; empty if it does: at
+     * rest all runs agree, and a few instants at which the load is zero may be
+     * all that adaptive steps have in common with others. */
+    std::string objection;
+  };
+
   /** A largest difference over a largest value, or why there is none. */
   struct MeasuredError
   {
@@ -27,24 +42,16 @@ namespace Crevasse
     std::size_t           instants = 0; ///< that both have
     std::string           reason;       ///< if there is no value
 
-    /** @param difference and @p size the largest ones at @p instants common
-     * instants, of which some must be @p beyond_start: at rest all runs agree.
-     */
+    /** @param difference the largest at common instants.
+     * @param size the largest value of the reference at any instant. */
     static MeasuredError
     relative(const double      difference,
              const double      size,
-             const std::size_t instants,
-             const bool        beyond_start);
+             const std::size_t instants);
 
     static MeasuredError
-    none(const std::string &reason);
+    none(const std::string &reason, const std::size_t instants = 0);
   };
-
-  /** Positions of the instants that two ascending lists have in common. */
-  std::vector<std::pair<std::size_t, std::size_t>>
-  common_instants(const std::vector<double> &one,
-                  const std::vector<double> &other,
-                  const double               tolerance);
 } // namespace Crevasse
 
 #endif

@@ -24,10 +24,11 @@ namespace Crevasse
    * through contact (model, §2).
    *
    * A step after which nodes have switched is taken again up to the first of
-   * the instants at which they did, which is found by the regula falsi in the
-   * manner of Anderson and Björck (BIT 13, 1973) on the least switching
-   * function, each value of which is the end of a trial step. It is found to
-   * 10⁻⁴ of the step; what switches closer together counts as one event. Errors
+   * the instants at which they did. That is found on the least switching
+   * function, each value of which is the end of a trial step, by secants on
+   * either side of the kink, and else by the regula falsi in the manner of
+   * Anderson and Björck (BIT 13, 1973). It is found to
+   * 10⁻⁷ of the step; what switches closer together counts as one event. Errors
    * of the instant count by their square, for f is continuous.
    *
    * There is no Zeno behaviour: a step is divided at most 100 times, then it
