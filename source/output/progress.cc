@@ -14,6 +14,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -91,9 +92,12 @@ namespace Crevasse
   void
   Progress<dim>::end_of_period(const PeriodReport &report)
   {
-    // The first period has none before it from which its stress could change.
+    // The first period has none before it from which its stress could change,
+    // and adaptive steps may not be those of the period before.
     const std::string change =
-      report.period == 1 ? "-" : format("%.6e", report.stress_change);
+      report.period == 1 || !std::isfinite(report.stress_change)
+        ? "-"
+        : format("%.6e", report.stress_change);
     log.line(format("  %6u %8g  %16s %4zu",
                     report.period,
                     report.end_time,

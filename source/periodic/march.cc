@@ -71,12 +71,13 @@ namespace Crevasse
         ++result.periods;
         period_map.advance(result.periods, r, record_and_show);
 
-        const double change = history.take_change();
+        double change       = history.take_change();
+        result.steps_repeat = history.is_comparable();
+        if (!result.steps_repeat) // of a few instants: it says nothing
+          change = std::numeric_limits<double>::quiet_NaN();
         result.stress_change.push_back(change);
         result.converged =
-          !period_map.has_memory() ||
-          (tolerance > 0. && change <= tolerance && history.is_comparable());
-        result.steps_repeat = history.is_comparable();
+          !period_map.has_memory() || (tolerance > 0. && change <= tolerance);
         const PeriodReport report{result.periods,
                                   result.periods * period,
                                   change,

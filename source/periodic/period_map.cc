@@ -19,13 +19,17 @@ namespace Crevasse
 {
   namespace
   {
-    /** An equation whose time is brought into the period. */
+    /** An equation whose time is brought into the period. A step that ends
+     * where something jumps sees what was before. */
     class PeriodicEquation : public ForwardingEquation
     {
     public:
-      PeriodicEquation(RateEquation &equation, const StepList &steps)
+      PeriodicEquation(RateEquation   &equation,
+                       const StepList &steps,
+                       const double    begin)
         : ForwardingEquation(equation)
         , steps(steps)
+        , begin(begin)
       {
       }
 
@@ -33,11 +37,13 @@ namespace Crevasse
       double
       instant(const double t) const override
       {
-        return steps.within_period(t);
+        return t > begin && steps.jumps_at(t) ? steps.just_before(t)
+                                              : steps.within_period(t);
       }
 
     private:
       const StepList &steps;
+      const double    begin; ///< of the step
     };
   } // namespace
 
@@ -93,10 +99,12 @@ namespace Crevasse
                        Vector                                    &r,
                        const std::function<void(const Sample &)> &observe)
   {
-    PeriodicEquation f(evolution, step_list);
     const double     t = step_list.instant(k);
+    PeriodicEquation f(evolution, step_list, t);
+    if (has_memory() && step_list.jumps_at(t))
+      integrator->restart(); // The end of the last step was before the jump.
     if (has_memory())
-      integrator->start(f, t, r, rate);
+      step_control.start(*integrator, f, step_list, k, r, rate);
     else
       evolution.elastic_state(t);
     observe({period,

@@ -36,25 +36,6 @@ namespace Crevasse
 
 
 
-    /** Largest difference and value while two columns are compared. */
-    struct Extremes
-    {
-      double difference = 0.;
-      double size       = 0.;
-
-      void
-      add(const double value, const double reference)
-      {
-        // Unlike std::max, these keep what is not a number.
-        if (!(std::abs(value - reference) <= difference))
-          difference = std::abs(value - reference);
-        if (!(std::abs(reference) <= size))
-          size = std::abs(reference);
-      }
-    };
-
-
-
     bool
     contains(const std::string &folder, const Quantity &quantity)
     {
@@ -91,9 +72,7 @@ namespace Crevasse
         }
       if (t.empty() || t.back() == 0.)
         return MeasuredError::none("the run has no instant but t = 0");
-      return MeasuredError::relative(extremes.difference,
-                                     extremes.size,
-                                     t.size());
+      return MeasuredError::relative(extremes, t.size());
     }
 
 
@@ -124,9 +103,7 @@ namespace Crevasse
         return MeasuredError::none("the runs have no such column");
       if (!common.objection.empty())
         return MeasuredError::none(common.objection, common.pairs.size());
-      return MeasuredError::relative(extremes.difference,
-                                     extremes.size,
-                                     common.pairs.size());
+      return MeasuredError::relative(extremes, common.pairs.size());
     }
   } // namespace
 

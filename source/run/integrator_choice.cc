@@ -55,13 +55,13 @@ namespace Crevasse
 
 
   std::unique_ptr<Integrator>
-  make_integrator(const TimeIntegrationParameters &parameters,
-                  const double                     period,
-                  const bool                       has_contact)
+  make_integrator(TimeIntegrationParameters parameters,
+                  const double              period,
+                  const bool                has_contact)
   {
+    parameters.locate_contact_events &= has_contact;
     std::unique_ptr<Integrator> method = make_method(parameters, period);
-    if (parameters.locate_contact_events && has_contact &&
-        !controls_itself(parameters))
+    if (parameters.locate_contact_events && !controls_itself(parameters))
       return std::make_unique<ContactEvents>(std::move(method));
     return method;
   }

@@ -15,7 +15,6 @@
 #include <crevasse/scene/text.h>
 
 #include <algorithm>
-#include <set>
 #include <vector>
 
 namespace Crevasse
@@ -108,14 +107,20 @@ namespace Crevasse
   std::vector<double>
   instants_of_scale(const Body<dim> &body, const StepList &steps)
   {
-    constexpr unsigned int some = 8;
-    std::set<unsigned int> chosen{step_of_largest_load(body, steps)};
-    for (unsigned int i = 0; i < some; ++i)
-      chosen.insert(steps.n_steps() * i / some);
-    std::vector<double> instants;
-    for (const unsigned int k : chosen)
-      instants.push_back(steps.instant(k));
-    return instants;
+    // Steps may meet a load at its zeros only; multiples of the golden ratio
+    // are commensurate with nothing.
+    constexpr double       golden    = 0.6180339887498949;
+    constexpr unsigned int n_sampled = 200, n_chosen = 5;
+    std::vector<double>    sampled;
+    for (unsigned int i = 1; i <= n_sampled; ++i)
+      sampled.push_back(steps.within_period(steps.period() * golden * i));
+    std::vector<double> chosen(sampled.begin(), sampled.begin() + n_chosen);
+    chosen.push_back(*std::max_element(
+      sampled.begin(), sampled.end(), [&](const double a, const double b) {
+        return loads_at(body, a).l2_norm() < loads_at(body, b).l2_norm();
+      }));
+    chosen.push_back(steps.instant(step_of_largest_load(body, steps)));
+    return chosen;
   }
 
 

@@ -42,19 +42,27 @@ namespace Crevasse
 
 
 
+  void
+  Extremes::add(const double value, const double reference)
+  {
+    finite     = finite && std::isfinite(value) && std::isfinite(reference);
+    difference = std::max(difference, std::abs(value - reference));
+    size       = std::max(size, std::abs(reference));
+  }
+
+
+
   MeasuredError
-  MeasuredError::relative(const double      difference,
-                          const double      size,
-                          const std::size_t instants)
+  MeasuredError::relative(const Extremes &extremes, const std::size_t instants)
   {
     MeasuredError error;
     error.instants = instants;
-    if (!std::isfinite(difference) || !std::isfinite(size))
+    if (!extremes.finite)
       error.reason = "there are values that are not finite";
-    else if (size == 0.)
+    else if (extremes.size == 0.)
       error.reason = "the reference is 0 at all instants";
     else
-      error.value = difference / size;
+      error.value = extremes.difference / extremes.size;
     return error;
   }
 

@@ -197,7 +197,8 @@ namespace Crevasse
       : wish == "on"
         ? "the mean load does not vanish: its flow is split off"
         : "the mean load does not vanish: beta is found, not split off";
-    if (!effect.on)
+    // Adaptive steps are found where the loads are.
+    if (!effect.on || scene.time_integration.step_control == "adaptive")
       return split;
     const std::string missed =
       missed_by_steps(body, split.mean_load, steps, *integrator);

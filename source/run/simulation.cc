@@ -13,6 +13,7 @@
 #include <crevasse/periodic/period_map.h>
 #include <crevasse/run/elastic_reference.h>
 #include <crevasse/run/integrator_choice.h>
+#include <crevasse/run/jumps.h>
 #include <crevasse/run/largest_load.h>
 #include <crevasse/run/libraries.h>
 #include <crevasse/run/outputs.h>
@@ -82,6 +83,8 @@ namespace Crevasse
         return "";
       const double last  = changes.back();
       const double ratio = last / changes[changes.size() - 2];
+      if (!std::isfinite(ratio))
+        return "";
       if (!(ratio < 1.))
         return " (the change does not fall at present)";
       std::ostringstream text;
@@ -130,6 +133,7 @@ namespace Crevasse
     if (body.effects.contact.on && (scene.contact.solver == "projected sor" ||
                                     !scene.contact.relaxation_table.empty()))
       require_one_rank(communicator);
+    steps.set_jumps(find_jumps(scene, body, steps));
     if (integrator != nullptr)
       step_control = make_step_control(scene.time_integration,
                                        steps,
@@ -307,8 +311,9 @@ namespace Crevasse
     Vector viscous_strain;
     if (body.effects.viscosity.on)
       body.points.initialize(viscous_strain, body.law.branches().size());
-    if (scene.time_integration.step_control == "adaptive")
-      evolution.set_stress_scale(instants_of_scale(body, steps));
+    if (integrator != nullptr &&
+        scene.time_integration.step_control == "adaptive")
+      evolution.set_scales(instants_of_scale(body, steps));
     const PeriodicResult result = march.run(viscous_strain, observers);
     rate_evaluations            = evolution.n_rate_evaluations();
     return result;
@@ -344,6 +349,19 @@ namespace Crevasse
       }
     if (!secular_split.warning.empty())
       all.push_back(secular_split.warning);
+    if (integrator != nullptr &&
+        scene.time_integration.scheme == "exponential" &&
+        scene.time_integration.step_control != "adaptive" &&
+        steps.largest_step() > 2. * smallest_relaxation_time)
+      {
+        std::ostringstream text;
+        text << "[Time integration] Scheme = exponential with steps of "
+             << steps.largest_step() / smallest_relaxation_time
+             << " relaxation times is stable, but what creeps under given "
+                "loads creeps by about one elastic strain a step at most; "
+                "Scheme = sdirk2 is exact there";
+        all.push_back(text.str());
+      }
     return all;
   }
 
@@ -485,16 +503,14 @@ namespace Crevasse
       return;
     std::ostringstream message;
     message << "The stress is not yet periodic: after " << result.periods
-            << " period" << (result.periods == 1 ? "" : "s")
-            << " it still changes by " << result.stress_change.back()
-            << " of its maximum";
-    if (result.stress_change.back() <= scene.periodic_state.tolerance &&
-        !result.steps_repeat)
-      message << " at the few instants that its adaptive steps have in common "
-                 "with those of the period before. All results so far are "
-                 "written. Raise \"Maximum periods\"";
+            << " period" << (result.periods == 1 ? "" : "s");
+    if (!result.steps_repeat)
+      message << " its change cannot be told, for the adaptive steps of the "
+                 "last period are not those of the one before. All results so "
+                 "far are written. Raise \"Maximum periods\"";
     else
-      message << ", more than [Periodic state] Tolerance = "
+      message << " it still changes by " << result.stress_change.back()
+              << " of its maximum, more than [Periodic state] Tolerance = "
               << scene.periodic_state.tolerance
               << ". All results so far are written. Raise \"Maximum periods\""
               << periods_to_go(result.stress_change,

@@ -98,15 +98,13 @@ namespace Crevasse
                                 1e-9 * header.period);
     if (!common.objection.empty())
       return MeasuredError::none(common.objection, common.pairs.size());
-    double difference = 0., size = 0.;
+    Extremes extremes;
     for (const auto &[i, j] : common.pairs)
       for (std::size_t k = 0; k < samples[i].size(); ++k)
-        difference =
-          std::max(difference,
-                   std::abs(samples[i][k] - reference.samples[j][k]));
+        extremes.add(samples[i][k], reference.samples[j][k]);
     for (const std::vector<double> &sample : reference.samples)
       for (const double value : sample)
-        size = std::max(size, std::abs(value));
-    return MeasuredError::relative(difference, size, common.pairs.size());
+        extremes.add(value, value);
+    return MeasuredError::relative(extremes, common.pairs.size());
   }
 } // namespace Crevasse

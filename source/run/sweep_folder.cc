@@ -33,6 +33,9 @@ namespace Crevasse
     std::string
     content(const std::string &file_name)
     {
+      std::error_code error;
+      if (!fs::is_regular_file(file_name, error))
+        return "";
       std::ifstream file(file_name, std::ios::binary);
       using Characters = std::istreambuf_iterator<char>;
       return std::string(Characters(file), Characters());

@@ -51,7 +51,9 @@ namespace Crevasse
         {
           row += ' ';
           for (const char c : cell)
-            row += c == '|' ? std::string("\\|") : std::string(1, c);
+            row += c == '|'    ? std::string("\\|")
+                   : c == '\n' ? std::string(" ")
+                               : std::string(1, c);
           row += " |";
         }
       return row + '\n';

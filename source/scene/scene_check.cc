@@ -141,6 +141,21 @@ namespace Crevasse
 
 
 
+    /** What knows the steps in advance. */
+    void
+    check_fixed_steps(const Scene &scene, Problems &problems)
+    {
+      if (scene.time_integration.step_control == "adaptive")
+        Checker(OutputParameters::section, problems)
+          .demand(scene.output.elastic_comparison == "none",
+                  "Elastic comparison",
+                  scene.output.elastic_comparison,
+                  "compares at steps that are known in advance: with [Time "
+                  "integration] Step control = adaptive it must be none");
+    }
+
+
+
     void
     check_instants(const Scene &scene, Problems &problems)
     {
@@ -223,6 +238,7 @@ namespace Crevasse
     else
       check_points<3>(*this, problems);
     check_instants(*this, problems);
+    check_fixed_steps(*this, problems);
     check_recorded_steps(*this, problems);
   }
 } // namespace Crevasse

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Crevasse
@@ -53,7 +54,8 @@ namespace Crevasse
 
   AdaptiveSteps::AdaptiveSteps(const Settings &settings)
     : settings(settings)
-    , proposed(settings.largest_step)
+    // Not a fraction of the period, at which a load may have its zeros.
+    , proposed(0.381966 * settings.largest_step)
   {
   }
 
@@ -124,13 +126,55 @@ namespace Crevasse
       {
         const double stress =
           std::abs(error.local_element(i)) / scale.local_element(i);
-        // A comparison with nan is false.
-        largest = stress <= largest ? largest : stress;
+        largest = std::max(largest,
+                           std::isfinite(stress)
+                             ? stress
+                             : std::numeric_limits<double>::infinity());
       }
     largest = dealii::Utilities::MPI::max(largest, r.get_mpi_communicator());
     const double allowed = settings.relative_tolerance * f.stress_scale() +
                            settings.absolute_tolerance;
     return largest == 0. ? 0. : part_of_estimate * largest / allowed;
+  }
+
+
+
+  double
+  AdaptiveSteps::relative_error_of_end(Integrator   &integrator,
+                                       RateEquation &f,
+                                       const double  t,
+                                       const double  step,
+                                       const Vector &rate,
+                                       const Vector &r)
+  {
+    const std::vector<double> nodes = integrator.quadrature().nodes;
+    if (std::find(nodes.begin(), nodes.end(), 1.) != nodes.end())
+      return 0.;
+    end_rate.reinit(r, true);
+    integrator.start(f, t + step, r, end_rate);
+    known_end = t + step;
+    error     = r;
+    error -= saved;
+    error.add(-0.5 * step, rate, -0.5 * step, end_rate);
+    return relative_error(f, r);
+  }
+
+
+
+  void
+  AdaptiveSteps::start(Integrator        &integrator,
+                       RateEquation      &f,
+                       const StepList    &steps,
+                       const unsigned int k,
+                       const Vector      &r,
+                       Vector            &rate)
+  {
+    const double t = steps.instant(k);
+    if (k > 0 && known_end == t && !steps.jumps_at(t))
+      rate = end_rate;
+    else
+      integrator.start(f, t, r, rate);
+    known_end = -1.;
   }
 
 
@@ -168,11 +212,16 @@ namespace Crevasse
       {
         error = 0.;
         integrator.advance(f, t, step, rate, r, &error);
-        const double step_error = relative_error(f, r);
+        double step_error = relative_error(f, r);
+        if (step_error <= 1.)
+          step_error =
+            std::max(step_error,
+                     relative_error_of_end(integrator, f, t, step, rate, r));
         if (step_error <= 1.)
           {
             propose(step, step_error, was_rejected);
-            needed += std::sqrt(step_error) / safety;
+            needed += std::max(std::sqrt(step_error) / safety,
+                               step / settings.largest_step);
             break;
           }
         if (step * TimeIntegrationParameters::most_steps < steps.period())
@@ -180,6 +229,13 @@ namespace Crevasse
         ++rejected;
         was_rejected = true;
         r            = saved;
+        if (known_end >= 0.)
+          {
+            // The method has started from the end already.
+            integrator.restart();
+            integrator.start(f, t, r, end_rate);
+            known_end = -1.;
+          }
         // The steps of a list are halved, so that its lengths stay few.
         const bool   halves = !is_free || integrator.has_matrix_of_step();
         const double factor =

@@ -126,6 +126,8 @@ namespace Crevasse
       {
         if (events != nullptr)
           driver->seek_events(true);
+        if (t == 0.)
+          is_first_period = false;
         driver->restart(t, usual_step, r);
         return;
       }
@@ -202,7 +204,9 @@ namespace Crevasse
           driver->stop_at(next_stop(t));
         if (driver->step())
           meet_event(t, time_step);
-        if (driver->time() < period - rounding)
+        // All periods but the first begin with the same step, so that they
+        // differ by what the body remembers alone.
+        if (is_first_period && driver->time() < period - rounding)
           usual_step = driver->next_step();
       }
     if (driver->time() > end + rounding)

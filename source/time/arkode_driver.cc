@@ -158,6 +158,9 @@ namespace Crevasse
     constexpr double shortest = 1e-12; // of the period
     check(ARKStepSetMinStep(memory, shortest * settings.period));
     check(ARKStepSetSafetyFactor(memory, safety));
+    // What is constant for a while asks for steps that miss what comes after.
+    constexpr double longest = 1. / 8.;
+    check(ARKStepSetMaxStep(memory, longest * settings.period));
     if (settings.is_implicit)
       {
         check(ARKStepSetAdaptivityFn(memory, &choose_step, this));

@@ -43,7 +43,7 @@ namespace Crevasse
     /** By order, from 3 on. */
     constexpr std::array<Choice, 3> implicit_choices = {
       {{"ESDIRK3(2)5L[2]SA", ARKODE_ESDIRK325L2SA_5_2_3, 1.},
-       {"ESDIRK4(3)6L[2]SA", ARKODE_ESDIRK436L2SA_6_3_4, 1.},
+       {"ARK4(3)6L[2]SA-ESDIRK", ARKODE_ARK436L2SA_DIRK_6_3_4, 1.},
        {"ESDIRK5(4)7L[2]SA2", ARKODE_ESDIRK547L2SA2_7_4_5, 1.}}};
 
 

@@ -129,7 +129,7 @@ namespace Crevasse
 
 
 
-  void
+  bool
   ContactEvents::locate(RateEquation &f,
                         const double  shortest,
                         const bool    estimates_error)
@@ -159,14 +159,14 @@ namespace Crevasse
               t = secant;
           }
         if (trial == 0 && end - t <= shortest)
-          return; // the end is the event
+          return true; // the end is the event
         go_to(f, t, estimates_error);
         ++trials;
 
         const double here  = least_function(to);
         const double slope = (left.value - right.value) / (right.t - left.t);
         if (std::abs(here) <= shortest * slope || right.t - left.t <= shortest)
-          return;
+          return true;
         End &moved = here > 0. ? left : right;
         End &stays = here > 0. ? right : left;
         // One that stays again counts less, so that both ends come closer.
@@ -176,6 +176,7 @@ namespace Crevasse
         moved  = {t, here};
         last   = &moved;
       }
+    return false;
   }
 
 
@@ -202,8 +203,9 @@ namespace Crevasse
         const bool crosses = least_function(to) < 0.;
         if (crosses && n < most_events)
           {
-            locate(f, shortest, error != nullptr);
+            const bool found = locate(f, shortest, error != nullptr);
             ++events;
+            missed += found ? 0 : 1;
           }
         else if (crosses)
           ++given_up;
@@ -265,6 +267,7 @@ namespace Crevasse
     IntegratorStatistics all = method->statistics();
     all.emplace_back("contact_events", events);
     all.emplace_back("steps_for_events", trials);
+    all.emplace_back("events_found_roughly", missed);
     all.emplace_back("steps_with_too_many_events", given_up);
     return all;
   }

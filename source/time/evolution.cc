@@ -165,13 +165,23 @@ namespace Crevasse
 
   template <int dim>
   void
-  Evolution<dim>::set_stress_scale(const std::vector<double> &all_instants)
+  Evolution<dim>::set_scales(const std::vector<double> &all_instants)
   {
     elastic_stress = 0.;
+    stiffness_norms.assign(last.stress.locally_owned_size() /
+                             QuadratureField<dim>::n_components,
+                           0.);
     for (const double t : all_instants)
       {
         elastic_state(t);
         elastic_stress = std::max(elastic_stress, last.stress.linfty_norm());
+        const MaterialState<dim> &material = instants.at(t).material;
+        fractions                          = material.fractions;
+        for (std::size_t point = 0; point < stiffness_norms.size(); ++point)
+          stiffness_norms[point] =
+            std::max(stiffness_norms[point],
+                     material.stiffness_factor *
+                       (*material.stiffness)[point].norm());
       }
   }
 
@@ -190,22 +200,13 @@ namespace Crevasse
   void
   Evolution<dim>::strain_per_stress(const Vector &r, Vector &scale) const
   {
-    constexpr unsigned int     n        = QuadratureField<dim>::n_components;
-    const MaterialState<dim>  &material = instants.at(0.).material;
-    const InelasticStrain<dim> inelastic(material, r);
-    const std::size_t          n_points =
-      r.locally_owned_size() / (n * inelastic.n_branches);
+    constexpr unsigned int n = QuadratureField<dim>::n_components;
     scale.reinit(r, true);
-    for (std::size_t point = 0; point < n_points; ++point)
-      for (unsigned int i = 0; i < inelastic.n_branches; ++i)
-        {
-          const double stiffness = material.stiffness_factor *
-                                   material.fractions[i] *
-                                   (*material.stiffness)[point].norm();
-          for (unsigned int c = 0; c < n; ++c)
-            scale.local_element(inelastic.offset_of_branch(point * n, i) + c) =
-              1. / stiffness;
-        }
+    std::size_t entry = 0;
+    for (const double stiffness : stiffness_norms)
+      for (const double fraction : fractions)
+        for (unsigned int c = 0; c < n; ++c)
+          scale.local_element(entry++) = 1. / (fraction * stiffness);
   }
 
 

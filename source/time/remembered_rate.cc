@@ -12,6 +12,9 @@
 #include <crevasse/scene/problems.h>
 #include <crevasse/time/remembered_rate.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -44,9 +47,16 @@ namespace Crevasse
     if (!evaluation.is_known ||
         std::abs(t - evaluation.t) > rounding * std::abs(t))
       return false;
-    Vector difference = r;
-    difference -= evaluation.r;
-    return difference.linfty_norm() <= rounding * evaluation.r.linfty_norm();
+    double difference = 0., size = 0.;
+    for (std::size_t i = 0; i < r.locally_owned_size(); ++i)
+      {
+        const double known = evaluation.r.local_element(i);
+        difference = std::max(difference, std::abs(r.local_element(i) - known));
+        size       = std::max(size, std::abs(known));
+      }
+    // Relative to what a rank has: one reduction is enough.
+    const int differs = difference > rounding * size ? 1 : 0;
+    return dealii::Utilities::MPI::max(differs, r.get_mpi_communicator()) == 0;
   }
 
 

@@ -13,6 +13,19 @@
 namespace Crevasse
 {
   void
+  StepControl::start(Integrator        &integrator,
+                     RateEquation      &f,
+                     const StepList    &steps,
+                     const unsigned int k,
+                     const Vector      &r,
+                     Vector            &rate)
+  {
+    integrator.start(f, steps.instant(k), r, rate);
+  }
+
+
+
+  void
   FixedSteps::begin_period(StepList &)
   {
   }

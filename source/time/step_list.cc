@@ -21,21 +21,20 @@ namespace Crevasse
 {
   namespace
   {
-    /** Sorted, with 0 and the period, and without what rounding takes apart. */
+    /** Sorted, with @p others but those that rounding takes apart from some. */
     std::vector<double>
-    complete(std::vector<double> instants, const double period)
+    unite(std::vector<double>        some,
+          const std::vector<double> &others,
+          const double               period)
     {
-      instants.push_back(0.);
-      instants.push_back(period);
-      std::sort(instants.begin(), instants.end());
       const double rounding = 1e-12 * period;
-      const auto   is_same  = [rounding](const double a, const double b) {
-        return b - a <= rounding;
-      };
-      instants.erase(std::unique(instants.begin(), instants.end(), is_same),
-                     instants.end());
-      instants.back() = period;
-      return instants;
+      for (const double t : others)
+        if (std::none_of(some.begin(), some.end(), [&](const double other) {
+              return std::abs(t - other) <= rounding;
+            }))
+          some.push_back(t);
+      std::sort(some.begin(), some.end());
+      return some;
     }
   } // namespace
 
@@ -63,7 +62,7 @@ namespace Crevasse
     if (adaptive)
       for (const double t : more)
         asked_for.push_back(within_period(t, period));
-    fixed = complete(asked_for, period);
+    fixed = unite({0., period}, asked_for, period);
     if (!uniform && !adaptive)
       {
         instants = fixed;
@@ -75,10 +74,7 @@ namespace Crevasse
     for (unsigned int k = 0; k <= n; ++k)
       instants[k] = period * k / n;
     if (adaptive)
-      {
-        instants.insert(instants.end(), fixed.begin(), fixed.end());
-        instants = complete(instants, period);
-      }
+      instants = unite(fixed, instants, period);
   }
 
 
@@ -95,6 +91,33 @@ namespace Crevasse
   StepList::divide(const unsigned int k, const double t)
   {
     instants.insert(instants.begin() + k + 1, t);
+  }
+
+
+
+  void
+  StepList::set_jumps(const std::vector<double> &new_jumps)
+  {
+    jumps = new_jumps;
+  }
+
+
+
+  bool
+  StepList::jumps_at(const double t) const
+  {
+    const double rounding = 1e-12 * period();
+    return std::any_of(jumps.begin(), jumps.end(), [&](const double jump) {
+      return std::abs(t - jump) <= rounding;
+    });
+  }
+
+
+
+  double
+  StepList::just_before(const double t) const
+  {
+    return t - 1e-11 * period();
   }
 
 
@@ -237,9 +260,8 @@ namespace Crevasse
     std::ostringstream message;
     message << "The smallest relaxation time allows this scheme steps of "
             << longest_step << ", which are more than " << most
-            << " in a period. Choose Scheme = sdirk2, or exponential if "
-               "relaxation times are alike: they are stable with any step; or "
-               "look at the viscosity in [Material], "
+            << " in a period. Choose Scheme = sdirk2, which is stable with any "
+               "step, or look at the viscosity in [Material], "
                "at [Loads] Period and at their units.";
     throw NumericalError(message.str());
   }

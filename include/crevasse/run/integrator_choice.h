@@ -23,9 +23,9 @@ namespace Crevasse
    *
    * @param has_contact whether there are events to locate. */
   std::unique_ptr<Integrator>
-  make_integrator(const TimeIntegrationParameters &parameters,
-                  const double                     period,
-                  const bool                       has_contact);
+  make_integrator(TimeIntegrationParameters parameters,
+                  const double              period,
+                  const bool                has_contact);
 
   /** @param smallest_relaxation_time bounds adaptive steps, which are none
    * longer than those of Steps per period.

@@ -34,8 +34,8 @@ namespace Crevasse
   double
   largest_load(const Body<dim> &body, const StepList &steps);
 
-  /** A few instants whose elastic stress tells the size of all: that of the
-   * largest load, and some of the period. */
+  /** A few instants whose elastic stress tells the size of all: those of the
+   * largest load, and some others of the period. */
   template <int dim>
   std::vector<double>
   instants_of_scale(const Body<dim> &body, const StepList &steps);

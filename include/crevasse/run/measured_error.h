@@ -35,6 +35,17 @@ namespace Crevasse
     std::string objection;
   };
 
+  /** Largest difference and value while columns are compared. */
+  struct Extremes
+  {
+    double difference = 0.;
+    double size       = 0.; ///< of the reference
+    bool   finite     = true;
+
+    void
+    add(const double value, const double reference);
+  };
+
   /** A largest difference over a largest value, or why there is none. */
   struct MeasuredError
   {
@@ -42,12 +53,10 @@ namespace Crevasse
     std::size_t           instants = 0; ///< that both have
     std::string           reason;       ///< if there is no value
 
-    /** @param difference the largest at common instants.
-     * @param size the largest value of the reference at any instant. */
+    /** @param extremes differences at common instants, values of the reference
+     * at any. */
     static MeasuredError
-    relative(const double      difference,
-             const double      size,
-             const std::size_t instants);
+    relative(const Extremes &extremes, const std::size_t instants);
 
     static MeasuredError
     none(const std::string &reason, const std::size_t instants = 0);

@@ -49,6 +49,15 @@ namespace Crevasse
     void
     begin_period(StepList &steps) override;
 
+    /** Takes what a step that has looked at its end has found there. */
+    void
+    start(Integrator        &integrator,
+          RateEquation      &f,
+          const StepList    &steps,
+          const unsigned int k,
+          const Vector      &r,
+          Vector            &rate) override;
+
     /** @throw NumericalError if the tolerance takes too many steps. */
     void
     advance(Integrator        &integrator,
@@ -73,9 +82,20 @@ namespace Crevasse
     double
     dyadic_step(const double t, const double longest) const;
 
-    /** The length of a trial relative to the tolerance. */
+    /** The error of a trial relative to the tolerance. */
     double
     relative_error(const RateEquation &f, const Vector &r);
+
+    /** The same, if no stage of a method has looked at the end of the step, of
+     * the difference to the trapezoidal rule: a jump behind the last stage is
+     * seen by that alone. */
+    double
+    relative_error_of_end(Integrator   &integrator,
+                          RateEquation &f,
+                          const double  t,
+                          const double  step,
+                          const Vector &rate,
+                          const Vector &r);
 
     /** The controller's next step. */
     void
@@ -96,6 +116,10 @@ namespace Crevasse
 
     Vector scale; ///< strain per stress
     Vector error, saved;
+
+    // What is known of the end of the last step.
+    double known_end = -1.; ///< negative: nothing
+    Vector end_rate;
   };
 } // namespace Crevasse
 

@@ -111,7 +111,8 @@ namespace Crevasse
     RememberedRate                  equation;
     std::unique_ptr<EventFunctions> events; ///< if they are to be located
     std::unique_ptr<ArkodeDriver>   driver; ///< once there is an r
-    bool                            goes_on    = false;
+    bool                            goes_on         = false;
+    bool                            is_first_period = true;
     double                          usual_step = 0.; ///< not cut at the end
     unsigned int                    steps_of_period = 0;
 

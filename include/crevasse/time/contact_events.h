@@ -100,8 +100,9 @@ namespace Crevasse
     double
     least_function(const Place &place) const;
 
-    /** Goes to the first event on the way to `to`. */
-    void
+    /** Goes to the first event on the way to `to`; whether it was found to
+     * @p shortest. */
+    bool
     locate(RateEquation &f, const double shortest, const bool estimates_error);
 
     const std::unique_ptr<Integrator> method;
@@ -114,7 +115,7 @@ namespace Crevasse
     MPI_Comm         communicator = MPI_COMM_SELF;
     double           rounding     = 0.; ///< of the switching functions
 
-    std::size_t events = 0, trials = 0, given_up = 0;
+    std::size_t events = 0, trials = 0, missed = 0, given_up = 0;
   };
 } // namespace Crevasse
 

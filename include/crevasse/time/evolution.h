@@ -98,10 +98,10 @@ namespace Crevasse
     void
     switching_functions(std::vector<double> &values) const override;
 
-    /** Makes the stress scale the largest of the elastic body at these
-     * instants. */
+    /** Makes stress scale and strain per stress those of the largest elastic
+     * stress and of the largest stiffness of each point at these instants. */
     void
-    set_stress_scale(const std::vector<double> &instants);
+    set_scales(const std::vector<double> &instants);
 
     /** The state of a body without viscous strain at the instant @p t. */
     void
@@ -171,8 +171,12 @@ namespace Crevasse
     void
     general_rate(const InelasticStrain<dim> &inelastic, Vector &rate);
 
-    ContactSolver *last_solver    = nullptr; ///< of the last evaluation
-    double         elastic_stress = 0.;
+    ContactSolver *last_solver = nullptr; ///< of the last evaluation
+
+    // See set_scales().
+    double              elastic_stress = 0.;
+    std::vector<double> stiffness_norms; ///< |kK| of each point
+    std::vector<double> fractions;       ///< wᵢ
 
     State       last;
     Vector      loading;

@@ -25,11 +25,12 @@ namespace Crevasse
     using Field                     = QuadratureField<dim>;
     static constexpr unsigned int n = Field::n_components;
 
+    /** @param r empty: there is no viscous strain. */
     InelasticStrain(const MaterialState<dim> &material, const Vector &r)
       : material(material)
       , thermal_strain(material.thermal_strain.get())
       , r(r)
-      , n_branches(material.fluidity.size())
+      , n_branches(r.size() == 0 ? 0 : material.fluidity.size())
     {
     }
 

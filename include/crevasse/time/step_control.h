@@ -26,6 +26,15 @@ namespace Crevasse
     virtual void
     begin_period(StepList &steps) = 0;
 
+    /** Integrator::start() at instant @p k. */
+    virtual void
+    start(Integrator        &integrator,
+          RateEquation      &f,
+          const StepList    &steps,
+          const unsigned int k,
+          const Vector      &r,
+          Vector            &rate);
+
     /**
      * Advances r from instant @p k, the last start, to instant k + 1 of the
      * steps, which may be divided for that.

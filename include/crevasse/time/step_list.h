@@ -40,6 +40,18 @@ namespace Crevasse
     void
     divide(const unsigned int k, const double t);
 
+    /** Makes known that loads or material jump at these instants: a step that
+     * ends there sees what was before, the next one what comes after. */
+    void
+    set_jumps(const std::vector<double> &instants);
+
+    bool
+    jumps_at(const double t) const;
+
+    /** By so little that nothing changes but by a jump. */
+    double
+    just_before(const double t) const;
+
     unsigned int
     n_steps() const;
 
@@ -93,6 +105,7 @@ namespace Crevasse
     const bool          adaptive;
     std::vector<double> instants;
     std::vector<double> fixed;
+    std::vector<double> jumps;
   };
 } // namespace Crevasse
 

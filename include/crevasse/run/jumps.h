@@ -1,0 +1,30 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#ifndef crevasse_run_jumps_h
+#define crevasse_run_jumps_h
+
+#include <crevasse/run/body.h>
+#include <crevasse/scene/scene.h>
+#include <crevasse/time/step_list.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /** The ends of steps at which loads or material jump in time. Looked for only
+   * if a formula can jump at all, that is if it has a comparison, a condition
+   * or a rounding in it. Collective. */
+  template <int dim>
+  std::vector<double>
+  find_jumps(const Scene &scene, const Body<dim> &body, const StepList &steps);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,153 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#include <crevasse/run/jumps.h>
+#include <crevasse/run/largest_load.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace Crevasse
+{
+  namespace
+  {
+    // What is continuous changes by about 1e-10 of itself.
+    constexpr double negligible = 1e-6;
+
+
+
+    bool
+    can_jump(const std::string &formula)
+    {
+      for (const char *word : {"<",
+                               ">",
+                               "=",
+                               "?",
+                               "if",
+                               "sign",
+                               "rint",
+                               "floor",
+                               "ceil",
+                               "int",
+                               "%"})
+        if (formula.find(word) != std::string::npos)
+          return true;
+      return false;
+    }
+
+
+
+    bool
+    can_jump(const Scene &scene)
+    {
+      const LoadParameters     &loads    = scene.loads;
+      const MaterialParameters &material = scene.material;
+      for (const std::string *formula : {&loads.traction,
+                                         &loads.body_force,
+                                         &loads.temperature,
+                                         &material.young_modulus,
+                                         &material.poisson_ratio,
+                                         &material.stiffness_matrix,
+                                         &material.stiffness_time_factor,
+                                         &material.relaxation_time,
+                                         &material.viscous_modulus,
+                                         &material.viscous_poisson_ratio,
+                                         &material.viscosity_matrix,
+                                         &material.viscosity_time_factor,
+                                         &material.chain,
+                                         &material.thermal_expansion})
+        if (can_jump(*formula))
+          return true;
+      return false;
+    }
+
+
+
+    bool
+    differ(const double a, const double b)
+    {
+      return std::abs(a - b) > negligible * std::max(std::abs(a), std::abs(b));
+    }
+
+
+
+    /** At any of the points of this rank. */
+    template <typename Value>
+    bool
+    differ(const PointValues<Value> &a,
+           const PointValues<Value> &b,
+           const std::size_t         n_points)
+    {
+      for (std::size_t p = 0; p < n_points; ++p)
+        if ((a[p] - b[p]).norm() >
+            negligible * std::max(a[p].norm(), b[p].norm()))
+          return true;
+      return false;
+    }
+
+
+
+    template <int dim>
+    bool
+    materials_differ(const Body<dim> &body, const double t, const double before)
+    {
+      const MaterialState<dim> a = body.material.at(t);
+      const MaterialState<dim> b = body.material.at(before);
+      if (differ(a.stiffness_factor, b.stiffness_factor) ||
+          differ(a.viscosity_factor, b.viscosity_factor))
+        return true;
+      const std::size_t n_points = body.points.n_local_points();
+      bool              jumps    = false;
+      if (body.material.stiffness_varies())
+        jumps = differ(*a.stiffness, *b.stiffness, n_points);
+      if (body.material.fluidity_varies())
+        for (std::size_t i = 0; i < a.fluidity.size(); ++i)
+          jumps = jumps || differ(*a.fluidity[i], *b.fluidity[i], n_points);
+      if (body.material.thermal_strain_varies())
+        jumps = jumps || differ(*a.thermal_strain, *b.thermal_strain, n_points);
+      return dealii::Utilities::MPI::max(jumps ? 1 : 0,
+                                         body.space.communicator()) == 1;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<double>
+  find_jumps(const Scene &scene, const Body<dim> &body, const StepList &steps)
+  {
+    std::vector<double> jumps;
+    if (!can_jump(scene))
+      return jumps;
+    const double largest = largest_load(body, steps);
+    for (unsigned int k = 1; k <= steps.n_steps(); ++k)
+      {
+        const double end    = steps.instant(k);
+        const double t      = steps.within_period(end);
+        const double before = steps.just_before(end);
+        Vector       change = loads_at(body, t);
+        change -= loads_at(body, before);
+        if (change.linfty_norm() > negligible * largest ||
+            materials_differ(body, t, before))
+          jumps.push_back(end);
+      }
+    return jumps;
+  }
+
+
+
+  template std::vector<double>
+  find_jumps<2>(const Scene &, const Body<2> &, const StepList &);
+  template std::vector<double>
+  find_jumps<3>(const Scene &, const Body<3> &, const StepList &);
+} // namespace Crevasse
