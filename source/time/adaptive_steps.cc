@@ -30,7 +30,7 @@ namespace Crevasse
     // method that goes on, of order 2, which falls in proportion to it. With
     // this part of it the error of a period comes close to the tolerance
     // (tests/runs/test_adaptive.py), and stays below.
-    constexpr double part_of_estimate = 0.1;
+    constexpr double part_of_estimate = 0.125;
 
 
 

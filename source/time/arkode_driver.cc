@@ -159,7 +159,7 @@ namespace Crevasse
     check(ARKStepSetMinStep(memory, shortest * settings.period));
     check(ARKStepSetSafetyFactor(memory, safety));
     // What is constant for a while asks for steps that miss what comes after.
-    constexpr double longest = 1. / 8.;
+    constexpr double longest = 1. / 4.;
     check(ARKStepSetMaxStep(memory, longest * settings.period));
     if (settings.is_implicit)
       {
