@@ -9,7 +9,11 @@ SCHEMES = {"euler": [], "heun": [], "rk4": [], "predictor corrector": [],
            "exponential": [], "sdirk2": [],
            "rk4 with events": ["Locate contact events=true"],
            "sdirk2 adaptive": ["Step control=adaptive",
-                               "Relative tolerance=1e-2"]}
+                               "Relative tolerance=1e-2"],
+           "arkode explicit": [], "arkode implicit": [],
+           "arkode explicit adaptive": ["Step control=adaptive",
+                                        "Relative tolerance=1e-3",
+                                        "Locate contact events=true"]}
 
 
 def period_of(probe, number):
