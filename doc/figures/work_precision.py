@@ -73,17 +73,18 @@ def lines(rows, along, others):
         members.sort(key=lambda row: (number(row[along]) is None,
                                       number(row[along]) or 0))
         label = ", ".join(
-            value if number(value) is None
+            value if number(value) is None and value not in ("true", "false")
             else f"{name.split('/')[-1]} {value}"
             for name, value in zip(others, values))
         yield label, members
 
 
 def changes_with(rows, name, along):
-    """Whether a parameter has one value for each value of another: the two
-    were changed together."""
+    """Whether a number has one value for each value of another: the two were
+    changed together. What is no number makes lines of its own."""
     pairs = {(row[along], row[name]) for row in rows}
-    return len(pairs) == len({row[along] for row in rows})
+    return (len(pairs) == len({row[along] for row in rows})
+            and all(number(row[name]) is not None for row in rows))
 
 
 def draw(rows, options):
@@ -146,6 +147,15 @@ def write_numbers(axes, points):
                       textcoords="offset points")
 
 
+def first_of_size(rows, quantities):
+    """The first quantity whose errors are more than rounding, if there is."""
+    for quantity in quantities:
+        if any((number(row["error:" + quantity]) or 0) > 1e-12
+               for row in rows):
+            return quantity
+    return quantities[0]
+
+
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("results", type=pathlib.Path,
@@ -169,7 +179,9 @@ def main():
     quantities = [name[len("error:"):] for name in rows[0]
                   if name.startswith("error:")]
     options.quantity = (choose(options.quantity, quantities, "quantity")
-                        if options.quantity else quantities[0])
+                        if options.quantity else first_of_size(rows, quantities))
+    print(f"errors of {options.quantity}; --quantity takes another of "
+          f"{', '.join(quantities)}")
     draw(rows, options)
 
 

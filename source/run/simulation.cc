@@ -15,23 +15,14 @@
 #include <crevasse/run/integrator_choice.h>
 #include <crevasse/run/jumps.h>
 #include <crevasse/run/largest_load.h>
-#include <crevasse/run/libraries.h>
 #include <crevasse/run/outputs.h>
 #include <crevasse/run/relaxation_table.h>
 #include <crevasse/run/simulation.h>
-#include <crevasse/run/sizes.h>
-#include <crevasse/run/version.h>
 #include <crevasse/scene/problems.h>
-#include <crevasse/scene/text.h>
-#include <crevasse/scene/unused_parameters.h>
 
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <iomanip>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -68,30 +59,6 @@ namespace Crevasse
     {
       some.insert(some.end(), others.begin(), others.end());
       return some;
-    }
-
-
-
-    /** How many periods more it takes until the change of stress is below the
-     * tolerance if it goes on to fall as from the last but one period to the
-     * last, in brackets; nothing as long as this cannot be told. The first
-     * change, from no stress at all, says nothing. */
-    std::string
-    periods_to_go(const std::vector<double> &changes, const double tolerance)
-    {
-      if (changes.size() < 3)
-        return "";
-      const double last  = changes.back();
-      const double ratio = last / changes[changes.size() - 2];
-      if (!std::isfinite(ratio))
-        return "";
-      if (!(ratio < 1.))
-        return " (the change does not fall at present)";
-      std::ostringstream text;
-      text << " (about "
-           << std::ceil(std::log(tolerance / last) / std::log(ratio))
-           << " more at the present rate)";
-      return text.str();
     }
   } // namespace
 
@@ -141,47 +108,6 @@ namespace Crevasse
                                        smallest_relaxation_time);
     else
       step_control = std::make_unique<FixedSteps>();
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::describe() const
-  {
-    if (!scene.title.empty())
-      log.line(scene.title);
-    describe_sizes(body, steps, scene, log);
-    log.line("  boundaries: " + describe_boundaries<dim>(scene));
-    for (const Effects::Effect &effect : effects())
-      {
-        std::ostringstream text;
-        text << "  " << std::left << std::setw(18) << effect.name
-             << std::setw(4) << (effect.on ? "on" : "off") << '('
-             << Text::shorten(effect.why) << ')';
-        log.line(text.str());
-      }
-    std::ostringstream time;
-    if (scene.time_integration.step_control == "adaptive")
-      time << "  time: adaptive steps, relative tolerance "
-           << scene.time_integration.relative_tolerance
-           << ", at first none longer than " << steps.largest_step();
-    else
-      time << "  time: " << steps.n_steps() << " steps a period, the largest "
-           << steps.largest_step();
-    if (integrator != nullptr)
-      {
-        const double limit =
-          integrator->stability_limit() * smallest_relaxation_time;
-        time << "; " << integrator->description() << ", stable ";
-        if (std::isfinite(limit))
-          time << "below " << limit;
-        else
-          time << "with any step";
-      }
-    log.line(time.str());
-    for (const std::string &warning : warnings())
-      log.line("  warning: " + warning);
   }
 
 
@@ -317,207 +243,6 @@ namespace Crevasse
     const PeriodicResult result = march.run(viscous_strain, observers);
     rate_evaluations            = evolution.n_rate_evaluations();
     return result;
-  }
-
-
-
-  template <int dim>
-  std::vector<Effects::Effect>
-  Simulation<dim>::effects() const
-  {
-    Effects all      = body.effects;
-    all.secular_flow = secular_split.effect;
-    return all.list();
-  }
-
-
-
-  template <int dim>
-  std::vector<std::string>
-  Simulation<dim>::warnings() const
-  {
-    std::vector<std::string> all   = unused_parameters(scene);
-    constexpr double         small = 0.1;
-    if (largest_thermal_strain > small)
-      {
-        std::ostringstream text;
-        text << "[Material] Thermal expansion and [Loads] Temperature: the "
-                "thermal strain is up to "
-             << largest_thermal_strain
-             << "; the theory is one of small strains, much less than 1";
-        all.push_back(text.str());
-      }
-    if (!secular_split.warning.empty())
-      all.push_back(secular_split.warning);
-    if (integrator != nullptr &&
-        scene.time_integration.scheme == "exponential" &&
-        scene.time_integration.step_control != "adaptive" &&
-        steps.largest_step() > 2. * smallest_relaxation_time)
-      {
-        std::ostringstream text;
-        text << "[Time integration] Scheme = exponential with steps of "
-             << steps.largest_step() / smallest_relaxation_time
-             << " relaxation times is stable, but what creeps under given "
-                "loads creeps by about one elastic strain a step at most; "
-                "Scheme = sdirk2 is exact there";
-        all.push_back(text.str());
-      }
-    return all;
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::summarise_secular_flow(Summary &summary) const
-  {
-    auto &secular = summary["secular"];
-    secular       = {{"on", secular_split.effect.on},
-                     {"why", secular_split.effect.why}};
-    if (!secular_flow)
-      {
-        // Measured: what the displacement gains over a period.
-        if (!body.effects.viscosity.on)
-          return;
-        secular["largest_rate"] = summary["drift"]["largest_rate"];
-        for (const auto &probe : probes)
-          secular["per_probe"][probe.name()]["beta"] =
-            summary["drift"]["per_probe"][probe.name()];
-        return;
-      }
-
-    State mean;
-    mean.displacement       = secular_flow->velocity;
-    mean.contact_forces     = secular_flow->contact_forces;
-    secular["largest_rate"] = mean.displacement.linfty_norm();
-    double force            = 0.;
-    for (std::size_t k = 0; k < mean.contact_forces.size(); ++k)
-      force += body.lip.nodes()[k].force(mean.contact_forces[k]);
-    secular["contact_force"] = Utilities::MPI::sum(force, communicator);
-    for (const auto &probe : probes)
-      {
-        auto      &entry = secular["per_probe"][probe.name()];
-        const auto beta  = probe.displacement(mean.displacement);
-        for (unsigned int d = 0; d < dim; ++d)
-          entry["beta"].push_back(beta[d]);
-        const double pressure = probe.opening_and_pressure(mean)[1];
-        if (probe.on_lip())
-          entry["mean_pressure"] = pressure;
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::summarise_steps(Summary &summary) const
-  {
-    if (integrator == nullptr)
-      return;
-    IntegratorStatistics statistics = integrator->statistics();
-    for (const auto &entry : step_control->statistics())
-      statistics.push_back(entry);
-    if (statistics.empty())
-      return;
-    std::string text;
-    for (const auto &[name, number] : statistics)
-      {
-        summary["time_integration"][name] = number;
-        std::string words                 = name;
-        std::replace(words.begin(), words.end(), '_', ' ');
-        text +=
-          (text.empty() ? "  " : ", ") + std::to_string(number) + ' ' + words;
-      }
-    log.line("");
-    log.line(text);
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::summarise(Summary &summary, Solvers<dim> &solvers) const
-  {
-    summary["version"]   = CREVASSE_VERSION;
-    summary["git"]       = CREVASSE_GIT_REVISION;
-    summary["libraries"] = library_versions();
-    summary["dimension"] = dim;
-    Sizes(body).add_to(summary);
-    for (const Effects::Effect &effect : effects())
-      summary["effects"][effect.name] = {{"on", effect.on},
-                                         {"why", effect.why}};
-
-    summary["warnings"] = warnings();
-
-    solvers.summarise(summary);
-    summary["counters"]["rate_evaluations"] = rate_evaluations;
-    summarise_steps(summary);
-
-    const SolverStatistics statistics = solvers.statistics();
-    if (statistics.certified == 0)
-      return; // nothing to certify
-    log.line("");
-    std::ostringstream accepted;
-    accepted << std::setprecision(2) << statistics.accuracy;
-    log.line("  certificate of " + std::to_string(statistics.certified) +
-             " solves: " + statistics.certificate.describe() +
-             " (accepted up to " + accepted.str() + ")");
-    constexpr double poor = 1e-6;
-    if (statistics.accuracy > poor)
-      log.line(
-        "  Beware: the stiffness is badly conditioned. Rounding leaves "
-        "an accuracy of " +
-        Text::from_number(statistics.accuracy) +
-        " only, not [Contact] Tolerance = " +
-        Text::from_number(scene.contact.tolerance) +
-        ". Very flat cells or a Poisson ratio close to its limits do "
-        "this.");
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::conclude(const PeriodicResult &result) const
-  {
-    constexpr double   doubtful = 1e-6, worthless = 1e-2;
-    std::ostringstream rounding;
-    rounding
-      << "The body has flown so far that rounding leaves errors of "
-      << stress_rounding
-      << " of its maximum in the stress, which is the difference of "
-         "total and viscous strain. "
-      << (scene.periodic_state.secular_split == "on"
-            ? "Look"
-            : "Split off the mean flow ([Periodic state] Secular split = "
-              "on), or look")
-      << " at the relaxation times: they are many orders below the "
-         "period.";
-    if (stress_rounding > worthless)
-      throw NumericalError(rounding.str());
-    if (stress_rounding > doubtful)
-      log.line("  Beware: " + rounding.str());
-
-    if (result.converged || scene.periodic_state.tolerance == 0. ||
-        result.periods == 0)
-      return;
-    std::ostringstream message;
-    message << "The stress is not yet periodic: after " << result.periods
-            << " period" << (result.periods == 1 ? "" : "s");
-    if (!result.steps_repeat)
-      message << " its change cannot be told, for the adaptive steps of the "
-                 "last period are not those of the one before. All results so "
-                 "far are written. Raise \"Maximum periods\"";
-    else
-      message << " it still changes by " << result.stress_change.back()
-              << " of its maximum, more than [Periodic state] Tolerance = "
-              << scene.periodic_state.tolerance
-              << ". All results so far are written. Raise \"Maximum periods\""
-              << periods_to_go(result.stress_change,
-                               scene.periodic_state.tolerance);
-    message << " or \"Tolerance\", or set Tolerance = 0 to compute a fixed "
-               "number of periods.";
-    throw NotPeriodicError(message.str());
   }
 
 

@@ -170,7 +170,8 @@ namespace Crevasse
                        Vector            &rate)
   {
     const double t = steps.instant(k);
-    if (k > 0 && known_end == t && !steps.jumps_at(t))
+    if (k > 0 && std::abs(known_end - t) <= 1e-12 * steps.period() &&
+        !steps.jumps_at(t))
       rate = end_rate;
     else
       integrator.start(f, t, r, rate);

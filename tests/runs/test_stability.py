@@ -52,6 +52,20 @@ for scheme, limit in LIMITS.items():
         *overrides(settings(scheme, STEP / limit * 0.98, 0)))
     check(status == 3 and "sdirk2" in message,
           f"{scheme} refuses beyond its bound and names what works: {message}")
+# Those of arkode's methods are computed from its tables.
+for order, limit in ((2, 2.), (3, 2.5127), (4, LIMITS["rk4"]), (5, 3.3066)):
+    below, above = (run(SCENE, "bound", settings(
+        "arkode explicit", STEP / limit * factor, 0) + [
+            f"Time integration/Order={order}",
+            "Time integration/Check stability=false"]
+        ).summary["extremes"]["stress"] / elastic[0]
+                    for factor in (1.02, 0.98))
+    print(f"arkode explicit, order {order}: {below:.3g} below, {above:.3g} above")
+    check(below < 2.5 and above > 10 * below, f"arkode explicit, order {order}")
+    message = execute(SCENE, "--output", "results/refused", *overrides(settings(
+        "arkode explicit", STEP / limit * 0.98, 0)
+        + [f"Time integration/Order={order}"]))[2]
+    check(f"{limit:.4g}"[:4] in message, f"the bound is told: {message}")
 
 # Half of a bar relaxes a million times faster than the other. A smooth rise of
 # the load: whatever rises or falls all the time does so with steps of T/40. A
