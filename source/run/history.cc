@@ -81,11 +81,11 @@ namespace Crevasse
     compare_with_run(const Quantity &quantity,
                      const History  &history,
                      const History  &reference,
-                     const double    tolerance)
+                     const double    period)
     {
       const CommonInstants common(history.instants(),
                                   reference.instants(),
-                                  tolerance);
+                                  period);
       Extremes             extremes;
       bool                 found = false;
       for (const std::string &name : reference.columns())
@@ -183,7 +183,7 @@ namespace Crevasse
   history_error(const Quantity    &quantity,
                 const std::string &folder,
                 const std::string &reference,
-                const double       tolerance)
+                const double       period)
   {
     if (!contains(folder, quantity))
       return MeasuredError::none("the run has no table " + quantity.table());
@@ -196,6 +196,6 @@ namespace Crevasse
     return compare_with_run(quantity,
                             history,
                             table_of(reference, quantity),
-                            tolerance);
+                            period);
   }
 } // namespace Crevasse

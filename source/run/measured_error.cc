@@ -18,9 +18,10 @@ namespace Crevasse
 {
   CommonInstants::CommonInstants(const std::vector<double> &one,
                                  const std::vector<double> &other,
-                                 const double               tolerance)
+                                 const double               period)
   {
-    std::size_t i = 0, j = 0;
+    const double tolerance = 1e-9 * period;
+    std::size_t  i = 0, j = 0;
     while (i < one.size() && j < other.size())
       if (std::abs(one[i] - other[j]) <= tolerance)
         pairs.emplace_back(i++, j++);
@@ -29,10 +30,12 @@ namespace Crevasse
       else
         ++j;
 
-    constexpr std::size_t fewest = 4; // one of so many
+    // One of so many, or so many a period.
+    constexpr std::size_t part = 4, a_period = 10;
     if (pairs.empty() || one[pairs.back().first] <= tolerance)
       objection = "no instant in common with the reference but t = 0";
-    else if (fewest * pairs.size() < std::min(one.size(), other.size()))
+    else if (part * pairs.size() < std::min(one.size(), other.size()) &&
+             pairs.size() < a_period * one[pairs.back().first] / period)
       objection =
         "only " + std::to_string(pairs.size()) + " of " +
         std::to_string(std::min(one.size(), other.size())) +

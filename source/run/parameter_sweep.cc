@@ -303,14 +303,14 @@ namespace Crevasse
     result.errors.clear();
     if (!result.has_results())
       return;
-    const double tolerance = 1e-9 * variant.scene.loads.period;
+    const double period = variant.scene.loads.period;
     for (const Quantity &quantity : quantities)
       result.errors[quantity.name] = quantity.is_stress_field()
                                        ? stress_error(folder, result)
                                        : history_error(quantity,
                                                        folder.path(),
                                                        directory + "/reference",
-                                                       tolerance);
+                                                       period);
   }
 
 

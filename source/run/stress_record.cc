@@ -93,9 +93,7 @@ namespace Crevasse
       return MeasuredError::none(
         "the run has not the mesh and the quadrature points of the reference");
 
-    const CommonInstants common(instants,
-                                reference.instants,
-                                1e-9 * header.period);
+    const CommonInstants common(instants, reference.instants, header.period);
     if (!common.objection.empty())
       return MeasuredError::none(common.objection, common.pairs.size());
     Extremes extremes;

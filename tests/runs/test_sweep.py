@@ -119,7 +119,7 @@ def test_zipped():
 
 def test_resumption():
     """Killed in the middle: what is finished stays, the table is the same."""
-    arguments = ("--vary", STEPS + "=20,40,80,5000,40000", "--reference",
+    arguments = ("--vary", STEPS + "=20,40,80,6400,38400", "--reference",
                  STEPS + "=160", "--error", "probe_top/u,stress")
     whole, _ = sweep("whole", *arguments)
     directory = pathlib.Path("results/killed")

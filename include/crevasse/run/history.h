@@ -54,14 +54,14 @@ namespace Crevasse
    * both have, over all columns that the quantity stands for.
    *
    * @param reference folder; not used if the quantity has a closed form.
-   * @param tolerance for instants to be the same.
+   * @param period of the loads.
    * @throw FileError for a damaged table.
    */
   MeasuredError
   history_error(const Quantity    &quantity,
                 const std::string &folder,
                 const std::string &reference,
-                const double       tolerance);
+                const double       period);
 } // namespace Crevasse
 
 #endif

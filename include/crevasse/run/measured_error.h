@@ -23,9 +23,11 @@ namespace Crevasse
   /** Positions of the instants that two ascending lists have in common. */
   struct CommonInstants
   {
+    /** @param period Instants are the same if they differ by less than 1e-9 of
+     * it. */
     CommonInstants(const std::vector<double> &one,
                    const std::vector<double> &other,
-                   const double               tolerance);
+                   const double               period);
 
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
 
