@@ -33,8 +33,8 @@ namespace Crevasse
    * Point data, named as here: displacement; stress_11, …, the components of
    * the recovered stress; viscous_strain_11, …, those of the tensor r (the
    * shear component r_12 is half the engineering shear strain 2 r_12);
-   * principal_stress_<i> and principal_direction_<i> in the plane of the mesh,
-   * the largest first; second_deviator_invariant; contact_pressure.
+   * principal_stress_1, … and principal_direction_1, … in the plane of the
+   * mesh, the largest first; second_deviator_invariant; contact_pressure.
    */
   template <int dim>
   class FieldWriter : public Observer

@@ -27,7 +27,8 @@ namespace Crevasse
   class SweepTable
   {
   public:
-    /** @param title, @p reference in words. The plan must outlive this. */
+    /** @param title of the table, and the
+     * @p reference in words. The plan must outlive this. */
     SweepTable(const SweepPlan             &plan,
                const std::vector<Quantity> &quantities,
                const std::string           &title,
