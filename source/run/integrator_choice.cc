@@ -94,10 +94,13 @@ namespace Crevasse
       largest_step =
         std::min(largest_step, well_below * limit * smallest_relaxation_time);
     steps.require_possible(largest_step);
+    const std::vector<double> nodes = integrator.quadrature().nodes;
     return std::make_unique<AdaptiveSteps>(
       AdaptiveSteps::Settings{parameters.relative_tolerance,
                               parameters.absolute_tolerance,
                               largest_step,
-                              steps.fixed_instants()});
+                              steps.fixed_instants(),
+                              std::find(nodes.begin(), nodes.end(), 1.) !=
+                                nodes.end()});
   }
 } // namespace Crevasse

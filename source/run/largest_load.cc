@@ -53,22 +53,40 @@ namespace Crevasse
 
 
 
+  namespace
+  {
+    /** Which of these instants has the largest load vector, the first of
+     * several. */
+    template <int dim>
+    unsigned int
+    number_of_largest_load(const Body<dim>           &body,
+                           const std::vector<double> &instants)
+    {
+      unsigned int largest = 0;
+      double       norm    = -1.;
+      for (unsigned int i = 0; i < instants.size(); ++i)
+        {
+          const double here = loads_at(body, instants[i]).l2_norm();
+          if (here > norm)
+            {
+              norm    = here;
+              largest = i;
+            }
+        }
+      return largest;
+    }
+  } // namespace
+
+
+
   template <int dim>
   unsigned int
   step_of_largest_load(const Body<dim> &body, const StepList &steps)
   {
-    unsigned int largest = 0;
-    double       norm    = -1.;
+    std::vector<double> begins;
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
-      {
-        const double here = loads_at(body, steps.instant(k)).l2_norm();
-        if (here > norm)
-          {
-            norm    = here;
-            largest = k;
-          }
-      }
-    return largest;
+      begins.push_back(steps.instant(k));
+    return number_of_largest_load(body, begins);
   }
 
 
@@ -115,10 +133,7 @@ namespace Crevasse
     for (unsigned int i = 1; i <= n_sampled; ++i)
       sampled.push_back(steps.within_period(steps.period() * golden * i));
     std::vector<double> chosen(sampled.begin(), sampled.begin() + n_chosen);
-    chosen.push_back(*std::max_element(
-      sampled.begin(), sampled.end(), [&](const double a, const double b) {
-        return loads_at(body, a).l2_norm() < loads_at(body, b).l2_norm();
-      }));
+    chosen.push_back(sampled[number_of_largest_load(body, sampled)]);
     chosen.push_back(steps.instant(step_of_largest_load(body, steps)));
     return chosen;
   }

@@ -55,7 +55,7 @@ namespace Crevasse
     if (sample.step == 0)
       instants.clear();
     const std::size_t k = instants.size();
-    instants.push_back(sample.time - (sample.period - 1) * period);
+    instants.push_back(sample.instant);
     if (samples.size() <= k)
       samples.emplace_back();
     const Vector &stress = sample.state.stress;

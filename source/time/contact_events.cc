@@ -58,7 +58,6 @@ namespace Crevasse
     else
       {
         communicator = r.get_mpi_communicator();
-        begin.t      = t;
         begin.rate.reinit(r, true);
         method->start(f, t, r, begin.rate);
         f.switching_functions(begin.functions);

@@ -54,8 +54,8 @@ namespace Crevasse
                      const double                     period,
                      const std::vector<double>       &more)
     : uniform(parameters.step_control == "uniform")
-    , adaptive(parameters.step_control == "adaptive")
   {
+    const bool          adaptive = parameters.step_control == "adaptive";
     std::vector<double> asked_for;
     if (!uniform)
       asked_for = parameters.steps;
@@ -243,9 +243,7 @@ namespace Crevasse
       }
     else
       message << "Add instants to [Time integration] Steps";
-    message
-      << "; or choose Scheme = sdirk2, or exponential if relaxation times "
-         "are alike: they are stable with any step.";
+    message << "; or choose Scheme = sdirk2, which is stable with any step.";
     throw NumericalError(message.str());
   }
 

@@ -5,6 +5,7 @@ takes relaxation times a million apart within one body."""
 
 import itertools
 
+from bars import BAR
 from crevasse_run import SOURCE, check, check_below, execute, overrides, run
 
 SCENE = SOURCE / "prm/raous1980.prm"
@@ -71,36 +72,18 @@ for order, limit in ((2, 2.), (3, 2.5127), (4, LIMITS["rk4"]), (5, 3.3066)):
 # the load: whatever rises or falls all the time does so with steps of T/40. A
 # load that is there at once: the fast half has no time to relax, and the one
 # step over that leaves less than 3e-3 of the jump to the next.
-BAR = """
-subsection Geometry
-  set Shape        = rectangle
-  set Subdivisions = 8, 8
-end
-subsection Material
-  set Young modulus   = 13000
-  set Poisson ratio   = 0.2
-  set Relaxation time = 600 * (x < 0.5 ? 1e-6 : 1)
-end
-subsection Loads
-  set Period = 600
-end
-subsection Periodic state
-  set Maximum periods = 1
-  set Tolerance       = 0
-end
-subsection Output
-  set Probes = fast: 0.25, 0.5; slow: 0.75, 0.5; between: 0.5, 0.5; corner: 0, 0
-  set Fields = none
-end
-"""
+HALVES = ["Geometry/Subdivisions=8, 8",
+          "Material/Relaxation time=600 * (x < 0.5 ? 1e-6 : 1)",
+          "Output/Probes=fast: 0.25, 0.5; slow: 0.75, 0.5; between: 0.5, 0.5; "
+          "corner: 0, 0"]
 
 
 def histories(load, scheme, steps):
     """All stresses and displacements but the last, for the load starts anew
     there, by probe and column."""
-    results = run(BAR, "contrast", [f"Loads/Traction=0; {load}",
-                                    f"Time integration/Scheme={scheme}",
-                                    f"Time integration/Steps per period={steps}"])
+    results = run(BAR, "contrast", HALVES + [
+        f"Loads/Traction=0; {load}", f"Time integration/Scheme={scheme}",
+        f"Time integration/Steps per period={steps}"])
     return {(probe, column): results.table(f"probe_{probe}.csv")[column][:-1]
             for probe in ("fast", "slow", "between", "corner")
             for column in ("u_2", "s_11", "s_22")}
@@ -132,5 +115,6 @@ for name, load, bound in (("rising load", "5*(1-cos(pi*t/600))", 1e-9),
 for scheme in ("euler", "heun", "rk4", "predictor corrector"):
     status, _, message = execute(
         "contrast.prm", "--output", "results/refused",
-        *overrides(["Loads/Traction=0; 10", f"Time integration/Scheme={scheme}"]))
+        *overrides(HALVES + ["Loads/Traction=0; 10",
+                             f"Time integration/Scheme={scheme}"]))
     check(status == 3 and "sdirk2" in message, f"{scheme} refuses: {message}")

@@ -42,6 +42,7 @@ namespace Crevasse
       double              absolute_tolerance; ///< in units of stress
       double              largest_step;
       std::vector<double> fixed_instants; ///< where steps end in any case
+      bool looks_at_end; ///< a stage of the method is at the end of the step
     };
 
     explicit AdaptiveSteps(const Settings &settings);

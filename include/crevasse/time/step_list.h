@@ -102,7 +102,6 @@ namespace Crevasse
     within_period(const double t, const double period);
 
     const bool          uniform;
-    const bool          adaptive;
     std::vector<double> instants;
     std::vector<double> fixed;
     std::vector<double> jumps;
