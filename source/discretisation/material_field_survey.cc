@@ -128,60 +128,65 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  MaterialField<dim>::largest_rate(const MaterialState<dim> &state) const
+  RelaxationRates
+  MaterialField<dim>::extreme_rates(const MaterialState<dim> &state) const
   {
-    const Matrices &K       = *state.stiffness;
-    double          largest = 0.;
+    const Matrices &K = *state.stiffness;
+    RelaxationRates all{std::numeric_limits<double>::infinity(), 0.};
     for (unsigned int i = 0; i < state.fluidity.size(); ++i)
       {
         const Matrices   &H        = *state.fluidity[i];
+        const double      fraction = state.fractions[i];
         const bool        is_alike = K.is_uniform() && H.is_uniform();
         const std::size_t n        = is_alike ? std::size_t(1) : n_points;
         std::pair<std::size_t, std::size_t> last(-1, -1);
         for (std::size_t p = 0; p < n; ++p)
           {
             const auto pair = std::make_pair(K.index(p), H.index(p));
-            if (pair != last)
-              largest = std::max(largest,
-                                 state.fractions[i] *
-                                   largest_relaxation_rate<dim>(H[p], K[p]));
-            last = pair;
+            if (pair == last)
+              continue;
+            last             = pair;
+            const auto rates = relaxation_rates<dim>(H[p], K[p]);
+            all.least        = std::min(all.least, fraction * rates.least);
+            all.largest      = std::max(all.largest, fraction * rates.largest);
           }
       }
-    return largest;
+    return all;
   }
 
 
 
   template <int dim>
-  double
+  RelaxationTimes
   MaterialField<dim>::survey(const std::vector<double> &instants) const
   {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     check_factor(law.stiffness_factor(), "Stiffness time factor", instants);
     check_factor(law.viscosity_factor(), "Viscosity time factor", instants);
     check_requirements(instants);
     if (law.branches().empty())
-      return std::numeric_limits<double>::infinity();
+      return {infinity, infinity};
 
-    const bool rates_vary = stiffness_varies() || fluidity_varies();
-    double     rate = 0., largest = 0.;
+    const bool      rates_vary = stiffness_varies() || fluidity_varies();
+    RelaxationRates now, all{infinity, 0.};
     for (const double t : instants)
       {
         if (rates_vary || t == instants.front())
           {
             const MaterialState<dim> state = at(t);
-            collectively(communicator, [&]() { rate = largest_rate(state); });
+            collectively(communicator, [&]() { now = extreme_rates(state); });
           }
         MaterialState<dim> factors;
         set_factors(t, factors);
-        largest =
-          std::max(largest,
-                   rate * factors.stiffness_factor / factors.viscosity_factor);
+        const double factor =
+          factors.stiffness_factor / factors.viscosity_factor;
+        all.least   = std::min(all.least, now.least * factor);
+        all.largest = std::max(all.largest, now.largest * factor);
       }
-    largest = Utilities::MPI::max(largest, communicator);
-    return largest > 0. ? 1. / largest
-                        : std::numeric_limits<double>::infinity();
+    all.least   = Utilities::MPI::min(all.least, communicator);
+    all.largest = Utilities::MPI::max(all.largest, communicator);
+    return {all.largest > 0. ? 1. / all.largest : infinity,
+            all.least > 0. ? 1. / all.least : infinity};
   }
 
 
@@ -228,9 +233,9 @@ namespace Crevasse
   MaterialField<2>::check_requirements(const std::vector<double> &) const;
   template void
   MaterialField<3>::check_requirements(const std::vector<double> &) const;
-  template double
+  template RelaxationTimes
   MaterialField<2>::survey(const std::vector<double> &) const;
-  template double
+  template RelaxationTimes
   MaterialField<3>::survey(const std::vector<double> &) const;
   template double
   MaterialField<2>::largest_thermal_strain(const std::vector<double> &) const;

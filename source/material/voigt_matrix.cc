@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Crevasse
 {
@@ -171,8 +172,8 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  largest_relaxation_rate(const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K)
+  RelaxationRates
+  relaxation_rates(const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K)
   {
     if (is_isotropic<dim>(H) && is_isotropic<dim>(K))
       {
@@ -181,23 +182,31 @@ namespace Crevasse
         const double directions = is_in_plane<dim>(K) ? 2. : 3.;
         const double tension    = (K[0][0] + (directions - 1.) * K[0][1]) *
                                (H[0][0] + (directions - 1.) * H[0][1]);
-        const double shear = (K[0][0] - K[0][1]) * (H[0][0] - H[0][1]);
-        return std::max({tension, shear, K[3][3] * H[3][3]});
+        const auto rates =
+          std::minmax({tension,
+                       (K[0][0] - K[0][1]) * (H[0][0] - H[0][1]),
+                       K[3][3] * H[3][3]});
+        return {std::max(rates.first, 0.), rates.second};
       }
     // HK is similar to the symmetric √H K √H: its eigenvalues are real, and
     // small enough for the general eigenvalue solver of LAPACK.
-    constexpr unsigned int   n  = n_stress_components<dim>;
-    const VoigtMatrix<dim>   HK = H * K;
+    const auto               places = components<dim>(is_in_plane<dim>(K));
+    const unsigned int       n      = places.size();
+    const VoigtMatrix<dim>   HK     = H * K;
     LAPACKFullMatrix<double> matrix(n, n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        matrix(i, j) = HK[i][j];
+        matrix(i, j) = HK[places[i]][places[j]];
     matrix.compute_eigenvalues();
 
-    double largest = 0.;
+    RelaxationRates rates{std::numeric_limits<double>::infinity(), 0.};
     for (unsigned int i = 0; i < n; ++i)
-      largest = std::max(largest, matrix.eigenvalue(i).real());
-    return largest;
+      {
+        const double rate = std::max(matrix.eigenvalue(i).real(), 0.);
+        rates.least       = std::min(rates.least, rate);
+        rates.largest     = std::max(rates.largest, rate);
+      }
+    return rates;
   }
 
 
@@ -210,8 +219,8 @@ namespace Crevasse
   template VoigtMatrix<dim> in_plane<dim>(const VoigtMatrix<dim> &);           \
   template double least_relative_eigenvalue<dim>(const VoigtMatrix<dim> &,     \
                                                  const bool);                  \
-  template double largest_relaxation_rate<dim>(const VoigtMatrix<dim> &,       \
-                                               const VoigtMatrix<dim> &)
+  template RelaxationRates relaxation_rates<dim>(const VoigtMatrix<dim> &,     \
+                                                 const VoigtMatrix<dim> &)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -9,88 +9,49 @@
 //
 // ---------------------------------------------------------------------
 
+
+#include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/march.h>
-#include <crevasse/periodic/stress_history.h>
-
-#include <deal.II/base/timer.h>
-
-#include <limits>
 
 namespace Crevasse
 {
-  namespace
-  {
-    double
-    aitken_estimate(const std::vector<double> &changes)
-    {
-      if (changes.size() < 3)
-        return std::numeric_limits<double>::quiet_NaN();
-      const double last  = changes.back();
-      const double ratio = last / changes[changes.size() - 2];
-      return ratio < 1. ? last * ratio / (1. - ratio)
-                        : std::numeric_limits<double>::quiet_NaN();
-    }
-  } // namespace
-
-
-
   template <int dim>
-  March<dim>::March(PeriodMap<dim>    &period_map,
-                    const SolveCount  &n_solves,
-                    const double       tolerance,
-                    const unsigned int maximum_periods)
-    : period_map(period_map)
-    , n_solves(n_solves)
+  March<dim>::March(ObservedPeriods<dim> &periods, const double tolerance)
+    : periods(periods)
     , tolerance(tolerance)
-    , maximum_periods(maximum_periods)
   {
   }
 
 
 
   template <int dim>
-  PeriodicResult
-  March<dim>::run(Vector &r, const std::vector<Observer *> &observers)
+  Ending
+  March<dim>::run(Vector &r)
   {
-    const double  period = period_map.steps().period();
-    StressHistory history(period);
-    const auto    show = [&](const Sample &sample) {
-      for (Observer *observer : observers)
-        observer->observe(sample);
-    };
-    const auto record_and_show = [&](const Sample &sample) {
-      history.record(sample.instant, sample.state.stress);
-      show(sample);
-    };
-
-    PeriodicResult result;
-    while (result.periods < maximum_periods && !result.converged)
+    Contraction contraction;
+    for (bool is_first = true; periods.may_go_on(); is_first = false)
       {
-        dealii::Timer     timer;
-        const std::size_t solves_before = n_solves();
-        ++result.periods;
-        period_map.advance(result.periods, r, record_and_show);
-
-        double change       = history.take_change();
-        result.steps_repeat = history.is_comparable();
-        if (!result.steps_repeat) // of a few instants: it says nothing
-          change = std::numeric_limits<double>::quiet_NaN();
-        result.stress_change.push_back(change);
-        result.converged =
-          !period_map.has_memory() || (tolerance > 0. && change <= tolerance);
-        const PeriodReport report{result.periods,
-                                  result.periods * period,
-                                  change,
-                                  aitken_estimate(result.stress_change),
-                                  history.largest_stress(),
-                                  n_solves() - solves_before,
-                                  timer.wall_time()};
-        for (Observer *observer : observers)
-          observer->end_of_period(report);
+        const double change = periods.compute(r);
+        if (!periods.has_memory())
+          {
+            periods.report(0.);
+            return Ending::converged;
+          }
+        const double error = contraction.add(change, !is_first);
+        periods.report(error);
+        if (tolerance > 0. && error <= tolerance)
+          return Ending::converged;
       }
-    if (result.periods > 0)
-      period_map.finish(result.periods, r, show);
-    return result;
+    return Ending::out_of_periods;
+  }
+
+
+
+  template <int dim>
+  std::string
+  March<dim>::description() const
+  {
+    return "march";
   }
 
 

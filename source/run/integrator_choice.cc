@@ -16,6 +16,7 @@
 #include <crevasse/time/predictor_corrector.h>
 #include <crevasse/time/runge_kutta.h>
 #include <crevasse/time/sdirk.h>
+#include <crevasse/time/trapezoid.h>
 
 #include <algorithm>
 
@@ -46,6 +47,8 @@ namespace Crevasse
         return std::make_unique<ExponentialHeun>();
       if (parameters.scheme == "sdirk2")
         return std::make_unique<Sdirk2>();
+      if (parameters.scheme == "trapezoid")
+        return std::make_unique<Trapezoid>();
       if (uses_arkode(parameters))
         return std::make_unique<Arkode>(parameters, period);
       return std::make_unique<RungeKutta>(heun_tableau(parameters.heun_weight));

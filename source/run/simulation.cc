@@ -16,6 +16,7 @@
 #include <crevasse/run/jumps.h>
 #include <crevasse/run/largest_load.h>
 #include <crevasse/run/outputs.h>
+#include <crevasse/run/periodic_search.h>
 #include <crevasse/run/relaxation_table.h>
 #include <crevasse/run/simulation.h>
 #include <crevasse/scene/problems.h>
@@ -42,9 +43,9 @@ namespace Crevasse
 
 
     /** Finds what is wrong with loads and material before anything is computed
-     * with them, and the smallest relaxation time. */
+     * with them, and the extreme relaxation times. */
     template <int dim>
-    double
+    RelaxationTimes
     survey(const Body<dim> &body, const std::vector<double> &instants)
     {
       body.loads.survey(instants, body.space.communicator());
@@ -85,8 +86,7 @@ namespace Crevasse
                                      scene.loads.period,
                                      body.effects.contact.on)
                    : nullptr)
-    , smallest_relaxation_time(
-        survey(body, survey_instants(steps, integrator.get())))
+    , relaxation_times(survey(body, survey_instants(steps, integrator.get())))
     , largest_thermal_strain(body.material.largest_thermal_strain(
         survey_instants(steps, integrator.get())))
     , secular_split(choose_secular_split(scene, body, steps, integrator.get()))
@@ -105,7 +105,7 @@ namespace Crevasse
       step_control = make_step_control(scene.time_integration,
                                        steps,
                                        *integrator,
-                                       smallest_relaxation_time);
+                                       relaxation_times.smallest);
     else
       step_control = std::make_unique<FixedSteps>();
   }
@@ -218,29 +218,26 @@ namespace Crevasse
   Simulation<dim>::march(Solvers<dim>                  &solvers,
                          const std::vector<Observer *> &observers)
   {
-    TimerOutput::Scope phase(phases, "time stepping");
-    Evolution<dim>     evolution(body.strain_operator,
+    TimerOutput::Scope   phase(phases, "time stepping");
+    Evolution<dim>       evolution(body.strain_operator,
                              body.points,
                              body.loads,
                              solvers);
-    PeriodMap<dim>     period_map(evolution,
+    PeriodMap<dim>       period_map(evolution,
                               integrator.get(),
                               *step_control,
                               steps);
-    March<dim>         march(
+    ObservedPeriods<dim> periods(
       period_map,
       [&solvers]() { return solvers.statistics().vi_solves; },
-      scene.periodic_state.tolerance,
+      observers,
       scene.periodic_state.maximum_periods);
     if (secular_flow && scene.periodic_state.secular_split == "on")
       evolution.split_off(*secular_flow);
-    Vector viscous_strain;
-    if (body.effects.viscosity.on)
-      body.points.initialize(viscous_strain, body.law.branches().size());
     if (integrator != nullptr &&
         scene.time_integration.step_control == "adaptive")
       evolution.set_scales(instants_of_scale(body, steps));
-    const PeriodicResult result = march.run(viscous_strain, observers);
+    const PeriodicResult result = find_periodic_state(scene, body, periods);
     rate_evaluations            = evolution.n_rate_evaluations();
     return result;
   }

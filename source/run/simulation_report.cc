@@ -82,7 +82,7 @@ namespace Crevasse
     if (integrator != nullptr)
       {
         const double limit =
-          integrator->stability_limit() * smallest_relaxation_time;
+          integrator->stability_limit() * relaxation_times.smallest;
         time << "; " << integrator->description() << ", stable ";
         if (std::isfinite(limit))
           time << "below " << limit;
@@ -127,11 +127,11 @@ namespace Crevasse
     if (integrator != nullptr &&
         scene.time_integration.scheme == "exponential" &&
         scene.time_integration.step_control != "adaptive" &&
-        steps.largest_step() > 2. * smallest_relaxation_time)
+        steps.largest_step() > 2. * relaxation_times.smallest)
       {
         std::ostringstream text;
         text << "[Time integration] Scheme = exponential with steps of "
-             << steps.largest_step() / smallest_relaxation_time
+             << steps.largest_step() / relaxation_times.smallest
              << " relaxation times is stable, but what creeps under given "
                 "loads creeps by about one elastic strain a step at most; "
                 "Scheme = sdirk2 is exact there";

@@ -281,11 +281,13 @@ namespace Crevasse
                       "order 1, 2 and 4, and \"predictor corrector\" of order "
                       "2, implicit in the material alone. Without limit: "
                       "\"exponential\" of order 2, exact where the strain is "
-                      "held, and \"sdirk2\" of order 2, implicit. \"arkode "
-                      "explicit\" and \"arkode implicit\" are methods of the "
+                      "held, \"sdirk2\" of order 2, implicit, and "
+                      "\"trapezoid\" of order 2, implicit, in which what is "
+                      "fast swings on. \"arkode explicit\" and \"arkode "
+                      "implicit\" are methods of the "
                       "library ARKODE, of the Order given.",
                       Patterns::Selection("euler|heun|rk4|predictor corrector|"
-                                          "exponential|sdirk2|"
+                                          "exponential|sdirk2|trapezoid|"
                                           "arkode explicit|arkode implicit"));
     prm.add_parameter("Heun weight",
                       heun_weight,
@@ -348,11 +350,23 @@ namespace Crevasse
   void
   PeriodicStateParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Method",
-                      method,
-                      "How the periodic state is found: \"march\" computes one "
-                      "period after the other.",
-                      Patterns::Selection("march"));
+    prm.add_parameter(
+      "Method",
+      method,
+      "How the periodic state is found. \"march\" computes one period after "
+      "the other until the stress repeats, as the body itself would; "
+      "\"anderson\" starts each from the combination of the last ones that "
+      "comes closest to repeating; \"fourier\" solves for all instants at "
+      "once, where nothing but the loads depends on time and the steps are "
+      "equal; \"automatic\" takes the fastest that the scene allows, and "
+      "another one where that fails.",
+      Patterns::Selection("march|anderson|fourier|automatic"));
+    prm.add_parameter(
+      "Start from",
+      start_from,
+      "Viscous strain with which \"march\" and \"anderson\" begin: \"rest\" "
+      "is none, \"fourier\" that of the direct method.",
+      Patterns::Selection("rest|fourier"));
     prm.add_parameter(
       "Secular split",
       secular_split,
@@ -372,10 +386,31 @@ namespace Crevasse
                       count);
     prm.add_parameter("Tolerance",
                       tolerance,
-                      "Largest change of the stress from one period to the "
-                      "next, relative to the largest stress, at which the "
-                      "state counts as periodic; 0 computes Maximum periods in "
-                      "any case. Allowed: a number of at least 0, less than 1");
+                      "Estimated error of the stress, relative to the largest "
+                      "stress, at which the state counts as periodic; 0 "
+                      "computes Maximum periods in any case. Allowed: a number "
+                      "of at least 0, less than 1");
+    prm.add_parameter("Anderson depth",
+                      anderson_depth,
+                      "Number of earlier periods that \"anderson\" combines "
+                      "with the last one. Allowed: an integer of at least 1",
+                      Patterns::Integer(1));
+    prm.add_parameter("Anderson damping",
+                      anderson_damping,
+                      "Part of what the combination still misses that is added "
+                      "to it. Allowed: a number greater than 0, at most 1");
+    prm.add_parameter("Anderson delay",
+                      anderson_delay,
+                      "Periods that are marched before the first combination. "
+                      "Allowed: an integer of at least 0",
+                      count);
+    prm.add_parameter(
+      "Harmonics",
+      harmonics,
+      "How \"fourier\" integrates each harmonic over the steps: "
+      "\"trapezoid\" by the trapezoidal rule, as the scheme of that name "
+      "would; \"exact\" as if it went on between the instants.",
+      Patterns::Selection("trapezoid|exact"));
   }
 
 

@@ -167,11 +167,15 @@ namespace Crevasse
   void
   PeriodicStateParameters::check(Problems &problems) const
   {
-    Checker(section, problems)
-      .demand(tolerance >= 0. && tolerance < 1.,
-              "Tolerance",
-              tolerance,
-              "must be at least 0 and less than 1");
+    const Checker checker(section, problems);
+    checker.demand(tolerance >= 0. && tolerance < 1.,
+                   "Tolerance",
+                   tolerance,
+                   "must be at least 0 and less than 1");
+    checker.demand(anderson_damping > 0. && anderson_damping <= 1.,
+                   "Anderson damping",
+                   anderson_damping,
+                   "must be greater than 0 and at most 1");
   }
 
 

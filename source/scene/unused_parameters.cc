@@ -144,8 +144,9 @@ namespace Crevasse
       const std::string &scheme = scene.time_integration.scheme;
       const bool         implicit =
         scene.material.viscosity != "none" &&
-        (scheme == "sdirk2" || scheme == "predictor corrector" ||
-         scheme == "exponential" || scheme == "arkode implicit");
+        (scheme == "sdirk2" || scheme == "trapezoid" ||
+         scheme == "predictor corrector" || scheme == "exponential" ||
+         scheme == "arkode implicit");
       return {
         {here, "Solver", !has_contact(scene), no_contact},
         {here, "Relaxation factor", !has_contact(scene), no_contact},

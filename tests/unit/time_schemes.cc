@@ -461,8 +461,9 @@ namespace
   relaxation_rate(const MaterialParameters &material)
   {
     const MaxwellLaw<2> law(material);
-    return largest_relaxation_rate<2>(law.branches()[0].fluidity.at(Place<2>()),
-                                      law.stiffness().at(Place<2>()));
+    return relaxation_rates<2>(law.branches()[0].fluidity.at(Place<2>()),
+                               law.stiffness().at(Place<2>()))
+      .largest;
   }
 
   void

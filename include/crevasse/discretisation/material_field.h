@@ -15,6 +15,7 @@
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/material/maxwell_law.h>
+#include <crevasse/material/voigt_matrix.h>
 #include <crevasse/scene/temperature.h>
 
 #include <memory>
@@ -50,6 +51,12 @@ namespace Crevasse
              fractions[0] == 1. && fluidity[0]->is_uniform() &&
              thermal_strain == nullptr;
     }
+  };
+
+  /** Of all points, branches and instants. */
+  struct RelaxationTimes
+  {
+    double smallest, largest;
   };
 
   /**
@@ -94,11 +101,11 @@ namespace Crevasse
      * Looks at all points and the given instants whether the material is one:
      * symmetric, positive definite, finite. Collective.
      *
-     * @return the smallest relaxation time among them, infinite for an elastic
+     * @return the extreme relaxation times among them, infinite for an elastic
      * body.
      * @throw SceneError with the worst point and instant.
      */
-    double
+    RelaxationTimes
     survey(const std::vector<double> &instants) const;
 
     /** The largest magnitude among the components of thermal strain at all
@@ -161,8 +168,8 @@ namespace Crevasse
                  const char                *name,
                  const std::vector<double> &instants) const;
 
-    double
-    largest_rate(const MaterialState<dim> &state) const;
+    RelaxationRates
+    extreme_rates(const MaterialState<dim> &state) const;
 
     const MPI_Comm          communicator;
     const MaxwellLaw<dim>  &law;

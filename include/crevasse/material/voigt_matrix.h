@@ -49,11 +49,18 @@ namespace Crevasse
   least_relative_eigenvalue(const VoigtMatrix<dim> &matrix,
                             const bool              in_plane_only);
 
-  /** The largest eigenvalue of H K, both symmetric and positive semidefinite:
-   * the rate at which the fastest stress relaxes. Unit: 1/time. */
+  /** At which stress relaxes where the strain is held. Unit: 1/time. */
+  struct RelaxationRates
+  {
+    double least   = 0.; ///< 0: a part of the stress does not relax
+    double largest = 0.;
+  };
+
+  /** The extreme eigenvalues of H K, both symmetric and positive semidefinite;
+   * in the plane only if the 33 row of K is zero. */
   template <int dim>
-  double
-  largest_relaxation_rate(const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K);
+  RelaxationRates
+  relaxation_rates(const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K);
 } // namespace Crevasse
 
 #endif

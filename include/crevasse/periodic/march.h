@@ -9,55 +9,37 @@
 //
 // ---------------------------------------------------------------------
 
+
 #ifndef crevasse_periodic_march_h
 #define crevasse_periodic_march_h
 
-#include <crevasse/periodic/period_map.h>
-
-#include <cstddef>
-#include <functional>
-#include <vector>
+#include <crevasse/periodic/observed_periods.h>
+#include <crevasse/periodic/periodic_method.h>
 
 namespace Crevasse
 {
-  /** How a search for the periodic state ended. */
-  struct PeriodicResult
-  {
-    unsigned int periods   = 0;
-    bool         converged = false;
-    /** Whether the last two periods had (most of) their samples in common. */
-    bool                steps_repeat = true;
-    std::vector<double> stress_change; ///< one entry a period
-  };
-
   /**
    * The paper's method (§6.2): integrate the Cauchy problem until the stress
-   * of a period is that of the period before, at all samples.
+   * repeats. The paper judges by the change of stress from one period to the
+   * next; this one by its Contraction.
    */
   template <int dim>
-  class March
+  class March : public PeriodicMethod
   {
   public:
-    /** The number of variational inequalities solved so far. */
-    using SolveCount = std::function<std::size_t()>;
+    /** @param tolerance for the estimated error of the stress relative to its
+     * maximum; 0: compute as many periods as are allowed. */
+    March(ObservedPeriods<dim> &periods, const double tolerance);
 
-    /** @param tolerance for the change of stress relative to its maximum; 0:
-     * compute maximum_periods periods whatever the change. */
-    March(PeriodMap<dim>    &period_map,
-          const SolveCount  &n_solves,
-          const double       tolerance,
-          const unsigned int maximum_periods);
+    Ending
+    run(Vector &r) override;
 
-    /** Marches from the viscous strain @p r, which afterwards is that at the
-     * end of the last period. */
-    PeriodicResult
-    run(Vector &r, const std::vector<Observer *> &observers);
+    std::string
+    description() const override;
 
   private:
-    PeriodMap<dim>    &period_map;
-    const SolveCount   n_solves;
-    const double       tolerance;
-    const unsigned int maximum_periods;
+    ObservedPeriods<dim> &periods;
+    const double          tolerance;
   };
 } // namespace Crevasse
 

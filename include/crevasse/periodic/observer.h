@@ -45,9 +45,8 @@ namespace Crevasse
      * all samples and quadrature points, relative to the largest stress. The
      * first period is compared with the unstressed state before it. */
     double stress_change;
-    /** The change summed up geometrically with the ratio of the last two
-     * changes (Aitken): an estimate of the distance to the periodic state if
-     * the approach were geometric; nan while it cannot be told. */
+    /** Distance of this stress to the periodic one, as the method estimates it;
+     * nan while it cannot be told. */
     double      stress_error_estimate;
     double      largest_stress;
     std::size_t vi_solves; ///< of this period

@@ -16,7 +16,7 @@
 #include <crevasse/output/log.h>
 #include <crevasse/output/probe.h>
 #include <crevasse/output/summary.h>
-#include <crevasse/periodic/march.h>
+#include <crevasse/periodic/observed_periods.h>
 #include <crevasse/run/body.h>
 #include <crevasse/run/secular_problem.h>
 #include <crevasse/run/solvers.h>
@@ -113,7 +113,7 @@ namespace Crevasse
     StepList                               steps;      // adaptive ones change
     const std::unique_ptr<Integrator>      integrator; // none without viscosity
     std::unique_ptr<StepControl>           step_control;
-    const double                           smallest_relaxation_time;
+    const RelaxationTimes                  relaxation_times;
     const double                           largest_thermal_strain;
     SecularSplit                           secular_split;
     std::optional<SecularFlow>             secular_flow;

@@ -207,11 +207,16 @@ namespace Crevasse
     static constexpr const char *section = "Periodic state";
 
     std::string  method          = "march";
+    std::string  start_from      = "rest";
     std::string  secular_split   = "automatic";
     unsigned int maximum_periods = 100;
-    /** Change of stress, relative to its maximum, at which a march ends. 0:
-     * all maximum_periods are computed. */
-    double tolerance = 1e-6;
+    /** Estimated error of the stress, relative to its maximum, at which the
+     * search ends. 0: all maximum_periods are computed. */
+    double       tolerance        = 1e-6;
+    unsigned int anderson_depth   = 15;
+    double       anderson_damping = 1.;
+    unsigned int anderson_delay   = 0;
+    std::string  harmonics        = "trapezoid";
 
     void
     add_parameters(dealii::ParameterHandler &prm);

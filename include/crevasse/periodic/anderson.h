@@ -1,0 +1,98 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_periodic_anderson_h
+#define crevasse_periodic_anderson_h
+
+#include <crevasse/periodic/anderson_acceleration.h>
+#include <crevasse/periodic/energy_coordinates.h>
+#include <crevasse/periodic/observed_periods.h>
+#include <crevasse/periodic/periodic_method.h>
+
+#include <deque>
+
+namespace Crevasse
+{
+  /**
+   * The fixed point of the period map r(0) → r(T) (the paper's Remark 2) by
+   * Anderson's acceleration, with the norm of EnergyCoordinates. Each period
+   * starts from the combination of what the last ones ended with. Where a mean
+   * load makes the body flow, the map must be that of the split form: only then
+   * r is periodic.
+   *
+   * The error of the stress is estimated before the next period is computed:
+   * the step to its start, which the acceleration extrapolates from all that it
+   * remembers, times the change of stress that steps have made so far.
+   */
+  template <int dim>
+  class Anderson : public PeriodicMethod
+  {
+  public:
+    struct Settings
+    {
+      AndersonAcceleration::Settings acceleration;
+      unsigned int delay; ///< periods before the first combination
+      /** For the estimated error of the stress relative to its maximum; 0:
+       * compute as many periods as are allowed. */
+      double tolerance;
+    };
+
+    Anderson(ObservedPeriods<dim>         &periods,
+             const EnergyCoordinates<dim> &coordinates,
+             const Settings               &settings);
+
+    Ending
+    run(Vector &r) override;
+
+    std::string
+    description() const override;
+
+    /** How often the iteration began anew because it stagnated. */
+    unsigned int
+    n_restarts() const;
+
+  private:
+    void
+    forget();
+
+    /** Begins anew from the image of the start with the least residual if
+     * residuals have not been less for long, or have risen far. */
+    void
+    restart_if_stagnant(const double  residual,
+                        const Vector &image,
+                        Vector       &next);
+
+    /** Takes the change of stress that the last step has made. */
+    void
+    remember_change(const double change);
+
+    /** Of the stress of the last period, once the step to the next start is
+     * known. */
+    double
+    estimated_error() const;
+
+    ObservedPeriods<dim>         &periods;
+    const EnergyCoordinates<dim> &coordinates;
+    const Settings                settings;
+    AndersonAcceleration          acceleration;
+
+    Vector       best_image; ///< of the start with the least residual
+    double       least_residual = 0.;
+    unsigned int since_least    = 0; ///< periods
+    unsigned int restarts       = 0;
+
+    double             last_step = 0.;   ///< from start to start
+    std::deque<double> changes_per_step; ///< of stress, by the last steps
+  };
+} // namespace Crevasse
+
+#endif

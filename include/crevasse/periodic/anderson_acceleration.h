@@ -1,0 +1,67 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_periodic_anderson_acceleration_h
+#define crevasse_periodic_anderson_acceleration_h
+
+#include <crevasse/time/rate_equation.h>
+
+#include <deque>
+
+namespace Crevasse
+{
+  /**
+   * Anderson's acceleration of x ← G(x) (J. ACM 12, 1965; Walker and Ni, SIAM
+   * J. Numer. Anal. 49, 2011): with the residuals f = G(x) − x of the last
+   * points and the differences ΔF, ΔG of neighbours among them,
+   *
+   *     γ = argmin |f − ΔF γ|,       x ← G(x) − ΔG γ − (1−β)(f − ΔF γ)
+   *
+   * in the Euclidean norm. Differences that depend on younger ones, to rounding
+   * or to what G itself is accurate to, are left out: their coefficients would
+   * be noise, and large.
+   */
+  class AndersonAcceleration
+  {
+  public:
+    struct Settings
+    {
+      unsigned int depth;   ///< number of differences
+      double       damping; ///< β in ]0, 1]; 1: none
+    };
+
+    explicit AndersonAcceleration(const Settings &settings);
+
+    /** Forgets all points. */
+    void
+    clear();
+
+    /** Remembers a point @p x and its image G(x). */
+    void
+    add(const Vector &x, const Vector &image);
+
+    /** The next point. */
+    void
+    extrapolate(Vector &x) const;
+
+  private:
+    struct Pair
+    {
+      Vector image, residual;
+    };
+
+    const Settings   settings;
+    std::deque<Pair> pairs; ///< the youngest at the back
+  };
+} // namespace Crevasse
+
+#endif

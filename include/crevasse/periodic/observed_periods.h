@@ -1,0 +1,98 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_periodic_observed_periods_h
+#define crevasse_periodic_observed_periods_h
+
+#include <crevasse/periodic/period_map.h>
+#include <crevasse/periodic/stress_history.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace Crevasse
+{
+  /** What a search for the periodic state has come to. */
+  struct PeriodicResult
+  {
+    unsigned int periods   = 0;
+    bool         converged = false;
+    /** Whether the last two periods had (most of) their samples in common. */
+    bool steps_repeat = true;
+
+    // One entry a period, see PeriodReport.
+    std::vector<double> stress_change;
+    std::vector<double> stress_error_estimate;
+  };
+
+  /**
+   * The periods that a method computes, one after the other: each is seen by
+   * the observers, measured against the one before, and reported once the
+   * method has judged it.
+   */
+  template <int dim>
+  class ObservedPeriods
+  {
+  public:
+    /** The number of variational inequalities solved so far. */
+    using SolveCount = std::function<std::size_t()>;
+
+    /** All arguments but @p n_solves must outlive this object. */
+    ObservedPeriods(PeriodMap<dim>                &period_map,
+                    const SolveCount              &n_solves,
+                    const std::vector<Observer *> &observers,
+                    const unsigned int             maximum_periods);
+
+    /** Whether another period is allowed. */
+    bool
+    may_go_on() const;
+
+    /** Whether bodies without viscosity, of which one period tells all. */
+    bool
+    has_memory() const;
+
+    /** Advances @p r over a period. Returns the change of stress, see
+     * PeriodReport; nan if the steps are not those of the period before. */
+    double
+    compute(Vector &r);
+
+    /** Ends the period that was computed.
+     *
+     * @param error_estimate of its stress; nan: it cannot be told. */
+    void
+    report(const double error_estimate);
+
+    /** Shows the state at the end of the last period. */
+    void
+    finish(const Vector &r);
+
+    /** All but whether it converged. */
+    const PeriodicResult &
+    result() const;
+
+  private:
+    PeriodMap<dim>                &period_map;
+    const SolveCount               n_solves;
+    const std::vector<Observer *> &observers;
+    const unsigned int             maximum_periods;
+
+    void
+    show(const Sample &sample);
+
+    StressHistory  history;
+    PeriodicResult so_far;
+    PeriodReport   last; ///< not reported yet
+  };
+} // namespace Crevasse
+
+#endif

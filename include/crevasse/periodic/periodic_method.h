@@ -1,0 +1,46 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_periodic_periodic_method_h
+#define crevasse_periodic_periodic_method_h
+
+#include <crevasse/time/rate_equation.h>
+
+#include <string>
+
+namespace Crevasse
+{
+  /** How the search for the periodic state ended. */
+  enum class Ending
+  {
+    converged,     ///< the estimated error is within the tolerance
+    out_of_periods ///< as many periods as allowed were computed
+  };
+
+  /** A way to find the viscous strain with which a period begins and ends. */
+  class PeriodicMethod
+  {
+  public:
+    virtual ~PeriodicMethod() = default;
+
+    /** Starts from the viscous strain @p r at the beginning of a period, which
+     * afterwards is that at the end of the last one computed. */
+    virtual Ending
+    run(Vector &r) = 0;
+
+    /** For the log. */
+    virtual std::string
+    description() const = 0;
+  };
+} // namespace Crevasse
+
+#endif

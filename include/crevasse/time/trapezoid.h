@@ -1,0 +1,66 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_time_trapezoid_h
+#define crevasse_time_trapezoid_h
+
+#include <crevasse/time/integrator.h>
+
+namespace Crevasse
+{
+  /**
+   * The trapezoidal rule, of order 2 and A-stable:
+   *
+   *     r(t + Δt) = r + ½Δt f(r, t) + ½Δt f(r(t + Δt), t + Δt)
+   *
+   * What is stiff swings on instead of decaying. With equal steps its periodic
+   * state is that of the direct method in time.
+   */
+  class Trapezoid : public Integrator
+  {
+  public:
+    void
+    restart() override;
+
+    void
+    start(RateEquation &f,
+          const double  t,
+          const Vector &r,
+          Vector       &rate) override;
+
+    void
+    advance(RateEquation &f,
+            const double  t,
+            const double  time_step,
+            const Vector &rate,
+            Vector       &r,
+            Vector       *error) override;
+
+    bool
+    has_matrix_of_step() const override;
+
+    double
+    stability_limit() const override;
+
+    TimeQuadrature
+    quadrature() const override;
+
+    std::string
+    description() const override;
+
+  private:
+    bool   goes_on = false; ///< the last evaluation was at the last step's end
+    Vector last_rate;       ///< there
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,165 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/periodic/anderson.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Crevasse
+{
+  namespace
+  {
+    double
+    distance(const Vector &a, const Vector &b)
+    {
+      Vector difference = a;
+      difference -= b;
+      return difference.l2_norm();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Anderson<dim>::Anderson(ObservedPeriods<dim>         &periods,
+                          const EnergyCoordinates<dim> &coordinates,
+                          const Settings               &settings)
+    : periods(periods)
+    , coordinates(coordinates)
+    , settings(settings)
+    , acceleration(settings.acceleration)
+  {
+  }
+
+
+
+  template <int dim>
+  Ending
+  Anderson<dim>::run(Vector &r)
+  {
+    forget();
+    Vector start, image, next;
+    coordinates.from_strain(r, start);
+    for (unsigned int k = 0; periods.may_go_on(); ++k)
+      {
+        coordinates.to_strain(start, r);
+        const double change = periods.compute(r);
+        coordinates.from_strain(r, image);
+        if (k > 0)
+          remember_change(change);
+
+        next = image;
+        if (k >= settings.delay)
+          {
+            acceleration.add(start, image);
+            acceleration.extrapolate(next);
+            restart_if_stagnant(distance(image, start), image, next);
+          }
+        last_step          = distance(next, start);
+        const double error = estimated_error();
+        periods.report(error);
+        if (settings.tolerance > 0. && error <= settings.tolerance)
+          return Ending::converged;
+        std::swap(start, next);
+      }
+    return Ending::out_of_periods;
+  }
+
+
+
+  template <int dim>
+  void
+  Anderson<dim>::forget()
+  {
+    acceleration.clear();
+    least_residual = std::numeric_limits<double>::infinity();
+    since_least    = 0;
+    changes_per_step.clear();
+  }
+
+
+
+  template <int dim>
+  void
+  Anderson<dim>::restart_if_stagnant(const double  residual,
+                                     const Vector &image,
+                                     Vector       &next)
+  {
+    // Kinks and noise make residuals rise for a while.
+    constexpr double tolerable_rise = 1e3;
+    ++since_least;
+    if (residual < least_residual)
+      {
+        least_residual = residual;
+        best_image     = image;
+        since_least    = 0;
+      }
+    if (since_least <= 2 * settings.acceleration.depth &&
+        residual <= tolerable_rise * least_residual)
+      return;
+    acceleration.clear();
+    next        = best_image;
+    since_least = 0;
+    ++restarts;
+  }
+
+
+
+  template <int dim>
+  void
+  Anderson<dim>::remember_change(const double change)
+  {
+    constexpr unsigned int n_remembered = 3;
+    changes_per_step.push_back(change / last_step);
+    if (changes_per_step.size() > n_remembered)
+      changes_per_step.pop_front();
+  }
+
+
+
+  template <int dim>
+  double
+  Anderson<dim>::estimated_error() const
+  {
+    if (last_step == 0.) // The map gives back what it was given.
+      return 0.;
+    if (changes_per_step.size() < 2)
+      return std::numeric_limits<double>::quiet_NaN();
+    return last_step *
+           *std::max_element(changes_per_step.begin(), changes_per_step.end());
+  }
+
+
+
+  template <int dim>
+  std::string
+  Anderson<dim>::description() const
+  {
+    return "Anderson's acceleration of depth " +
+           std::to_string(settings.acceleration.depth);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Anderson<dim>::n_restarts() const
+  {
+    return restarts;
+  }
+
+
+
+  template class Anderson<2>;
+  template class Anderson<3>;
+} // namespace Crevasse

@@ -1,0 +1,105 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/periodic/anderson_acceleration.h>
+
+#include <deal.II/lac/qr.h>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** The differences ΔF that are used, as Q R, and what belongs to them. */
+    struct Differences
+    {
+      dealii::QR<Vector>  factors; ///< of normalised columns
+      std::vector<Vector> images;  ///< ΔG, divided by the same norms
+    };
+  } // namespace
+
+
+
+  AndersonAcceleration::AndersonAcceleration(const Settings &settings)
+    : settings(settings)
+  {
+  }
+
+
+
+  void
+  AndersonAcceleration::clear()
+  {
+    pairs.clear();
+  }
+
+
+
+  void
+  AndersonAcceleration::add(const Vector &x, const Vector &image)
+  {
+    pairs.push_back({image, image});
+    pairs.back().residual -= x;
+    if (pairs.size() > settings.depth + 1)
+      pairs.pop_front();
+  }
+
+
+
+  void
+  AndersonAcceleration::extrapolate(Vector &x) const
+  {
+    // Residuals are differences of images that are accurate to about this.
+    constexpr double accuracy = 1e-11, independent = 1e-3;
+
+    const Pair  &last  = pairs.back();
+    const double noise = accuracy * last.image.l2_norm();
+    Differences  differences;
+    Vector       column;
+    for (std::size_t k = pairs.size() - 1; k > 0; --k)
+      {
+        column = pairs[k].residual;
+        column -= pairs[k - 1].residual;
+        const double norm = column.l2_norm();
+        if (norm <= noise)
+          continue;
+        column /= norm;
+        differences.factors.append_column(column);
+        const unsigned int n = differences.factors.size();
+        if (const double rest = differences.factors.get_R()(n - 1, n - 1);
+            rest < independent || rest * norm < noise)
+          differences.factors.remove_column(n - 1);
+        else
+          {
+            differences.images.push_back(pairs[k].image);
+            differences.images.back() -= pairs[k - 1].image;
+            differences.images.back() /= norm;
+          }
+      }
+
+    x                    = last.image;
+    const unsigned int n = differences.images.size();
+    if (n == 0)
+      return;
+    dealii::Vector<double> gamma(n);
+    differences.factors.multiply_with_QT(gamma, last.residual);
+    if (settings.damping < 1.)
+      {
+        Vector explained = last.residual;
+        differences.factors.multiply_with_Q(explained, gamma);
+        x.add(-(1. - settings.damping), last.residual);
+        x.add(1. - settings.damping, explained);
+      }
+    differences.factors.solve(gamma, gamma);
+    for (unsigned int i = 0; i < n; ++i)
+      x.add(-gamma(i), differences.images[i]);
+  }
+} // namespace Crevasse

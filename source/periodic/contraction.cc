@@ -1,0 +1,53 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/periodic/contraction.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Crevasse
+{
+  double
+  Contraction::add(const double change, const bool counts)
+  {
+    // Ratios of what rounding leaves say nothing; that before does.
+    constexpr double rounding = 1e-12;
+    if (!counts || !std::isfinite(change))
+      {
+        last_change.reset();
+        return std::numeric_limits<double>::quiet_NaN();
+      }
+    if (last_change && *last_change > rounding)
+      {
+        ratio_before = ratio;
+        ratio        = change / *last_change;
+      }
+    last_change = change;
+    if (change <= rounding)
+      return change;
+    const double lambda = factor();
+    return lambda < 1. ? change * lambda / (1. - lambda)
+                       : std::numeric_limits<double>::quiet_NaN();
+  }
+
+
+
+  double
+  Contraction::factor() const
+  {
+    if (!ratio)
+      return std::numeric_limits<double>::quiet_NaN();
+    return std::max(*ratio, ratio_before.value_or(0.));
+  }
+} // namespace Crevasse

@@ -1,0 +1,150 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/material/voigt_matrix.h>
+#include <crevasse/periodic/energy_coordinates.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <cmath>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Lᵀ with K = L Lᵀ. Where K has no 33 row, one that counts for nothing
+     * takes its place: the matrix must have an inverse. */
+    template <int dim>
+    VoigtMatrix<dim>
+    root(const VoigtMatrix<dim> &K)
+    {
+      constexpr unsigned int n          = n_stress_components<dim>;
+      constexpr double       negligible = 1e-6;
+      VoigtMatrix<dim>       upper;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = i; j < n; ++j)
+          {
+            double value = K[i][j];
+            for (unsigned int k = 0; k < i; ++k)
+              value -= upper[k][i] * upper[k][j];
+            if (j > i)
+              upper[i][j] = value / upper[i][i];
+            else
+              upper[i][i] = K[i][i] > 0. ? std::sqrt(value)
+                                         : negligible * std::sqrt(K.norm());
+          }
+      return upper;
+    }
+
+
+
+    /** Of an upper triangular matrix, column by column from below. */
+    template <int dim>
+    VoigtMatrix<dim>
+    inverse_of_upper(const VoigtMatrix<dim> &upper)
+    {
+      constexpr unsigned int n = n_stress_components<dim>;
+      VoigtMatrix<dim>       result;
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = j + 1; i-- > 0;)
+          {
+            double value = i == j ? 1. : 0.;
+            for (unsigned int k = i + 1; k <= j; ++k)
+              value -= upper[i][k] * result[k][j];
+            result[i][j] = value / upper[i][i];
+          }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  EnergyCoordinates<dim>::EnergyCoordinates(const Space<dim>           &space,
+                                            const QuadratureField<dim> &points,
+                                            const MaterialState<dim> &material)
+    : roots(Crevasse::transform(*material.stiffness,
+                                points.n_local_points(),
+                                root<dim>))
+    , inverses(Crevasse::transform(roots,
+                                   points.n_local_points(),
+                                   inverse_of_upper<dim>))
+  {
+    for (const double fraction : material.fractions)
+      fractions.push_back(std::sqrt(fraction));
+    FEValues<dim> values(space.mapping(),
+                         space.finite_element(),
+                         space.quadrature(),
+                         update_JxW_values);
+    weights.resize(points.n_local_points());
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          values.reinit(cell);
+          const std::size_t first =
+            points.offset(cell) / n_stress_components<dim>;
+          for (const unsigned int q : values.quadrature_point_indices())
+            weights[first + q] = std::sqrt(values.JxW(q));
+        }
+  }
+
+
+
+  template <int dim>
+  template <typename Weight>
+  void
+  EnergyCoordinates<dim>::transform(const Matrices &matrices,
+                                    const Weight   &weight,
+                                    const Vector   &source,
+                                    Vector         &target) const
+  {
+    using Field = QuadratureField<dim>;
+    target.reinit(source, true);
+    std::size_t offset = 0;
+    for (std::size_t point = 0; point < weights.size(); ++point)
+      for (const double fraction : fractions)
+        {
+          Field::set(target,
+                     offset,
+                     weight(weights[point] * fraction) *
+                       (matrices[point] * Field::get(source, offset)));
+          offset += Field::n_components;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  EnergyCoordinates<dim>::from_strain(const Vector &r, Vector &y) const
+  {
+    transform(
+      roots, [](const double w) { return w; }, r, y);
+  }
+
+
+
+  template <int dim>
+  void
+  EnergyCoordinates<dim>::to_strain(const Vector &y, Vector &r) const
+  {
+    transform(
+      inverses, [](const double w) { return 1. / w; }, y, r);
+  }
+
+
+
+  template class EnergyCoordinates<2>;
+  template class EnergyCoordinates<3>;
+} // namespace Crevasse

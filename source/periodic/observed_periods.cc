@@ -1,0 +1,129 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/periodic/observed_periods.h>
+
+#include <deal.II/base/timer.h>
+
+#include <limits>
+
+namespace Crevasse
+{
+  template <int dim>
+  ObservedPeriods<dim>::ObservedPeriods(
+    PeriodMap<dim>                &period_map,
+    const SolveCount              &n_solves,
+    const std::vector<Observer *> &observers,
+    const unsigned int             maximum_periods)
+    : period_map(period_map)
+    , n_solves(n_solves)
+    , observers(observers)
+    , maximum_periods(maximum_periods)
+    , history(period_map.steps().period())
+  {
+  }
+
+
+
+  template <int dim>
+  bool
+  ObservedPeriods<dim>::may_go_on() const
+  {
+    return so_far.periods < maximum_periods;
+  }
+
+
+
+  template <int dim>
+  bool
+  ObservedPeriods<dim>::has_memory() const
+  {
+    return period_map.has_memory();
+  }
+
+
+
+  template <int dim>
+  void
+  ObservedPeriods<dim>::show(const Sample &sample)
+  {
+    for (Observer *observer : observers)
+      observer->observe(sample);
+  }
+
+
+
+  template <int dim>
+  double
+  ObservedPeriods<dim>::compute(Vector &r)
+  {
+    dealii::Timer     timer;
+    const std::size_t solves_before = n_solves();
+    ++so_far.periods;
+    period_map.advance(so_far.periods, r, [this](const Sample &sample) {
+      history.record(sample.instant, sample.state.stress);
+      show(sample);
+    });
+
+    double change       = history.take_change();
+    so_far.steps_repeat = history.is_comparable();
+    if (!so_far.steps_repeat) // of a few instants: it says nothing
+      change = std::numeric_limits<double>::quiet_NaN();
+    so_far.stress_change.push_back(change);
+    last = {so_far.periods,
+            so_far.periods * period_map.steps().period(),
+            change,
+            0.,
+            history.largest_stress(),
+            n_solves() - solves_before,
+            timer.wall_time()};
+    return change;
+  }
+
+
+
+  template <int dim>
+  void
+  ObservedPeriods<dim>::report(const double error_estimate)
+  {
+    last.stress_error_estimate = error_estimate;
+    so_far.stress_error_estimate.push_back(error_estimate);
+    for (Observer *observer : observers)
+      observer->end_of_period(last);
+  }
+
+
+
+  template <int dim>
+  void
+  ObservedPeriods<dim>::finish(const Vector &r)
+  {
+    if (so_far.periods > 0)
+      period_map.finish(so_far.periods, r, [this](const Sample &sample) {
+        show(sample);
+      });
+  }
+
+
+
+  template <int dim>
+  const PeriodicResult &
+  ObservedPeriods<dim>::result() const
+  {
+    return so_far;
+  }
+
+
+
+  template class ObservedPeriods<2>;
+  template class ObservedPeriods<3>;
+} // namespace Crevasse

@@ -1,0 +1,88 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/time/trapezoid.h>
+
+#include <limits>
+
+namespace Crevasse
+{
+  void
+  Trapezoid::restart()
+  {
+    goes_on = false;
+  }
+
+
+
+  void
+  Trapezoid::start(RateEquation &f,
+                   const double  t,
+                   const Vector &r,
+                   Vector       &rate)
+  {
+    if (goes_on)
+      rate = last_rate;
+    else
+      f.rate(t, r, rate);
+  }
+
+
+
+  void
+  Trapezoid::advance(RateEquation &f,
+                     const double  t,
+                     const double  time_step,
+                     const Vector &rate,
+                     Vector       &r,
+                     Vector *)
+  {
+    last_rate.reinit(r, true);
+    const double half = 0.5 * time_step;
+    r.add(half, rate);
+    f.implicit_rate(t + time_step, r, half, last_rate);
+    r.add(half, last_rate);
+    goes_on = true;
+  }
+
+
+
+  bool
+  Trapezoid::has_matrix_of_step() const
+  {
+    return true;
+  }
+
+
+
+  double
+  Trapezoid::stability_limit() const
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+
+
+
+  TimeQuadrature
+  Trapezoid::quadrature() const
+  {
+    return {{0., 1.}, {0.5, 0.5}};
+  }
+
+
+
+  std::string
+  Trapezoid::description() const
+  {
+    return "trapezoid";
+  }
+} // namespace Crevasse
