@@ -95,8 +95,8 @@ namespace Crevasse
                            const unsigned int most_sets,
                            PeriodicState     &state)
   {
-    // Before the refinement the linear systems are solved less accurately.
-    constexpr double rough_margin = 1e-8, margin = 1e-12;
+    // Most sets are not the last: they are solved on less accurately.
+    constexpr double rough_margin = 1e-7, margin = 1e-12;
 
     std::set<Set> seen;
     Set           best;
@@ -122,11 +122,11 @@ namespace Crevasse
           break;
         set = std::move(next);
       }
-    if (least > tolerance)
+    if (best.empty())
       return false;
     solve_on(best, state);
     refine(best, state);
-    return true;
+    return violation(best, state) <= tolerance;
   }
 
 
@@ -135,17 +135,26 @@ namespace Crevasse
   PeriodicActiveSet::solve_on(const Set &set, PeriodicState &state)
   {
     ++sets;
-    dealii::Vector<double> right(problem.openings_without_contact);
-    right *= -1.;
-    system.reinit(set, no_diagonal);
-    system.solve(right, problem.mean_forces, state.forces, state.offsets);
+    const double size =
+      state.forces.linfty_norm() + state.offsets.linfty_norm();
+    if (state.forces.size() != set.size() || !std::isfinite(size))
+      {
+        state.forces.reinit(set.size());
+        state.offsets.reinit(problem.mean_forces.size());
+      }
+    for (unsigned int k = 0; k < set.size(); ++k)
+      if (!set[k])
+        state.forces(k) = 0.;
     problem.compute_openings(state);
+    system.reinit(set, no_diagonal);
+    constexpr double accuracy = 1e-8;
+    correct(state, accuracy);
   }
 
 
 
   void
-  PeriodicActiveSet::refine(const Set &set, PeriodicState &state)
+  PeriodicActiveSet::correct(PeriodicState &state, const double accuracy)
   {
     const unsigned int     p = problem.convolution.n_nodes();
     const unsigned int     N = problem.convolution.n_instants();
@@ -154,11 +163,21 @@ namespace Crevasse
     dealii::Vector<double> missing(problem.mean_forces);
     for (unsigned int k = 0; k < p * N; ++k)
       missing(k % p) -= state.forces(k) / N;
-    system.solve(right, missing, x, offsets);
+    system.solve(
+      right, missing, accuracy * problem.opening_scale(state), x, offsets);
     state.forces += x;
     state.offsets += offsets;
     problem.compute_openings(state);
-    for (unsigned int k = 0; k < p * N; ++k)
+  }
+
+
+
+  void
+  PeriodicActiveSet::refine(const Set &set, PeriodicState &state)
+  {
+    constexpr double accuracy = 1e-14;
+    correct(state, accuracy);
+    for (unsigned int k = 0; k < set.size(); ++k)
       if (set[k])
         state.openings(k) = 0.;
   }

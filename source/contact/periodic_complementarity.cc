@@ -32,8 +32,6 @@ namespace Crevasse
     const unsigned int N = convolution.n_instants();
     AssertDimension(problem.openings_without_contact.size(), N);
     AssertDimension(mean_forces.size(), p);
-    AssertThrow(std::isfinite(convolution.largest_compliance()),
-                ExcMessage("A compliance is not finite."));
     for (unsigned int i = 0; i < p; ++i)
       AssertThrow(mean_forces(i) > 0. && std::isfinite(mean_forces(i)),
                   ExcMessage("A mean contact force is not positive."));

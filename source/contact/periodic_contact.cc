@@ -197,14 +197,12 @@ namespace Crevasse
         last_statistics.n_interior_point_steps = interior_point.n_steps();
         if (interior_point.gap() > next_gap)
           continue;
-        if (active_set.solve(active_set.set_of(interior_point.state()),
-                             sets_at_a_time,
-                             state))
+        state = interior_point.state();
+        if (active_set.solve(active_set.set_of(state), sets_at_a_time, state))
           return true;
         next_gap = std::min(next_gap, interior_point.gap()) * factor;
       }
-    return active_set.solve(active_set.set_of(interior_point.state()),
-                            sets_at_a_time,
-                            state);
+    state = interior_point.state();
+    return active_set.solve(active_set.set_of(state), sets_at_a_time, state);
   }
 } // namespace Crevasse

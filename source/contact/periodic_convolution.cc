@@ -108,6 +108,8 @@ namespace Crevasse
       {
         AssertDimension(matrix->m(), p);
         AssertDimension(matrix->n(), p);
+        AssertThrow(std::isfinite(std::abs(factor) * matrix->frobenius_norm()),
+                    ExcMessage("A compliance is not finite."));
         for (unsigned int i = 0; i < p; ++i)
           largest = std::max(largest, std::abs(factor * (*matrix)(i, i)));
       }

@@ -108,7 +108,13 @@ namespace Crevasse
   {
     const unsigned int p = problem.convolution.n_nodes();
     PeriodicState      result;
-    system.solve(right, no_means, result.forces, result.offsets);
+    // What the direction misses, the next step finds in g w.
+    constexpr double accuracy = 1e-6;
+    system.solve(right,
+                 no_means,
+                 accuracy * right.l2_norm() / std::sqrt(right.size()),
+                 result.forces,
+                 result.offsets);
     problem.convolution.vmult(result.openings, result.forces);
     for (unsigned int k = 0; k < result.openings.size(); ++k)
       result.openings(k) += result.offsets(k % p);

@@ -54,9 +54,9 @@ namespace Crevasse
 
     /**
      * @param set the first one tried
-     * @param[out] state the solution, if found: refined once by the residual
-     * @return whether it was found within so many sets and without a set that
-     * comes back.
+     * @param[in,out] state an approximation, if there is one; then the
+     * solution, if found: refined by its residual.
+     * @return whether it was found within so many sets, before one came back.
      * @throw NumericalError from PeriodicSystem.
      */
     bool
@@ -67,10 +67,16 @@ namespace Crevasse
     n_sets() const;
 
   private:
+    /** Solves on a set, starting from a state. */
     void
     solve_on(const Set &set, PeriodicState &state);
 
-    /** One step of iterative refinement. */
+    /** Adds the solution for what a state leaves of the equations on the
+     * system's set, to an accuracy relative to the scale of openings. */
+    void
+    correct(PeriodicState &state, const double accuracy);
+
+    /** One step of iterative refinement; openings on the set become 0. */
     void
     refine(const Set &set, PeriodicState &state);
 

@@ -36,8 +36,8 @@ namespace Crevasse
       /** Sets tried before the interior point method is called for. */
       unsigned int most_active_sets = 15;
       /** Closed nodes and instants, and nodes, of a system that is factored
-       * rather than solved by GMRES. */
-      unsigned int largest_dense_system = 1500;
+       * rather than solved by GMRES: about where both take the same time. */
+      unsigned int largest_dense_system = 350;
     };
 
     /** What a solution took. */

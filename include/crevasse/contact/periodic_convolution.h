@@ -39,6 +39,7 @@ namespace Crevasse
      * Shares the matrices of the compliances.
      *
      * @param compliances S₁ … S_{N/2}, each p × p
+     * @throw ExceptionBase if one is not finite.
      */
     PeriodicConvolution(
       const std::vector<PeriodicContactProblem::Compliance> &compliances,

@@ -31,7 +31,8 @@ namespace Crevasse
    *
    * Small ones are factored: the kernel of the convolution is a dense matrix.
    * Large ones are left to GMRES, with the convolution by Fourier transforms
-   * and preconditioned by PeriodicElasticPreconditioner.
+   * and preconditioned by PeriodicElasticPreconditioner, and factored only if
+   * that does not converge.
    */
   class PeriodicSystem
   {
@@ -57,17 +58,20 @@ namespace Crevasse
            const dealii::Vector<double> &diagonal);
 
     /**
-     * Solves, to about 1e-10 of the right-hand side.
+     * Solves a system.
      *
      * @param right p N entries; those that are not active do not matter
      * @param means p entries
+     * @param accuracy what GMRES may leave of the equations, root mean square
      * @param[out] x p N entries
      * @param[out] offsets c, p entries
-     * @throw NumericalError if GMRES does not converge.
+     * @throw NumericalError if GMRES does not converge and there are too many
+     * unknowns for a factorisation.
      */
     void
     solve(const dealii::Vector<double> &right,
           const dealii::Vector<double> &means,
+          const double                  accuracy,
           dealii::Vector<double>       &x,
           dealii::Vector<double>       &offsets);
 
@@ -93,9 +97,11 @@ namespace Crevasse
                 dealii::Vector<double>       &x,
                 dealii::Vector<double>       &offsets) const;
 
-    void
+    /** @return whether GMRES converged. */
+    bool
     solve_iteratively(const dealii::Vector<double> &right,
                       const dealii::Vector<double> &means,
+                      const double                  accuracy,
                       dealii::Vector<double>       &x,
                       dealii::Vector<double>       &offsets);
 
