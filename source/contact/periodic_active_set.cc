@@ -12,7 +12,6 @@
 #include <crevasse/contact/periodic_active_set.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <utility>
@@ -135,9 +134,7 @@ namespace Crevasse
   PeriodicActiveSet::solve_on(const Set &set, PeriodicState &state)
   {
     ++sets;
-    const double size =
-      state.forces.linfty_norm() + state.offsets.linfty_norm();
-    if (state.forces.size() != set.size() || !std::isfinite(size))
+    if (state.forces.size() != set.size())
       {
         state.forces.reinit(set.size());
         state.offsets.reinit(problem.mean_forces.size());

@@ -25,10 +25,27 @@ namespace Crevasse
 {
   using namespace dealii;
 
+  namespace
+  {
+    NumericalError
+    singular(const unsigned int n_unknowns)
+    {
+      return NumericalError(
+        "The compliance of the crack lip is singular for " +
+        std::to_string(n_unknowns) +
+        " closed nodes and instants: check the moduli of [Material] for "
+        "extreme contrasts, or try [Periodic state] Method = anderson.");
+    }
+  } // namespace
+
+
+
   PeriodicSystem::PeriodicSystem(const PeriodicConvolution &convolution,
-                                 const unsigned int largest_dense_system)
+                                 const unsigned int largest_dense_system,
+                                 const unsigned int most_steps)
     : convolution(convolution)
     , largest_dense_system(largest_dense_system)
+    , most_steps(most_steps)
     , preconditioner(convolution)
   {
   }
@@ -85,11 +102,7 @@ namespace Crevasse
       }
     catch (const ExceptionBase &)
       {
-        throw NumericalError(
-          "The compliance of the crack lip is singular for " +
-          std::to_string(unknowns.size()) +
-          " closed nodes and instants: check the moduli of [Material] for "
-          "extreme contrasts, or try [Periodic state] Method = anderson.");
+        throw singular(unknowns.size());
       }
   }
 
@@ -109,8 +122,11 @@ namespace Crevasse
     scaling.reinit(m + p);
     for (unsigned int a = 0; a < m; ++a)
       {
-        const unsigned int i = unknowns[a] % p;
-        scaling(a) = 1. / std::sqrt(diagonal(unknowns[a]) + kernel[0](i, i));
+        const unsigned int i     = unknowns[a] % p;
+        const double       entry = diagonal(unknowns[a]) + kernel[0](i, i);
+        if (!(entry > 0.))
+          throw singular(m);
+        scaling(a)     = 1. / std::sqrt(entry);
         scaling(m + i) = std::max(scaling(m + i), scaling(a));
       }
     for (unsigned int i = 0; i < p; ++i)
@@ -144,21 +160,40 @@ namespace Crevasse
                         dealii::Vector<double>       &offsets)
   {
     ++solves;
-    if (matrix.m() == 0)
+    const bool iteratively =
+      matrix.m() == 0 && solve_iteratively(right, means, accuracy, x, offsets);
+    if (!iteratively)
       {
-        if (solve_iteratively(right, means, accuracy, x, offsets))
-          return;
-        // About 300 MB, and ten seconds.
-        constexpr unsigned int largest_factor = 6000;
-        if (unknowns.size() > largest_factor)
-          throw NumericalError(
-            "The equations of " + std::to_string(unknowns.size()) +
-            " closed nodes and instants did not converge by GMRES: the "
-            "relaxation times and the period are too far apart. Try fewer "
-            "instants, or [Periodic state] Method = anderson.");
+        if (matrix.m() == 0)
+          factor_after_all();
+        solve_dense(right, means, x, offsets);
+      }
+    for (const double entry : x)
+      if (!std::isfinite(entry))
+        throw singular(unknowns.size());
+  }
+
+
+
+  void
+  PeriodicSystem::factor_after_all()
+  {
+    // About 300 MB, and ten seconds.
+    constexpr unsigned int largest_factor = 6000;
+    if (unknowns.size() > largest_factor)
+      throw NumericalError(
+        "The equations of " + std::to_string(unknowns.size()) +
+        " closed nodes and instants did not converge by GMRES: the "
+        "relaxation times and the period are too far apart. Try fewer "
+        "instants, or [Periodic state] Method = anderson.");
+    try
+      {
         factor();
       }
-    solve_dense(right, means, x, offsets);
+    catch (const ExceptionBase &)
+      {
+        throw singular(unknowns.size());
+      }
   }
 
 
@@ -259,7 +294,7 @@ namespace Crevasse
         const unsigned int k = unknowns[a];
         rest(a) = right(k) - diagonal(k) * x(k) - Sx(k) - offsets(k % p);
       }
-    constexpr unsigned int most_steps = 2000, most_vectors = 500;
+    constexpr unsigned int most_vectors = 500;
     SolverControl          control(most_steps, accuracy * std::sqrt(m));
     SolverGMRES<dealii::Vector<double>> gmres(
       control,

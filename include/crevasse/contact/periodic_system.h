@@ -42,9 +42,11 @@ namespace Crevasse
      *
      * @param largest_dense_system how many active entries and nodes together
      * are still factored
+     * @param most_steps of GMRES for one system
      */
     PeriodicSystem(const PeriodicConvolution &convolution,
-                   const unsigned int         largest_dense_system);
+                   const unsigned int         largest_dense_system,
+                   const unsigned int         most_steps = 2000);
 
     /**
      * Makes these the active entries and prepares solutions.
@@ -91,6 +93,10 @@ namespace Crevasse
     void
     factor();
 
+    /** Where GMRES has failed, unless there are too many unknowns. */
+    void
+    factor_after_all();
+
     void
     solve_dense(const dealii::Vector<double> &right,
                 const dealii::Vector<double> &means,
@@ -107,6 +113,7 @@ namespace Crevasse
 
     const PeriodicConvolution &convolution;
     const unsigned int         largest_dense_system;
+    const unsigned int         most_steps;
 
     std::vector<unsigned int> unknowns; ///< the active entries, ascending
     dealii::Vector<double>    diagonal;
