@@ -108,13 +108,13 @@ namespace Crevasse
   {
     const unsigned int p = problem.convolution.n_nodes();
     PeriodicState      result;
-    // What the direction misses, the next step finds in g w.
-    constexpr double accuracy = 1e-6;
-    system.solve(right,
-                 no_means,
-                 accuracy * right.l2_norm() / std::sqrt(right.size()),
-                 result.forces,
-                 result.offsets);
+    // What a solution by GMRES leaves of an equation changes g w by so much
+    // times g: little compared with μ.
+    constexpr double part_of_mu = 1e-2;
+    const double     mu =
+      (current.forces * current.openings) / current.forces.size();
+    const double accuracy = part_of_mu * mu / problem.force_scale(current);
+    system.solve(right, no_means, accuracy, result.forces, result.offsets);
     problem.convolution.vmult(result.openings, result.forces);
     for (unsigned int k = 0; k < result.openings.size(); ++k)
       result.openings(k) += result.offsets(k % p);
