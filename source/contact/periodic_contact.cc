@@ -14,9 +14,9 @@
 #include <crevasse/scene/problems.h>
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace Crevasse
 {
@@ -110,12 +110,15 @@ namespace Crevasse
 
     last_certificate = certify(problem, state);
     if (last_certificate.worst() > options.tolerance)
-      throw NumericalError(
-        "The contact problem of the periodic motion was not solved to " +
-        Utilities::to_string(options.tolerance) + ": " +
-        last_certificate.describe() +
-        ". Check the moduli of [Material] for extreme contrasts, or try "
-        "[Periodic state] Method = anderson.");
+      {
+        std::ostringstream message;
+        message << "The contact problem of the periodic motion was not solved "
+                   "to "
+                << options.tolerance << ": " << last_certificate.describe()
+                << ". Check the moduli of [Material] for extreme contrasts, or "
+                   "try [Periodic state] Method = anderson.";
+        throw NumericalError(message.str());
+      }
     return problem.solution(state);
   }
 

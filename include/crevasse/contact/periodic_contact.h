@@ -44,7 +44,7 @@ namespace Crevasse
     struct Statistics
     {
       unsigned int n_active_sets          = 0;
-      unsigned int n_interior_point_steps = 0;
+      unsigned int n_interior_point_steps = 0; ///< 0: it was not needed
       unsigned int n_linear_solves        = 0;
       unsigned int n_gmres_iterations     = 0;
       unsigned int largest_system         = 0; ///< unknowns
@@ -65,8 +65,8 @@ namespace Crevasse
     PeriodicContactSolution
     solve(const PeriodicContactProblem &problem);
 
-    /** The same, with the closed nodes and instants of a similar problem's
-     * solution for a first set. */
+    /** The same, with the closed nodes and instants of the solution of a
+     * similar problem, of as many nodes and instants, for a first set. */
     PeriodicContactSolution
     solve(const PeriodicContactProblem  &problem,
           const PeriodicContactSolution &start);
