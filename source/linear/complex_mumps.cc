@@ -159,6 +159,8 @@ namespace Crevasse
       mumps.a_loc   = for_mumps(triangle.values);
       run(1, "the analysis");
       factorise_in_enough_memory();
+      // INFO(18): what the factorisation was given on this rank, in 10⁶ bytes.
+      bytes = std::size_t(1000000) * mumps.info[17];
       // What is no longer there is not looked for either.
       mumps.irn_loc = mumps.jcn_loc = mumps.perm_in = nullptr;
       mumps.a_loc = mumps.schur = nullptr;
@@ -320,6 +322,7 @@ namespace Crevasse
     std::vector<int> last_unknowns;  ///< P, counted from 1
 
     FullMatrix<Complex> inverse; ///< on P
+    std::size_t         bytes = 0;
     ZMUMPS_STRUC_C      mumps = {};
   };
 
@@ -418,7 +421,6 @@ namespace Crevasse
   std::size_t
   ComplexMumps::memory_consumption() const
   {
-    // INFO(18): what the factorisation was given on this rank, in 10⁶ bytes.
-    return std::size_t(1000000) * factor->mumps.info[17];
+    return factor->bytes;
   }
 } // namespace Crevasse
