@@ -1,0 +1,63 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_fourier_problem_h
+#define crevasse_run_fourier_problem_h
+
+#include <crevasse/periodic/fourier.h>
+#include <crevasse/run/body.h>
+#include <crevasse/run/solvers.h>
+#include <crevasse/scene/scene.h>
+#include <crevasse/time/secular_flow.h>
+#include <crevasse/time/step_list.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** The periodic state found direct in time, and what was found on the way. */
+  struct FourierResult
+  {
+    PeriodicMotion             motion;
+    std::optional<SecularFlow> flow; ///< none: the mean load vanishes
+    std::vector<std::string>   warnings;
+  };
+
+  /** Whether the direct treatment in time can do a scene. Collective.
+   * @throw SceneError with all that it cannot do, and what to use instead. */
+  template <int dim>
+  void
+  require_fourier(const Scene &scene, const Body<dim> &body);
+
+  /**
+   * Finds the periodic state of a scene direct in time: see Fourier. The
+   * secular flow is that of the mean of the samples. Collective.
+   *
+   * @param smallest_relaxation_time of the material, for a warning.
+   * @param solve_contact see Fourier::solve().
+   * @throw SceneError see require_fourier(); NumericalError if one of the
+   * problems is not solved.
+   */
+  template <int dim>
+  FourierResult
+  solve_fourier_problem(
+    const Scene                                &scene,
+    const Body<dim>                            &body,
+    const StepList                             &steps,
+    Solvers<dim>                               &solvers,
+    const TimeRule                              rule,
+    const double                                smallest_relaxation_time,
+    const typename Fourier<dim>::ContactMethod &solve_contact);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,190 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/periodic/secular.h>
+#include <crevasse/run/fourier_problem.h>
+#include <crevasse/run/secular_problem.h>
+#include <crevasse/scene/collectively.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Whether all fluidities of a body have an inverse. */
+    template <int dim>
+    bool
+    flows_everywhere(const Body<dim> &body)
+    {
+      const MPI_Comm communicator = body.space.communicator();
+      bool           flows        = false;
+      collectively(communicator,
+                   [&]() { flows = has_viscosity<dim>(body.material.at(0.)); });
+      return Utilities::MPI::min(flows ? 1 : 0, communicator) == 1;
+    }
+
+
+
+    /** What of the material the method cannot do, with what can. */
+    template <int dim>
+    std::vector<std::string>
+    obstacles(const Body<dim> &body)
+    {
+      const std::string instead = "; use [Periodic state] Method = anderson";
+      const Effects    &effects = body.effects;
+      if (!effects.viscosity.on)
+        return {
+          "without viscosity each instant is a problem of its own; use "
+          "[Periodic state] Method = march"};
+      std::vector<std::string> found;
+      if (effects.varying_stiffness.on)
+        found.push_back("the stiffness varies in time, " +
+                        effects.varying_stiffness.why + instead);
+      if (effects.varying_viscosity.on)
+        found.push_back("the viscosity varies in time, " +
+                        effects.varying_viscosity.why + instead);
+      if (body.law.has_spring())
+        found.push_back(
+          "the fractions of [Material] Chain have a sum below 1, and the "
+          "spring "
+          "that is left bears the mean load" +
+          instead);
+      if (found.empty() && !flows_everywhere(body))
+        found.push_back(
+          "the fluidity of [Material] is singular: a part of the "
+          "strain does not flow" +
+          instead);
+      return found;
+    }
+
+
+
+    std::vector<std::string>
+    warnings_about(const PeriodicMotion &motion,
+                   const double          step,
+                   const double          smallest_relaxation_time)
+    {
+      // Opening and closing are told to the nearest instant.
+      constexpr unsigned int   enough = 5;
+      std::vector<std::string> warnings;
+      if (step > 2. * smallest_relaxation_time)
+        warnings.push_back(
+          "the steps of " + Text::from_number(step) +
+          " are longer than twice the smallest relaxation time, " +
+          Text::from_number(smallest_relaxation_time) +
+          ": the fastest relaxation is not resolved. Raise [Time integration] "
+          "Steps per period.");
+      const auto &counts = motion.instants_of_contact;
+      const auto  n_poor =
+        std::count_if(counts.begin(), counts.end(), [](const unsigned int n) {
+          return n < enough;
+        });
+      if (n_poor > 0)
+        warnings.push_back(
+          std::to_string(n_poor) + " of " + std::to_string(counts.size()) +
+          " nodes of the lip that bear a mean force are closed at fewer than " +
+          std::to_string(enough) + " instants, the fewest at " +
+          std::to_string(*std::min_element(counts.begin(), counts.end())) +
+          ": their forces are not resolved. Raise [Time integration] Steps per "
+          "period.");
+      return warnings;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  require_fourier(const Scene &scene, const Body<dim> &body)
+  {
+    const std::string method = "[Periodic state] Method = fourier: ";
+    Problems          problems;
+    for (const std::string &obstacle : obstacles(body))
+      problems.add(method + obstacle + ".");
+    if (scene.time_integration.step_control != "uniform")
+      problems.add(method +
+                   "harmonics need equal steps; set [Time integration] "
+                   "Step control = uniform, or use [Periodic state] "
+                   "Method = anderson.");
+    problems.throw_if_any();
+  }
+
+
+
+  template <int dim>
+  FourierResult
+  solve_fourier_problem(
+    const Scene                                &scene,
+    const Body<dim>                            &body,
+    const StepList                             &steps,
+    Solvers<dim>                               &solvers,
+    const TimeRule                              rule,
+    const double                                smallest_relaxation_time,
+    const typename Fourier<dim>::ContactMethod &solve_contact)
+  {
+    require_fourier(scene, body);
+    dealii::TimerOutput   &phases = solvers.settings().phases;
+    const Harmonics        harmonics(steps.period(), steps.n_steps(), rule);
+    const UnilateralBounds bounds = unilateral_bounds(body.lip);
+    solvers.at(0.);
+    const Fourier<dim> fourier({body.space,
+                                body.points,
+                                body.strain_operator,
+                                body.material,
+                                body.loads,
+                                bounds,
+                                solvers.current().linear_solver()},
+                               harmonics);
+
+    FourierResult result;
+    const Vector  mean_load = fourier.mean_load();
+    if (mean_load.linfty_norm() > fourier.negligible_load())
+      {
+        TimerOutput::Scope phase(phases, "secular problem");
+        result.flow = solve_secular_problem(body, mean_load, solvers);
+      }
+    TimerOutput::Scope phase(phases, "harmonics");
+    result.motion = fourier.solve(
+      result.flow ? &*result.flow : nullptr,
+      [&](const PeriodicContactProblem &problem) {
+        TimerOutput::Scope phase(phases, "periodic contact");
+        return solve_contact(problem);
+      },
+      1024. * 1024. * scene.linear_solver.memory_for_instants);
+    result.warnings = warnings_about(result.motion,
+                                     steps.largest_step(),
+                                     smallest_relaxation_time);
+    return result;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                         \
+  template void          require_fourier<dim>(const Scene &, const Body<dim> &); \
+  template FourierResult solve_fourier_problem<dim>(                             \
+    const Scene &,                                                               \
+    const Body<dim> &,                                                           \
+    const StepList &,                                                            \
+    Solvers<dim> &,                                                              \
+    const TimeRule,                                                              \
+    const double,                                                                \
+    const typename Fourier<dim>::ContactMethod &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+} // namespace Crevasse
