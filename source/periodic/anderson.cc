@@ -13,6 +13,7 @@
 #include <crevasse/periodic/anderson.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Crevasse
@@ -70,6 +71,8 @@ namespace Crevasse
         periods.report(error);
         if (settings.tolerance > 0. && error <= settings.tolerance)
           return Ending::converged;
+        if (restarts > settings.most_restarts)
+          return Ending::stagnant;
         std::swap(start, next);
       }
     return Ending::out_of_periods;
@@ -120,6 +123,11 @@ namespace Crevasse
   Anderson<dim>::remember_change(const double change)
   {
     constexpr unsigned int n_remembered = 3;
+    if (!std::isfinite(change)) // adaptive steps are not yet the same
+      {
+        changes_per_step.clear();
+        return;
+      }
     changes_per_step.push_back(change / last_step);
     if (changes_per_step.size() > n_remembered)
       changes_per_step.pop_front();

@@ -67,6 +67,7 @@ namespace Crevasse
                         Solvers<dim>                           &solvers,
                         const StepList                         &steps,
                         const Integrator                       *integrator,
+                        const SecularFlow                      *flow,
                         Log                                    &log,
                         const std::string                      &directory)
     : body(body)
@@ -85,6 +86,8 @@ namespace Crevasse
       add<ProbeTable<dim>>(probe, file("probe_" + probe.name() + ".csv"));
     if (body.effects.contact.on)
       contact_table = add<ContactTable<dim>>(body.lip, file("contact.csv"));
+    if (body.effects.contact.on && flow != nullptr)
+      onset = add<ContactOnset<dim>>(body.lip, *flow);
     if (body.effects.viscosity.on)
       drift = add<Drift>(steps);
     if (scene.output.elastic_comparison != "none")
@@ -160,6 +163,8 @@ namespace Crevasse
       summary["extremes"]["opening"] = contact_table->largest_opening();
     if (drift != nullptr)
       finish_drift(summary);
+    if (onset != nullptr)
+      finish_onset(summary);
     if (comparison != nullptr)
       finish_comparison(summary);
     if (fields != nullptr)
@@ -188,6 +193,33 @@ namespace Crevasse
         for (unsigned int d = 0; d < dim; ++d)
           rates["per_probe"][probe.name()].push_back(rate[d]);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  Outputs<dim>::finish_onset(Summary &summary) const
+  {
+    const unsigned int n_nodes = onset->n_opening_nodes();
+    const double       pressed = onset->last_contact();
+
+    auto &secular            = summary["secular"];
+    secular["opening_nodes"] = n_nodes;
+    secular["onset"]         = onset->onset();
+    // null: none of them was pressed at all
+    secular["last_contact_of_opening_nodes"] =
+      pressed >= 0. ? Summary(pressed) : Summary();
+    if (n_nodes == 0)
+      return;
+    char text[160];
+    std::snprintf(text,
+                  sizeof(text),
+                  "  the flow opens %u nodes of the lip: none touches after "
+                  "t_0 = %g (q of mean value zero)",
+                  n_nodes,
+                  onset->onset());
+    log.line(text);
   }
 
 

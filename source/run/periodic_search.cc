@@ -11,59 +11,59 @@
 
 
 #include <crevasse/periodic/anderson.h>
+#include <crevasse/periodic/given_motion.h>
 #include <crevasse/periodic/march.h>
 #include <crevasse/run/periodic_search.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 namespace Crevasse
 {
-  namespace
+  template <int dim>
+  PeriodicSearch<dim>::PeriodicSearch(const Scene          &scene,
+                                      const Body<dim>      &body,
+                                      const PeriodicChoice &choice,
+                                      const FourierResult  *direct,
+                                      Log                  &log)
+    : scene(scene)
+    , body(body)
+    , choice(choice)
+    , direct(direct)
+    , log(log)
   {
-    template <int dim>
-    Ending
-    march(const PeriodicStateParameters &parameters,
-          ObservedPeriods<dim>          &periods,
-          Vector                        &r)
-    {
-      return March<dim>(periods, parameters.tolerance).run(r);
-    }
-
-
-
-    template <int dim>
-    Ending
-    accelerate(const PeriodicStateParameters &parameters,
-               const Body<dim>               &body,
-               ObservedPeriods<dim>          &periods,
-               Vector                        &r)
-    {
-      const EnergyCoordinates<dim>     coordinates(body.space,
-                                               body.points,
-                                               body.material.at(0.));
-      typename Anderson<dim>::Settings settings;
-      settings.acceleration = {parameters.anderson_depth,
-                               parameters.anderson_damping};
-      settings.delay        = parameters.anderson_delay;
-      settings.tolerance    = parameters.tolerance;
-      return Anderson<dim>(periods, coordinates, settings).run(r);
-    }
-  } // namespace
+  }
 
 
 
   template <int dim>
   PeriodicResult
-  find_periodic_state(const Scene          &scene,
-                      const Body<dim>      &body,
-                      ObservedPeriods<dim> &periods)
+  PeriodicSearch<dim>::run(
+    Evolution<dim>                                  &evolution,
+    PeriodMap<dim>                                  &period_map,
+    StepList                                        &steps,
+    const typename ObservedPeriods<dim>::SolveCount &n_solves,
+    const std::vector<Observer *>                   &observers) const
   {
-    const PeriodicStateParameters &parameters = scene.periodic_state;
-    Vector                         viscous_strain;
-    if (body.effects.viscosity.on)
+    if (choice.method == "fourier" && direct != nullptr)
+      return show(evolution, steps, n_solves, observers);
+
+    Vector viscous_strain;
+    if (direct != nullptr)
+      viscous_strain = direct->motion.viscous_strain.front();
+    else if (body.effects.viscosity.on)
       body.points.initialize(viscous_strain, body.law.branches().size());
-    const Ending ending =
-      parameters.method == "anderson" && body.effects.viscosity.on
-        ? accelerate(parameters, body, periods, viscous_strain)
-        : march(parameters, periods, viscous_strain);
+    ObservedPeriods<dim> periods(period_map,
+                                 n_solves,
+                                 observers,
+                                 scene.periodic_state.maximum_periods);
+    Ending ending = choice.method == "march" ?
+                      march(periods, viscous_strain) :
+                      accelerate(periods, viscous_strain);
+    if (ending == Ending::stagnant && choice.may_fall_back)
+      {
+        log.line("  anderson stagnates: march");
+        ending = march(periods, viscous_strain);
+      }
     periods.finish(viscous_strain);
     PeriodicResult result = periods.result();
     result.converged      = ending == Ending::converged;
@@ -72,8 +72,74 @@ namespace Crevasse
 
 
 
-  template PeriodicResult
-  find_periodic_state<2>(const Scene &, const Body<2> &, ObservedPeriods<2> &);
-  template PeriodicResult
-  find_periodic_state<3>(const Scene &, const Body<3> &, ObservedPeriods<3> &);
+  template <int dim>
+  PeriodicResult
+  PeriodicSearch<dim>::show(
+    Evolution<dim>                                  &evolution,
+    StepList                                        &steps,
+    const typename ObservedPeriods<dim>::SolveCount &n_solves,
+    const std::vector<Observer *>                   &observers) const
+  {
+    constexpr double tolerable = 1e-8;
+    FixedSteps       as_they_are;
+    GivenMotion      motion(direct->motion, direct->rule);
+    PeriodMap<dim>   period_map(evolution, &motion, as_they_are, steps);
+
+    std::vector<Observer *> all = observers;
+    all.push_back(&motion);
+    ObservedPeriods<dim> periods(period_map, n_solves, all, 1);
+    Vector               r = direct->motion.viscous_strain.front();
+    periods.compute(r);
+    const double defect = motion.largest_defect();
+    periods.report(defect);
+    periods.finish(r);
+    log.line("  direct in time: states and samples differ by " +
+             Text::from_number(defect) + " at most");
+    if (!(defect <= tolerable))
+      throw NumericalError(
+        "[Periodic state] Method = fourier: the periodic motion that was found "
+        "is not one: its states differ from those of the same viscous strain "
+        "by " +
+        Text::from_number(defect) +
+        " of their size. Look for moduli or relaxation times that differ by "
+        "many orders of magnitude, or use Method = anderson.");
+    PeriodicResult result = periods.result();
+    result.converged      = true;
+    return result;
+  }
+
+
+
+  template <int dim>
+  Ending
+  PeriodicSearch<dim>::march(ObservedPeriods<dim> &periods, Vector &r) const
+  {
+    return March<dim>(periods, scene.periodic_state.tolerance).run(r);
+  }
+
+
+
+  template <int dim>
+  Ending
+  PeriodicSearch<dim>::accelerate(ObservedPeriods<dim> &periods,
+                                  Vector               &r) const
+  {
+    const PeriodicStateParameters &parameters = scene.periodic_state;
+    const EnergyCoordinates<dim>   coordinates(body.space,
+                                             body.points,
+                                             body.material.at(0.));
+    typename Anderson<dim>::Settings settings;
+    settings.acceleration = {parameters.anderson_depth,
+                             parameters.anderson_damping};
+    settings.delay        = parameters.anderson_delay;
+    settings.tolerance    = parameters.tolerance;
+    // Where something else could go on, this ends in time for it.
+    settings.most_restarts = choice.may_fall_back ? 2 : unsigned(-1);
+    return Anderson<dim>(periods, coordinates, settings).run(r);
+  }
+
+
+
+  template class PeriodicSearch<2>;
+  template class PeriodicSearch<3>;
 } // namespace Crevasse

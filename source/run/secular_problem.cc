@@ -26,29 +26,6 @@ namespace Crevasse
 
   namespace
   {
-    /** Why no secular flow can be split off; nothing if it can. */
-    template <int dim>
-    std::string
-    obstacle(const Body<dim> &body)
-    {
-      if (!body.effects.viscosity.on)
-        return "without viscosity nothing flows";
-      if (body.law.has_spring())
-        return "the elastic spring of the chain bears the mean load";
-      if (body.material.fluidity_varies())
-        return "the viscosity varies in time, and not by [Material] Viscosity "
-               "time factor alone";
-      const MaterialState<dim> material = body.material.at(0.);
-      bool                     has_all  = false;
-      collectively(body.space.communicator(),
-                   [&]() { has_all = has_viscosity<dim>(material); });
-      if (Utilities::MPI::min(has_all ? 1 : 0, body.space.communicator()) == 0)
-        return "the fluidity is singular: a part of the strain does not flow";
-      return "";
-    }
-
-
-
     /** The load that counts as none beside this one. */
     template <int dim>
     double
@@ -161,11 +138,34 @@ namespace Crevasse
 
 
   template <int dim>
+  std::string
+  secular_obstacle(const Body<dim> &body)
+  {
+    if (!body.effects.viscosity.on)
+      return "without viscosity nothing flows";
+    if (body.law.has_spring())
+      return "the elastic spring of the chain bears the mean load";
+    if (body.material.fluidity_varies())
+      return "the viscosity varies in time, and not by [Material] Viscosity "
+             "time factor alone";
+    const MaterialState<dim> material = body.material.at(0.);
+    bool                     has_all  = false;
+    collectively(body.space.communicator(),
+                 [&]() { has_all = has_viscosity<dim>(material); });
+    if (Utilities::MPI::min(has_all ? 1 : 0, body.space.communicator()) == 0)
+      return "the fluidity is singular: a part of the strain does not flow";
+    return "";
+  }
+
+
+
+  template <int dim>
   SecularSplit
   choose_secular_split(const Scene      &scene,
                        const Body<dim>  &body,
                        const StepList   &steps,
-                       const Integrator *integrator)
+                       const Integrator *integrator,
+                       const bool        needs_periodic_strain)
   {
     SecularSplit split;
     split.effect               = body.effects.secular_flow;
@@ -177,7 +177,7 @@ namespace Crevasse
         effect.why = setting + ": what flows is in the displacement";
         return split;
       }
-    const std::string reason = obstacle(body);
+    const std::string reason = secular_obstacle(body);
     if (!reason.empty())
       {
         if (wish == "on")
@@ -192,9 +192,10 @@ namespace Crevasse
                     split.mean_load);
     effect.on =
       split.mean_load.linfty_norm() > negligible_load(body, scene.loads.period);
+    split.is_split = effect.on && (wish == "on" || needs_periodic_strain);
     effect.why =
       !effect.on ? "the mean load vanishes"
-      : wish == "on"
+      : split.is_split
         ? "the mean load does not vanish: its flow is split off"
         : "the mean load does not vanish: beta is found, not split off";
     // Adaptive steps are found where the loads are.
@@ -202,7 +203,7 @@ namespace Crevasse
       return split;
     const std::string missed =
       missed_by_steps(body, split.mean_load, steps, *integrator);
-    if (!missed.empty() && wish == "on")
+    if (!missed.empty() && split.is_split)
       throw SceneError(setting + ": " + missed);
     if (!missed.empty())
       split.warning = "[Periodic state] Secular split: " + missed;
@@ -278,13 +279,15 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                               \
-  template SecularSplit choose_secular_split<dim>(const Scene &,       \
-                                                  const Body<dim> &,   \
-                                                  const StepList &,    \
-                                                  const Integrator *); \
-  template SecularFlow  solve_secular_problem<dim>(const Body<dim> &,  \
-                                                  const Vector &,     \
+#define INSTANTIATE(dim)                                              \
+  template std::string  secular_obstacle<dim>(const Body<dim> &);     \
+  template SecularSplit choose_secular_split<dim>(const Scene &,      \
+                                                  const Body<dim> &,  \
+                                                  const StepList &,   \
+                                                  const Integrator *, \
+                                                  const bool);        \
+  template SecularFlow  solve_secular_problem<dim>(const Body<dim> &, \
+                                                  const Vector &,    \
                                                   Solvers<dim> &)
 
   INSTANTIATE(2);

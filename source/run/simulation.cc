@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/contact/periodic_contact.h>
 #include <crevasse/contact/sweep.h>
 #include <crevasse/periodic/period_map.h>
 #include <crevasse/run/elastic_reference.h>
@@ -89,7 +90,14 @@ namespace Crevasse
     , relaxation_times(survey(body, survey_instants(steps, integrator.get())))
     , largest_thermal_strain(body.material.largest_thermal_strain(
         survey_instants(steps, integrator.get())))
-    , secular_split(choose_secular_split(scene, body, steps, integrator.get()))
+    , periodic_choice(
+        choose_periodic_method(scene, body, relaxation_times.largest))
+    , secular_split(
+        choose_secular_split(scene,
+                             body,
+                             steps,
+                             integrator.get(),
+                             periodic_choice.needs_periodic_strain()))
   {
     if (scene.output.elastic_comparison != "none")
       // Throws if there is nothing to compare with.
@@ -119,8 +127,15 @@ namespace Crevasse
   {
     Timer        timer;
     Solvers<dim> solvers(scene, body, steps, log, phases);
-    if (secular_split.effect.on && scene.periodic_state.maximum_periods > 0)
-      find_secular_flow(solvers);
+    std::optional<FourierResult> direct;
+    if (scene.periodic_state.maximum_periods > 0)
+      {
+        direct = solve_directly(solvers);
+        if (direct)
+          secular_flow = direct->flow;
+        else if (secular_split.effect.on)
+          find_secular_flow(solvers);
+      }
     if (!scene.contact.relaxation_table.empty())
       write_relaxation_table(scene, body, solvers, steps, log, directory);
 
@@ -139,10 +154,13 @@ namespace Crevasse
                            solvers,
                            steps,
                            integrator.get(),
+                           secular_flow ? &*secular_flow : nullptr,
                            log,
                            directory);
-      const PeriodicResult result =
-        march(solvers, together(outputs.observers(), others));
+      const PeriodicResult result = search(solvers,
+                                           direct ? &*direct : nullptr,
+                                           together(outputs.observers(),
+                                                    others));
       summarise(summary, solvers);
       outputs.finish(summary);
       if (body.effects.viscosity.on)
@@ -154,8 +172,9 @@ namespace Crevasse
       return result;
     }();
 
-    summary["stress_change"] = result.stress_change;
-    summary["periods"]       = result.periods;
+    summary["stress_change"]         = result.stress_change;
+    summary["stress_error_estimate"] = result.stress_error_estimate;
+    summary["periods"]               = result.periods;
     summary["converged"]     = // null: nothing was marched
       result.periods > 0 ? Summary(result.converged) : Summary();
     for (const auto &[name, seconds] :
@@ -214,31 +233,69 @@ namespace Crevasse
 
 
   template <int dim>
-  PeriodicResult
-  Simulation<dim>::march(Solvers<dim>                  &solvers,
-                         const std::vector<Observer *> &observers)
+  std::optional<FourierResult>
+  Simulation<dim>::solve_directly(Solvers<dim> &solvers)
   {
-    TimerOutput::Scope   phase(phases, "time stepping");
-    Evolution<dim>       evolution(body.strain_operator,
+    if (!periodic_choice.uses_fourier())
+      return {};
+    TimerOutput::Scope phase(phases, "direct in time");
+    PeriodicContact    contact;
+    try
+      {
+        FourierResult result =
+          solve_fourier_problem(scene,
+                                body,
+                                steps,
+                                solvers,
+                                relaxation_times.smallest,
+                                [&contact](const PeriodicContactProblem &p) {
+                                  return contact.solve(p);
+                                });
+        for (const std::string &line : describe(result, contact))
+          log.line(line);
+        return result;
+      }
+    catch (const NumericalError &error)
+      {
+        if (!periodic_choice.may_fall_back)
+          throw;
+        log.line("  warning: the direct method failed, anderson takes over: " +
+                 std::string(error.what()));
+        return {};
+      }
+  }
+
+
+
+  template <int dim>
+  PeriodicResult
+  Simulation<dim>::search(Solvers<dim>                  &solvers,
+                          const FourierResult           *direct,
+                          const std::vector<Observer *> &observers)
+  {
+    TimerOutput::Scope phase(phases, "time stepping");
+    Evolution<dim>     evolution(body.strain_operator,
                              body.points,
                              body.loads,
                              solvers);
-    PeriodMap<dim>       period_map(evolution,
+    PeriodMap<dim>     period_map(evolution,
                               integrator.get(),
                               *step_control,
                               steps);
-    ObservedPeriods<dim> periods(
-      period_map,
-      [&solvers]() { return solvers.statistics().vi_solves; },
-      observers,
-      scene.periodic_state.maximum_periods);
-    if (secular_flow && scene.periodic_state.secular_split == "on")
+    if (secular_flow && secular_split.is_split)
       evolution.split_off(*secular_flow);
     if (integrator != nullptr &&
         scene.time_integration.step_control == "adaptive")
       evolution.set_scales(instants_of_scale(body, steps));
-    const PeriodicResult result = find_periodic_state(scene, body, periods);
-    rate_evaluations            = evolution.n_rate_evaluations();
+    const PeriodicResult result =
+      PeriodicSearch<dim>(scene, body, periodic_choice, direct, log)
+        .run(
+          evolution,
+          period_map,
+          steps,
+          [&solvers]() { return solvers.statistics().vi_solves; },
+          observers);
+    rate_evaluations = evolution.n_rate_evaluations();
     return result;
   }
 

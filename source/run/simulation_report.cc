@@ -147,8 +147,8 @@ namespace Crevasse
   Simulation<dim>::summarise_secular_flow(Summary &summary) const
   {
     auto &secular = summary["secular"];
-    secular       = {{"on", secular_split.effect.on},
-                     {"why", secular_split.effect.why}};
+    secular["on"]  = secular_split.effect.on;
+    secular["why"] = secular_split.effect.why;
     if (!secular_flow)
       {
         // Measured: what the displacement gains over a period.

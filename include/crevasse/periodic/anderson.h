@@ -43,7 +43,8 @@ namespace Crevasse
       unsigned int delay; ///< periods before the first combination
       /** For the estimated error of the stress relative to its maximum; 0:
        * compute as many periods as are allowed. */
-      double tolerance;
+      double       tolerance;
+      unsigned int most_restarts; ///< then it counts as stagnant
     };
 
     Anderson(ObservedPeriods<dim>         &periods,

@@ -22,8 +22,9 @@ namespace Crevasse
   /** How the search for the periodic state ended. */
   enum class Ending
   {
-    converged,     ///< the estimated error is within the tolerance
-    out_of_periods ///< as many periods as allowed were computed
+    converged,      ///< the estimated error is within the tolerance
+    out_of_periods, ///< as many periods as allowed were computed
+    stagnant        ///< more periods would not help
   };
 
   /** A way to find the viscous strain with which a period begins and ends. */

@@ -12,6 +12,7 @@
 #ifndef crevasse_run_outputs_h
 #define crevasse_run_outputs_h
 
+#include <crevasse/output/contact_onset.h>
 #include <crevasse/output/drift.h>
 #include <crevasse/output/elastic_comparison.h>
 #include <crevasse/output/field_writer.h>
@@ -37,7 +38,8 @@ namespace Crevasse
   class Outputs
   {
   public:
-    /** All arguments must outlive this object. */
+    /** All arguments must outlive this object.
+     * @param flow that the mean load causes; null: none, or it is not known. */
     Outputs(const Scene                            &scene,
             const Body<dim>                        &body,
             const StressRecovery<dim>              &recovery,
@@ -45,6 +47,7 @@ namespace Crevasse
             Solvers<dim>                           &solvers,
             const StepList                         &steps,
             const Integrator                       *integrator,
+            const SecularFlow                      *flow,
             Log                                    &log,
             const std::string                      &directory);
 
@@ -79,6 +82,10 @@ namespace Crevasse
     void
     finish_comparison(Summary &summary) const;
 
+    /** summary.json "secular": when the lip is free of the flow's start. */
+    void
+    finish_onset(Summary &summary) const;
+
     const Body<dim>  &body;
     const StepList   &steps;
     Log              &log;
@@ -90,6 +97,7 @@ namespace Crevasse
 
     // Some of the above, where they are on.
     ContactTable<dim> *contact_table  = nullptr;
+    ContactOnset<dim> *onset          = nullptr;
     Drift             *drift          = nullptr;
     ElasticComparison *comparison     = nullptr;
     FieldWriter<dim>  *fields         = nullptr;

@@ -13,20 +13,68 @@
 #ifndef crevasse_run_periodic_search_h
 #define crevasse_run_periodic_search_h
 
+#include <crevasse/output/log.h>
 #include <crevasse/periodic/observed_periods.h>
 #include <crevasse/run/body.h>
+#include <crevasse/run/fourier_problem.h>
+#include <crevasse/run/periodic_choice.h>
 #include <crevasse/scene/scene.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
 
 namespace Crevasse
 {
-  /** Finds the periodic state by the method of the scene, from rest.
-   *
-   * @param periods of the scene's steps and scheme. */
+  /** The search for the periodic state, by the method chosen. */
   template <int dim>
-  PeriodicResult
-  find_periodic_state(const Scene          &scene,
-                      const Body<dim>      &body,
-                      ObservedPeriods<dim> &periods);
+  class PeriodicSearch
+  {
+  public:
+    /** All arguments must outlive this object.
+     *
+     * @param direct what the direct method has found; null: it was not called
+     * for, or has failed. */
+    PeriodicSearch(const Scene          &scene,
+                   const Body<dim>      &body,
+                   const PeriodicChoice &choice,
+                   const FourierResult  *direct,
+                   Log                  &log);
+
+    /**
+     * Searches from rest, or from what was found directly.
+     *
+     * @param evolution of q, if the choice needs a periodic strain.
+     * @param period_map of the scene's steps and scheme, for that evolution.
+     * @throw NumericalError if what was found directly is not a solution.
+     */
+    PeriodicResult
+    run(Evolution<dim>                                   &evolution,
+        PeriodMap<dim>                                   &period_map,
+        StepList                                         &steps,
+        const typename ObservedPeriods<dim>::SolveCount &n_solves,
+        const std::vector<Observer *>                    &observers) const;
+
+  private:
+    /** Shows the period that was found, and compares it with its states. */
+    PeriodicResult
+    show(Evolution<dim>                                   &evolution,
+         StepList                                         &steps,
+         const typename ObservedPeriods<dim>::SolveCount &n_solves,
+         const std::vector<Observer *>                    &observers) const;
+
+    Ending
+    march(ObservedPeriods<dim> &periods, Vector &r) const;
+
+    Ending
+    accelerate(ObservedPeriods<dim> &periods, Vector &r) const;
+
+    const Scene          &scene;
+    const Body<dim>      &body;
+    const PeriodicChoice &choice;
+    const FourierResult  *direct;
+    Log                  &log;
+  };
 } // namespace Crevasse
 
 #endif

@@ -27,13 +27,21 @@ namespace Crevasse
   /** Whether a scene is computed in the split form, u = βt + q. */
   struct SecularSplit
   {
-    Effects::Effect effect;
+    Effects::Effect effect; ///< on: there is a flow, found on its own
+    bool            is_split = false; ///< whether q is computed, and not u
     Vector          mean_load; ///< f̄, where it was needed
     std::string     warning;   ///< empty: none
   };
 
+  /** Why no secular flow can be split off; empty if it can. Collective. */
+  template <int dim>
+  std::string
+  secular_obstacle(const Body<dim> &body);
+
   /**
    * @param integrator null without viscosity.
+   * @param needs_periodic_strain whether the method splits the flow off in any
+   * case where there is one.
    * @throw SceneError if [Periodic state] Secular split = on, but the material
    * has no secular flow that splits off, or the steps see another mean load
    * than there is.
@@ -43,7 +51,8 @@ namespace Crevasse
   choose_secular_split(const Scene      &scene,
                        const Body<dim>  &body,
                        const StepList   &steps,
-                       const Integrator *integrator);
+                       const Integrator *integrator,
+                       const bool        needs_periodic_strain);
 
   /** Solves the secular problem. What it costs is added to the statistics of
    * the solvers. */

@@ -18,6 +18,8 @@
 #include <crevasse/output/summary.h>
 #include <crevasse/periodic/observed_periods.h>
 #include <crevasse/run/body.h>
+#include <crevasse/run/fourier_problem.h>
+#include <crevasse/run/periodic_choice.h>
 #include <crevasse/run/secular_problem.h>
 #include <crevasse/run/solvers.h>
 #include <crevasse/scene/problems.h>
@@ -87,8 +89,15 @@ namespace Crevasse
     void
     find_secular_flow(Solvers<dim> &solvers);
 
+    /** What is solved direct in time; nothing if the method does without, or
+     * if it fails and another one takes over. */
+    std::optional<FourierResult>
+    solve_directly(Solvers<dim> &solvers);
+
     PeriodicResult
-    march(Solvers<dim> &solvers, const std::vector<Observer *> &observers);
+    search(Solvers<dim>                  &solvers,
+           const FourierResult           *direct,
+           const std::vector<Observer *> &observers);
 
     /** What integrator and step control have to say. */
     void
@@ -115,6 +124,7 @@ namespace Crevasse
     std::unique_ptr<StepControl>           step_control;
     const RelaxationTimes                  relaxation_times;
     const double                           largest_thermal_strain;
+    const PeriodicChoice                   periodic_choice;
     SecularSplit                           secular_split;
     std::optional<SecularFlow>             secular_flow;
     std::size_t                            rate_evaluations = 0;

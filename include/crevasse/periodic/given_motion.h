@@ -1,0 +1,91 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_periodic_given_motion_h
+#define crevasse_periodic_given_motion_h
+
+#include <crevasse/periodic/fourier.h>
+#include <crevasse/periodic/observer.h>
+#include <crevasse/time/integrator.h>
+
+namespace Crevasse
+{
+  /**
+   * Goes through a motion that is known already as if it were integrated: each
+   * state is evaluated by its own contact problem, shown, and compared with the
+   * motion. What was solved for all instants at once is so verified instant by
+   * instant, by what marches use.
+   */
+  class GivenMotion : public Integrator, public Observer
+  {
+  public:
+    /** @param motion at the beginnings of equal steps; it must outlive this
+     * object.
+     * @param rule by which it was found. */
+    GivenMotion(const PeriodicMotion &motion, const TimeRule rule);
+
+    void
+    restart() override;
+
+    void
+    start(RateEquation &f,
+          const double  t,
+          const Vector &r,
+          Vector       &rate) override;
+
+    /** Only from the beginning of one step to the next. */
+    void
+    advance(RateEquation &f,
+            const double  t,
+            const double  time_step,
+            const Vector &rate,
+            Vector       &r,
+            Vector       *error) override;
+
+    void
+    observe(const Sample &sample) override;
+
+    double
+    stability_limit() const override;
+
+    TimeQuadrature
+    quadrature() const override;
+
+    std::string
+    description() const override;
+
+    /** Largest difference of displacement, contact force or, by the trapezoidal
+     * rule, viscous strain to what the motion says, relative to the largest
+     * value of its kind. Collective; for a whole period. */
+    double
+    largest_defect() const;
+
+  private:
+    const PeriodicMotion &motion;
+    const TimeRule        rule;
+
+    unsigned int step = 0;
+    Vector       last_rate, defect;
+    double       last_step = 0.;
+
+    /** A difference and the size of what differs. */
+    struct Difference
+    {
+      double largest = 0., size = 0.;
+      void
+      add(const double a, const double b);
+    };
+    Difference displacement, force, viscous_strain;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,63 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_run_periodic_choice_h
+#define crevasse_run_periodic_choice_h
+
+#include <crevasse/run/body.h>
+#include <crevasse/scene/scene.h>
+
+#include <string>
+
+namespace Crevasse
+{
+  /** By what a run finds its periodic state. */
+  struct PeriodicChoice
+  {
+    std::string method; ///< march, anderson or fourier
+    bool        starts_from_fourier = false;
+    /** Whether another method takes over where one fails. */
+    bool        may_fall_back = false;
+    std::string why;
+
+    /** Whether something is solved direct in time. */
+    bool
+    uses_fourier() const;
+
+    /** Whether r must be periodic, and so a secular flow split off. */
+    bool
+    needs_periodic_strain() const;
+
+    /** One line for the log. */
+    std::string
+    describe() const;
+  };
+
+  /**
+   * What the scene says; "automatic" takes the direct method where nothing but
+   * the loads depends on time, as a start for schemes other than its own, and
+   * else Anderson's acceleration, unless r may flow in an unknown way.
+   * Collective.
+   *
+   * @param largest_relaxation_time Stress that is forgotten within a period
+   * needs no start.
+   * @throw SceneError if the direct method is asked for and cannot do the
+   * scene.
+   */
+  template <int dim>
+  PeriodicChoice
+  choose_periodic_method(const Scene     &scene,
+                         const Body<dim> &body,
+                         const double     largest_relaxation_time);
+} // namespace Crevasse
+
+#endif

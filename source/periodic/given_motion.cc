@@ -1,0 +1,138 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/periodic/given_motion.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Crevasse
+{
+  GivenMotion::GivenMotion(const PeriodicMotion &motion, const TimeRule rule)
+    : motion(motion)
+    , rule(rule)
+  {
+  }
+
+
+
+  void
+  GivenMotion::restart()
+  {
+    step = 0;
+  }
+
+
+
+  void
+  GivenMotion::start(RateEquation &f,
+                     const double  t,
+                     const Vector &r,
+                     Vector       &rate)
+  {
+    f.rate(t, r, rate);
+    if (step > 0 && rule == TimeRule::trapezoid)
+      {
+        defect = r;
+        defect -= motion.viscous_strain[step - 1];
+        defect.add(-0.5 * last_step, last_rate, -0.5 * last_step, rate);
+        viscous_strain.largest =
+          std::max(viscous_strain.largest, defect.linfty_norm());
+        viscous_strain.size =
+          std::max(viscous_strain.size, last_step * rate.linfty_norm());
+      }
+    last_rate = rate;
+  }
+
+
+
+  void
+  GivenMotion::advance(RateEquation &,
+                       const double,
+                       const double time_step,
+                       const Vector &,
+                       Vector &r,
+                       Vector *)
+  {
+    ++step;
+    last_step = time_step;
+    r         = motion.viscous_strain[step % motion.viscous_strain.size()];
+  }
+
+
+
+  void
+  GivenMotion::Difference::add(const double a, const double b)
+  {
+    largest = std::max(largest, std::abs(a - b));
+    size    = std::max(size, std::abs(a));
+  }
+
+
+
+  void
+  GivenMotion::observe(const Sample &sample)
+  {
+    const unsigned int j = sample.step % motion.displacement.size();
+    const Vector      &q = sample.state.displacement;
+    for (unsigned int i = 0; i < q.locally_owned_size(); ++i)
+      displacement.add(q.local_element(i),
+                       motion.displacement[j].local_element(i));
+    for (unsigned int k = 0; k < sample.state.contact_forces.size(); ++k)
+      force.add(sample.state.contact_forces[k], motion.contact_forces[j][k]);
+  }
+
+
+
+  double
+  GivenMotion::stability_limit() const
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+
+
+
+  TimeQuadrature
+  GivenMotion::quadrature() const
+  {
+    return {{0., 1.}, {0.5, 0.5}};
+  }
+
+
+
+  std::string
+  GivenMotion::description() const
+  {
+    return "direct in time";
+  }
+
+
+
+  double
+  GivenMotion::largest_defect() const
+  {
+    const MPI_Comm communicator =
+      motion.displacement.front().get_mpi_communicator();
+    double worst = 0.;
+    for (Difference all : {displacement, force, viscous_strain})
+      {
+        all.largest = dealii::Utilities::MPI::max(all.largest, communicator);
+        all.size    = dealii::Utilities::MPI::max(all.size, communicator);
+        if (all.size > 0.)
+          worst = std::max(worst, all.largest / all.size);
+      }
+    return worst;
+  }
+} // namespace Crevasse

@@ -1,0 +1,137 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/run/fourier_problem.h>
+#include <crevasse/run/periodic_choice.h>
+#include <crevasse/run/secular_problem.h>
+#include <crevasse/scene/text.h>
+
+namespace Crevasse
+{
+  namespace
+  {
+    constexpr const char *section = PeriodicStateParameters::section;
+
+
+
+    /** What a scene without viscosity needs. */
+    PeriodicChoice
+    one_period()
+    {
+      return {"march", false, false, "without viscosity one period tells all"};
+    }
+
+
+
+    template <int dim>
+    PeriodicChoice
+    choose_automatically(const Scene     &scene,
+                         const Body<dim> &body,
+                         const double     largest_relaxation_time)
+    {
+      // Of the period: then stress falls by 1e-4 within it.
+      constexpr double  short_time = 0.1;
+      const std::string automatic  = "automatic: ";
+      const bool        forgets =
+        largest_relaxation_time <= short_time * scene.loads.period;
+      const std::vector<std::string> obstacles = fourier_obstacles(scene, body);
+      if (scene.periodic_state.secular_split == "off")
+        return {"march",
+                false,
+                true,
+                automatic + "Secular split = off leaves what flows in the "
+                            "viscous strain"};
+      if (obstacles.empty() && scene.time_integration.scheme == "trapezoid")
+        return {"fourier",
+                false,
+                true,
+                automatic + "nothing but the loads depends on time"};
+      if (const std::string flow = secular_obstacle(body);
+          !flow.empty() && !body.law.has_spring())
+        return {"march",
+                false,
+                true,
+                automatic + "whether the viscous strain is periodic is not "
+                            "known, for " +
+                  flow};
+      if (forgets)
+        return {"anderson",
+                false,
+                true,
+                automatic + "the stress is forgotten within a period"};
+      if (obstacles.empty())
+        return {"anderson",
+                true,
+                true,
+                automatic + "nothing but the loads depends on time; the last "
+                            "periods bring in what is the scheme's own"};
+      return {"anderson", false, true, automatic + obstacles.front()};
+    }
+  } // namespace
+
+
+
+  bool
+  PeriodicChoice::uses_fourier() const
+  {
+    return starts_from_fourier || method == "fourier";
+  }
+
+
+
+  bool
+  PeriodicChoice::needs_periodic_strain() const
+  {
+    return method != "march";
+  }
+
+
+
+  std::string
+  PeriodicChoice::describe() const
+  {
+    return method + (starts_from_fourier ? ", started from fourier" : "") +
+           " (" + why + ')';
+  }
+
+
+
+  template <int dim>
+  PeriodicChoice
+  choose_periodic_method(const Scene     &scene,
+                         const Body<dim> &body,
+                         const double     largest_relaxation_time)
+  {
+    const PeriodicStateParameters &parameters = scene.periodic_state;
+    if (parameters.method == "automatic")
+      return body.effects.viscosity.on ?
+               choose_automatically(scene, body, largest_relaxation_time) :
+               one_period();
+
+    const bool     starts_from_fourier = parameters.start_from == "fourier";
+    PeriodicChoice choice{parameters.method,
+                          starts_from_fourier,
+                          false,
+                          Text::parameter(section, "Method") + " = " +
+                            parameters.method};
+    if (choice.uses_fourier())
+      require_fourier(scene, body);
+    return body.effects.viscosity.on ? choice : one_period();
+  }
+
+
+
+  template PeriodicChoice
+  choose_periodic_method<2>(const Scene &, const Body<2> &, const double);
+  template PeriodicChoice
+  choose_periodic_method<3>(const Scene &, const Body<3> &, const double);
+} // namespace Crevasse
