@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/contact/periodic_contact.h>
 #include <crevasse/periodic/secular.h>
 #include <crevasse/run/fourier_problem.h>
 #include <crevasse/run/secular_problem.h>
@@ -43,7 +44,7 @@ namespace Crevasse
     /** What of the material the method cannot do, with what can. */
     template <int dim>
     std::vector<std::string>
-    obstacles(const Body<dim> &body)
+    material_obstacles(const Body<dim> &body)
     {
       const std::string instead = "; use [Periodic state] Method = anderson";
       const Effects    &effects = body.effects;
@@ -60,9 +61,8 @@ namespace Crevasse
                         effects.varying_viscosity.why + instead);
       if (body.law.has_spring())
         found.push_back(
-          "the fractions of [Material] Chain have a sum below 1, and the "
-          "spring "
-          "that is left bears the mean load" +
+          "the fractions of [Material] Chain have a sum below 1, "
+          "and the spring that is left bears the mean load" +
           instead);
       if (found.empty() && !flows_everywhere(body))
         found.push_back(
@@ -108,19 +108,47 @@ namespace Crevasse
 
 
 
+  std::vector<std::string>
+  FourierResult::describe() const
+  {
+    std::vector<std::string> lines = {
+      "  direct in time: " + std::to_string(motion.loaded_harmonics) +
+      " harmonics, " + std::to_string(motion.complex_factorisations) +
+      " complex factorisations"};
+    if (!contact.empty())
+      lines.push_back("  periodic contact at " +
+                      std::to_string(motion.instants_of_contact.size()) +
+                      " nodes: " + contact);
+    for (const std::string &warning : warnings)
+      lines.push_back("  warning: " + warning);
+    return lines;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  fourier_obstacles(const Scene &scene, const Body<dim> &body)
+  {
+    std::vector<std::string> all = material_obstacles(body);
+    if (scene.time_integration.step_control != "uniform")
+      all.push_back(
+        "harmonics need equal steps; set [Time integration] Step "
+        "control = uniform, or use [Periodic state] Method = "
+        "anderson");
+    return all;
+  }
+
+
+
   template <int dim>
   void
   require_fourier(const Scene &scene, const Body<dim> &body)
   {
-    const std::string method = "[Periodic state] Method = fourier: ";
-    Problems          problems;
-    for (const std::string &obstacle : obstacles(body))
-      problems.add(method + obstacle + ".");
-    if (scene.time_integration.step_control != "uniform")
-      problems.add(method +
-                   "harmonics need equal steps; set [Time integration] "
-                   "Step control = uniform, or use [Periodic state] "
-                   "Method = anderson.");
+    Problems problems;
+    for (const std::string &obstacle : fourier_obstacles(scene, body))
+      problems.add(
+        "[Periodic state] Method or Start from = fourier: " + obstacle + ".");
     problems.throw_if_any();
   }
 
@@ -128,18 +156,19 @@ namespace Crevasse
 
   template <int dim>
   FourierResult
-  solve_fourier_problem(
-    const Scene                                &scene,
-    const Body<dim>                            &body,
-    const StepList                             &steps,
-    Solvers<dim>                               &solvers,
-    const TimeRule                              rule,
-    const double                                smallest_relaxation_time,
-    const typename Fourier<dim>::ContactMethod &solve_contact)
+  solve_fourier_problem(const Scene     &scene,
+                        const Body<dim> &body,
+                        const StepList  &steps,
+                        Solvers<dim>    &solvers,
+                        const double     smallest_relaxation_time)
   {
     require_fourier(scene, body);
-    dealii::TimerOutput   &phases = solvers.settings().phases;
-    const Harmonics        harmonics(steps.period(), steps.n_steps(), rule);
+    FourierResult result;
+    result.rule                 = scene.periodic_state.harmonics == "exact"
+                                    ? TimeRule::exact
+                                    : TimeRule::trapezoid;
+    dealii::TimerOutput &phases = solvers.settings().phases;
+    const Harmonics harmonics(steps.period(), steps.n_steps(), result.rule);
     const UnilateralBounds bounds = unilateral_bounds(body.lip);
     solvers.at(0.);
     const Fourier<dim> fourier({body.space,
@@ -151,19 +180,22 @@ namespace Crevasse
                                 solvers.current().linear_solver()},
                                harmonics);
 
-    FourierResult result;
-    const Vector  mean_load = fourier.mean_load();
+    const Vector mean_load = fourier.mean_load();
     if (mean_load.linfty_norm() > fourier.negligible_load())
       {
         TimerOutput::Scope phase(phases, "secular problem");
         result.flow = solve_secular_problem(body, mean_load, solvers);
       }
     TimerOutput::Scope phase(phases, "harmonics");
+    PeriodicContact    contact;
     result.motion = fourier.solve(
       result.flow ? &*result.flow : nullptr,
       [&](const PeriodicContactProblem &problem) {
-        TimerOutput::Scope phase(phases, "periodic contact");
-        return solve_contact(problem);
+        TimerOutput::Scope            phase(phases, "periodic contact");
+        const PeriodicContactSolution solution = contact.solve(problem);
+        result.contact = contact.statistics().describe() +
+                         ", certificate: " + contact.certificate().describe();
+        return solution;
       },
       1024. * 1024. * scene.linear_solver.memory_for_instants);
     result.warnings = warnings_about(result.motion,
@@ -175,15 +207,14 @@ namespace Crevasse
 
 
 #define INSTANTIATE(dim)                                                         \
+  template std::vector<std::string> fourier_obstacles<dim>(const Scene &,        \
+                                                           const Body<dim> &);   \
   template void          require_fourier<dim>(const Scene &, const Body<dim> &); \
-  template FourierResult solve_fourier_problem<dim>(                             \
-    const Scene &,                                                               \
-    const Body<dim> &,                                                           \
-    const StepList &,                                                            \
-    Solvers<dim> &,                                                              \
-    const TimeRule,                                                              \
-    const double,                                                                \
-    const typename Fourier<dim>::ContactMethod &)
+  template FourierResult solve_fourier_problem<dim>(const Scene &,               \
+                                                    const Body<dim> &,           \
+                                                    const StepList &,            \
+                                                    Solvers<dim> &,              \
+                                                    const double)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -48,8 +48,9 @@ namespace Crevasse
         return {"march",
                 false,
                 true,
-                automatic + "Secular split = off leaves what flows in the "
-                            "viscous strain"};
+                automatic +
+                  "Secular split = off leaves what flows in the "
+                  "viscous strain"};
       if (obstacles.empty() && scene.time_integration.scheme == "trapezoid")
         return {"fourier",
                 false,
@@ -60,8 +61,9 @@ namespace Crevasse
         return {"march",
                 false,
                 true,
-                automatic + "whether the viscous strain is periodic is not "
-                            "known, for " +
+                automatic +
+                  "whether the viscous strain is periodic is not "
+                  "known, for " +
                   flow};
       if (forgets)
         return {"anderson",
@@ -72,8 +74,9 @@ namespace Crevasse
         return {"anderson",
                 true,
                 true,
-                automatic + "nothing but the loads depends on time; the last "
-                            "periods bring in what is the scheme's own"};
+                automatic +
+                  "nothing but the loads depends on time; the last "
+                  "periods bring in what is the scheme's own"};
       return {"anderson", false, true, automatic + obstacles.front()};
     }
   } // namespace
@@ -113,9 +116,9 @@ namespace Crevasse
   {
     const PeriodicStateParameters &parameters = scene.periodic_state;
     if (parameters.method == "automatic")
-      return body.effects.viscosity.on ?
-               choose_automatically(scene, body, largest_relaxation_time) :
-               one_period();
+      return body.effects.viscosity.on
+               ? choose_automatically(scene, body, largest_relaxation_time)
+               : one_period();
 
     const bool     starts_from_fourier = parameters.start_from == "fourier";
     PeriodicChoice choice{parameters.method,

@@ -56,9 +56,9 @@ namespace Crevasse
                                  n_solves,
                                  observers,
                                  scene.periodic_state.maximum_periods);
-    Ending ending = choice.method == "march" ?
-                      march(periods, viscous_strain) :
-                      accelerate(periods, viscous_strain);
+    Ending               ending = choice.method == "march"
+                                    ? march(periods, viscous_strain)
+                                    : accelerate(periods, viscous_strain);
     if (ending == Ending::stagnant && choice.may_fall_back)
       {
         log.line("  anderson stagnates: march");
@@ -124,8 +124,8 @@ namespace Crevasse
   PeriodicSearch<dim>::accelerate(ObservedPeriods<dim> &periods,
                                   Vector               &r) const
   {
-    const PeriodicStateParameters &parameters = scene.periodic_state;
-    const EnergyCoordinates<dim>   coordinates(body.space,
+    const PeriodicStateParameters   &parameters = scene.periodic_state;
+    const EnergyCoordinates<dim>     coordinates(body.space,
                                              body.points,
                                              body.material.at(0.));
     typename Anderson<dim>::Settings settings;

@@ -9,7 +9,6 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/contact/periodic_contact.h>
 #include <crevasse/contact/sweep.h>
 #include <crevasse/periodic/period_map.h>
 #include <crevasse/run/elastic_reference.h>
@@ -125,8 +124,8 @@ namespace Crevasse
   Simulation<dim>::run(const std::string             &directory,
                        const std::vector<Observer *> &others)
   {
-    Timer        timer;
-    Solvers<dim> solvers(scene, body, steps, log, phases);
+    Timer                        timer;
+    Solvers<dim>                 solvers(scene, body, steps, log, phases);
     std::optional<FourierResult> direct;
     if (scene.periodic_state.maximum_periods > 0)
       {
@@ -157,10 +156,10 @@ namespace Crevasse
                            secular_flow ? &*secular_flow : nullptr,
                            log,
                            directory);
-      const PeriodicResult result = search(solvers,
-                                           direct ? &*direct : nullptr,
-                                           together(outputs.observers(),
-                                                    others));
+      const PeriodicResult result =
+        search(solvers,
+               direct ? &*direct : nullptr,
+               together(outputs.observers(), others));
       summarise(summary, solvers);
       outputs.finish(summary);
       if (body.effects.viscosity.on)
@@ -175,7 +174,7 @@ namespace Crevasse
     summary["stress_change"]         = result.stress_change;
     summary["stress_error_estimate"] = result.stress_error_estimate;
     summary["periods"]               = result.periods;
-    summary["converged"]     = // null: nothing was marched
+    summary["converged"]             = // null: nothing was marched
       result.periods > 0 ? Summary(result.converged) : Summary();
     for (const auto &[name, seconds] :
          phases.get_summary_data(TimerOutput::total_wall_time))
@@ -239,19 +238,11 @@ namespace Crevasse
     if (!periodic_choice.uses_fourier())
       return {};
     TimerOutput::Scope phase(phases, "direct in time");
-    PeriodicContact    contact;
     try
       {
-        FourierResult result =
-          solve_fourier_problem(scene,
-                                body,
-                                steps,
-                                solvers,
-                                relaxation_times.smallest,
-                                [&contact](const PeriodicContactProblem &p) {
-                                  return contact.solve(p);
-                                });
-        for (const std::string &line : describe(result, contact))
+        FourierResult result = solve_fourier_problem(
+          scene, body, steps, solvers, relaxation_times.smallest);
+        for (const std::string &line : result.describe())
           log.line(line);
         return result;
       }

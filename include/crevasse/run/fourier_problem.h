@@ -30,8 +30,23 @@ namespace Crevasse
   {
     PeriodicMotion             motion;
     std::optional<SecularFlow> flow; ///< none: the mean load vanishes
+    TimeRule                   rule = TimeRule::trapezoid;
     std::vector<std::string>   warnings;
+
+    /** How the contact problem was solved; empty if no node bears a mean
+     * force. */
+    std::string contact;
+
+    /** Lines for the log. */
+    std::vector<std::string>
+    describe() const;
   };
+
+  /** Why the direct treatment in time cannot do a scene, and what can; empty if
+   * it can. Collective. */
+  template <int dim>
+  std::vector<std::string>
+  fourier_obstacles(const Scene &scene, const Body<dim> &body);
 
   /** Whether the direct treatment in time can do a scene. Collective.
    * @throw SceneError with all that it cannot do, and what to use instead. */
@@ -44,20 +59,16 @@ namespace Crevasse
    * secular flow is that of the mean of the samples. Collective.
    *
    * @param smallest_relaxation_time of the material, for a warning.
-   * @param solve_contact see Fourier::solve().
    * @throw SceneError see require_fourier(); NumericalError if one of the
    * problems is not solved.
    */
   template <int dim>
   FourierResult
-  solve_fourier_problem(
-    const Scene                                &scene,
-    const Body<dim>                            &body,
-    const StepList                             &steps,
-    Solvers<dim>                               &solvers,
-    const TimeRule                              rule,
-    const double                                smallest_relaxation_time,
-    const typename Fourier<dim>::ContactMethod &solve_contact);
+  solve_fourier_problem(const Scene     &scene,
+                        const Body<dim> &body,
+                        const StepList  &steps,
+                        Solvers<dim>    &solvers,
+                        const double     smallest_relaxation_time);
 } // namespace Crevasse
 
 #endif

@@ -49,19 +49,19 @@ namespace Crevasse
      * @throw NumericalError if what was found directly is not a solution.
      */
     PeriodicResult
-    run(Evolution<dim>                                   &evolution,
-        PeriodMap<dim>                                   &period_map,
-        StepList                                         &steps,
+    run(Evolution<dim>                                  &evolution,
+        PeriodMap<dim>                                  &period_map,
+        StepList                                        &steps,
         const typename ObservedPeriods<dim>::SolveCount &n_solves,
-        const std::vector<Observer *>                    &observers) const;
+        const std::vector<Observer *>                   &observers) const;
 
   private:
     /** Shows the period that was found, and compares it with its states. */
     PeriodicResult
-    show(Evolution<dim>                                   &evolution,
-         StepList                                         &steps,
+    show(Evolution<dim>                                  &evolution,
+         StepList                                        &steps,
          const typename ObservedPeriods<dim>::SolveCount &n_solves,
-         const std::vector<Observer *>                    &observers) const;
+         const std::vector<Observer *>                   &observers) const;
 
     Ending
     march(ObservedPeriods<dim> &periods, Vector &r) const;
