@@ -15,6 +15,7 @@
 
 #include <crevasse/output/log.h>
 #include <crevasse/periodic/observed_periods.h>
+#include <crevasse/periodic/periodic_method.h>
 #include <crevasse/run/body.h>
 #include <crevasse/run/fourier_problem.h>
 #include <crevasse/run/periodic_choice.h>
