@@ -159,9 +159,9 @@ namespace Crevasse
       mumps.a_loc   = for_mumps(triangle.values);
       run(1, "the analysis");
       factorise_in_enough_memory();
-      // INFO(18): what the factorisation was given on this rank, in 10⁶ bytes,
+      // INFO(16): what the factorisation was given on this rank, in 10⁶ bytes,
       // rounded down.
-      bytes = std::size_t(1000000) * (mumps.info[17] + 1);
+      bytes = std::size_t(1000000) * (mumps.info[15] + 1);
       // What is no longer there is not looked for either.
       mumps.irn_loc = mumps.jcn_loc = mumps.perm_in = nullptr;
       mumps.a_loc = mumps.schur = nullptr;
