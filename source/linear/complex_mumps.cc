@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/linear/complex_mumps.h>
+#include <crevasse/linear/complex_product.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 
@@ -17,9 +18,8 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <Epetra_CrsMatrix.h>
+#include <algorithm>
 #include <exception>
-#include <limits>
-#include <numeric>
 #include <zmumps_c.h>
 
 namespace Crevasse
@@ -70,26 +70,6 @@ namespace Crevasse
       std::vector<int>     rows, columns;
       std::vector<Complex> values;
     };
-
-
-
-    /** (A' + iA'') (x' + ix'') */
-    void
-    multiply(const ComplexMumps::Matrix &real,
-             const ComplexMumps::Matrix &imaginary,
-             const ComplexMumps::Vector &x_real,
-             const ComplexMumps::Vector &x_imaginary,
-             ComplexMumps::Vector       &y_real,
-             ComplexMumps::Vector       &y_imaginary)
-    {
-      ComplexMumps::Vector product(y_real);
-      real.vmult(y_real, x_real);
-      imaginary.vmult(product, x_imaginary);
-      y_real -= product;
-      real.vmult(y_imaginary, x_imaginary);
-      imaginary.vmult(product, x_real);
-      y_imaginary += product;
-    }
   } // namespace
 
 
@@ -159,9 +139,9 @@ namespace Crevasse
       mumps.a_loc   = for_mumps(triangle.values);
       run(1, "the analysis");
       factorise_in_enough_memory();
-      // INFO(18): what the factorisation was given on this rank, in 10⁶ bytes,
+      // INFO(16): what the factorisation was given on this rank, in 10⁶ bytes,
       // rounded down.
-      bytes = std::size_t(1000000) * (mumps.info[17] + 1);
+      bytes = std::size_t(1000000) * (mumps.info[15] + 1);
       // What is no longer there is not looked for either.
       mumps.irn_loc = mumps.jcn_loc = mumps.perm_in = nullptr;
       mumps.a_loc = mumps.schur = nullptr;
@@ -366,16 +346,16 @@ namespace Crevasse
   ComplexMumps::check(const Matrix &real, const Matrix &imaginary) const
   {
     constexpr double tolerance = 1e-8;
-    Vector           x_real(real.locally_owned_range_indices(),
-                  real.get_mpi_communicator());
-    Vector           x_imaginary(x_real), b_real(x_real), b_imaginary(x_real);
-    x_real = 1.;
-    multiply(real, imaginary, x_real, x_imaginary, b_real, b_imaginary);
+    Vector one(real.locally_owned_range_indices(), real.get_mpi_communicator());
+    Vector zero(one);
+    one = 1.;
+    Vector b_real(one), b_imaginary(one), x_real, x_imaginary;
+    complex_product(real, imaginary, one, zero, b_real, b_imaginary);
     x_real      = b_real;
     x_imaginary = b_imaginary;
     solve(x_real, x_imaginary);
-    Vector y_real(b_real), y_imaginary(b_real);
-    multiply(real, imaginary, x_real, x_imaginary, y_real, y_imaginary);
+    Vector &y_real = one, &y_imaginary = zero; // no longer needed
+    complex_product(real, imaginary, x_real, x_imaginary, y_real, y_imaginary);
     y_real -= b_real;
     y_imaginary -= b_imaginary;
     const double residual =

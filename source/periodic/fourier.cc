@@ -26,16 +26,19 @@ namespace Crevasse
 
 
 
-    /** Those bounds that bear a mean force. Collective. */
+    /** Those bounds that bear a mean force. Collective.
+     *
+     * @param size of the forces: what is far below it is rounding. */
     std::vector<bool>
     loaded_bounds(const SecularFlow      *flow,
                   const UnilateralBounds &bounds,
+                  const double            size,
                   const MPI_Comm          communicator)
     {
       std::vector<bool> loaded(bounds.dofs.size(), false);
       if (flow == nullptr)
         return loaded;
-      double largest = 0.;
+      double largest = size;
       for (const double force : flow->contact_forces)
         largest = std::max(largest, force);
       largest = Utilities::MPI::max(largest, communicator);
@@ -146,7 +149,10 @@ namespace Crevasse
     const MPI_Comm         communicator = parts.space.communicator();
     const LipPart          part(communicator,
                        parts.bounds,
-                       loaded_bounds(flow, parts.bounds, communicator));
+                       loaded_bounds(flow,
+                                     parts.bounds,
+                                     mean_load().linfty_norm(),
+                                     communicator));
     HarmonicResponses<dim> responses(
       parts.space, parts.points, material, parts.linear_solver, part, memory);
 

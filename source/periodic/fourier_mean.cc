@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace Crevasse
@@ -80,21 +81,22 @@ namespace Crevasse
       values[k] = lip.restrict_to_lip(motion.displacement[k]);
     harmonics.synthesise(values);
 
-    const dealii::Vector<double> offset  = lip.gather(part.scatter(offsets));
-    const dealii::Vector<double> is_part = lip.gather(part.scatter([&part]() {
-      dealii::Vector<double> ones(part.n_nodes());
-      ones = 1.;
-      return ones;
-    }()));
-    dealii::Vector<double>       mean(lip.n_nodes());
+    std::map<types::global_dof_index, double> offset_of;
+    for (unsigned int i = 0; i < part.n_nodes(); ++i)
+      offset_of[part.dofs()[i]] = offsets(i);
+    dealii::Vector<double> mean(lip.n_nodes());
     for (unsigned int i = 0; i < mean.size(); ++i)
-      {
-        double least = std::numeric_limits<double>::max();
-        for (const dealii::Vector<double> &value : values)
-          least = std::min(least, value(i));
-        // A node that bears no mean force is never pressed: it just touches.
-        mean(i) = lip.gaps()[i] + (is_part(i) > 0. ? offset(i) : -least);
-      }
+      if (const auto found = offset_of.find(lip.dofs()[i]);
+          found != offset_of.end())
+        mean(i) = lip.gaps()[i] + found->second;
+      else
+        {
+          // A node that bears no mean force is never pressed: it just touches.
+          double least = std::numeric_limits<double>::max();
+          for (const dealii::Vector<double> &value : values)
+            least = std::min(least, value(i));
+          mean(i) = lip.gaps()[i] - least;
+        }
     return mean;
   }
 

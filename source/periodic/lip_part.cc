@@ -108,7 +108,8 @@ namespace Crevasse
   LipPart::of_all_ranks(dealii::Vector<double> &&local) const
   {
     // What a rank does not own is zero there: the sum rounds nothing.
-    Utilities::MPI::sum(local, communicator, local);
+    if (n_nodes() > 0)
+      Utilities::MPI::sum(local, communicator, local);
     return std::move(local);
   }
 

@@ -301,6 +301,10 @@ namespace
 
     Scene scene = edge_crack(sine, "60*(1 + 4*y)");
     check_run("no mean load", scene, false);
+    Run open(edge_crack("0; 10*sin(2*pi*t/600) + 4", "60"), communicator);
+    open.check_samples("lip open in the mean");
+    check("lip open in the mean: a flow, but no node to solve for",
+          open.result.flow && open.result.motion.instants_of_contact.empty());
     check_run("contact", edge_crack(pressing, "60*(1 + 4*y)"), false);
     check_run("contact, one relaxation time", edge_crack(pressing, "60"), true);
 

@@ -1,0 +1,33 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_linear_complex_product_h
+#define crevasse_linear_complex_product_h
+
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+namespace Crevasse
+{
+  /** y = (A' + iA'') x, in real and imaginary parts. Collective.
+   *
+   * @param[out] y_real @p y_imaginary with the layout of the rows. */
+  void
+  complex_product(
+    const dealii::TrilinosWrappers::SparseMatrix             &real,
+    const dealii::TrilinosWrappers::SparseMatrix             &imaginary,
+    const dealii::LinearAlgebra::distributed::Vector<double> &x_real,
+    const dealii::LinearAlgebra::distributed::Vector<double> &x_imaginary,
+    dealii::LinearAlgebra::distributed::Vector<double>       &y_real,
+    dealii::LinearAlgebra::distributed::Vector<double>       &y_imaginary);
+} // namespace Crevasse
+
+#endif
