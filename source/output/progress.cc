@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 namespace Crevasse
@@ -51,7 +52,7 @@ namespace Crevasse
         Utilities::MPI::max(log.on_terminal() ? 1 : 0, communicator) == 1)
   {
     log.line("");
-    log.line("  period        t  change of stress  VIs");
+    log.line("  period        t  change of stress  estimated error  VIs");
   }
 
 
@@ -94,15 +95,18 @@ namespace Crevasse
   {
     // The first period has none before it from which its stress could change,
     // and adaptive steps may not be those of the period before.
-    const std::string change =
-      report.period == 1 || !std::isfinite(report.stress_change)
-        ? "-"
-        : format("%.6e", report.stress_change);
-    log.line(format("  %6u %8g  %16s %4zu",
-                    report.period,
-                    report.end_time,
-                    change.c_str(),
-                    report.vi_solves));
+    const auto shown = [](const double value, const char *pattern) {
+      return std::isfinite(value) ? format(pattern, value) : "-";
+    };
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    log.line(
+      format("  %6u %8g  %16s  %15s %4zu",
+             report.period,
+             report.end_time,
+             shown(report.period == 1 ? unknown : report.stress_change, "%.6e")
+               .c_str(),
+             shown(report.stress_error_estimate, "%.1e").c_str(),
+             report.vi_solves));
   }
 
 

@@ -28,33 +28,6 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  namespace
-  {
-    /** How many periods more it takes until the change of stress is below the
-     * tolerance if it goes on to fall as from the last but one period to the
-     * last, in brackets; nothing as long as this cannot be told. The first
-     * change, from no stress at all, says nothing. */
-    std::string
-    periods_to_go(const std::vector<double> &changes, const double tolerance)
-    {
-      if (changes.size() < 3)
-        return "";
-      const double last  = changes.back();
-      const double ratio = last / changes[changes.size() - 2];
-      if (!std::isfinite(ratio))
-        return "";
-      if (!(ratio < 1.))
-        return " (the change does not fall at present)";
-      std::ostringstream text;
-      text << " (about "
-           << std::ceil(std::log(tolerance / last) / std::log(ratio))
-           << " more at the present rate)";
-      return text.str();
-    }
-  } // namespace
-
-
-
   template <int dim>
   void
   Simulation<dim>::describe() const
@@ -90,8 +63,33 @@ namespace Crevasse
           time << "with any step";
       }
     log.line(time.str());
+    log.line("  periodic state: " + periodic_choice.describe());
+    describe_decay();
     for (const std::string &warning : warnings())
       log.line("  warning: " + warning);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::describe_decay() const
+  {
+    const double tolerance = scene.periodic_state.tolerance;
+    if (body.effects.contact.on || integrator == nullptr ||
+        body.law.has_spring() || tolerance == 0. ||
+        !std::isfinite(relaxation_times.largest))
+      return;
+    // What differs from the periodic stress does no work: its energy falls at
+    // least as fast as that of the slowest point.
+    std::ostringstream text;
+    text << "  without contact the stress is periodic to " << tolerance
+         << ", in the norm of its energy, within "
+         << std::ceil(-std::log(tolerance) * relaxation_times.largest /
+                      scene.loads.period)
+         << " periods (slowest relaxation time " << relaxation_times.largest
+         << ')';
+    log.line(text.str());
   }
 
 
@@ -146,7 +144,7 @@ namespace Crevasse
   void
   Simulation<dim>::summarise_secular_flow(Summary &summary) const
   {
-    auto &secular = summary["secular"];
+    auto &secular  = summary["secular"];
     secular["on"]  = secular_split.effect.on;
     secular["why"] = secular_split.effect.why;
     if (!secular_flow)
@@ -251,60 +249,14 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  void
-  Simulation<dim>::conclude(const PeriodicResult &result) const
-  {
-    constexpr double   doubtful = 1e-6, worthless = 1e-2;
-    std::ostringstream rounding;
-    rounding
-      << "The body has flown so far that rounding leaves errors of "
-      << stress_rounding
-      << " of its maximum in the stress, which is the difference of "
-         "total and viscous strain. "
-      << (scene.periodic_state.secular_split == "on"
-            ? "Look"
-            : "Split off the mean flow ([Periodic state] Secular split = "
-              "on), or look")
-      << " at the relaxation times: they are many orders below the "
-         "period.";
-    if (stress_rounding > worthless)
-      throw NumericalError(rounding.str());
-    if (stress_rounding > doubtful)
-      log.line("  Beware: " + rounding.str());
-
-    if (result.converged || scene.periodic_state.tolerance == 0. ||
-        result.periods == 0)
-      return;
-    std::ostringstream message;
-    message << "The stress is not yet periodic: after " << result.periods
-            << " period" << (result.periods == 1 ? "" : "s");
-    if (!result.steps_repeat)
-      message << " its change cannot be told, for the adaptive steps of the "
-                 "last period are not those of the one before. All results so "
-                 "far are written. Raise \"Maximum periods\"";
-    else
-      message << " it still changes by " << result.stress_change.back()
-              << " of its maximum, more than [Periodic state] Tolerance = "
-              << scene.periodic_state.tolerance
-              << ". All results so far are written. Raise \"Maximum periods\""
-              << periods_to_go(result.stress_change,
-                               scene.periodic_state.tolerance);
-    message << " or \"Tolerance\", or set Tolerance = 0 to compute a fixed "
-               "number of periods.";
-    throw NotPeriodicError(message.str());
-  }
-
-
-
-#define INSTANTIATE(dim)                                                     \
-  template void                         Simulation<dim>::describe() const;   \
-  template std::vector<Effects::Effect> Simulation<dim>::effects() const;    \
-  template std::vector<std::string>     Simulation<dim>::warnings() const;   \
-  template void Simulation<dim>::summarise_secular_flow(Summary &) const;    \
-  template void Simulation<dim>::summarise_steps(Summary &) const;           \
-  template void Simulation<dim>::summarise(Summary &, Solvers<dim> &) const; \
-  template void Simulation<dim>::conclude(const PeriodicResult &) const
+#define INSTANTIATE(dim)                                                         \
+  template void                         Simulation<dim>::describe() const;       \
+  template void                         Simulation<dim>::describe_decay() const; \
+  template std::vector<Effects::Effect> Simulation<dim>::effects() const;        \
+  template std::vector<std::string>     Simulation<dim>::warnings() const;       \
+  template void Simulation<dim>::summarise_secular_flow(Summary &) const;        \
+  template void Simulation<dim>::summarise_steps(Summary &) const;               \
+  template void Simulation<dim>::summarise(Summary &, Solvers<dim> &) const
 
   INSTANTIATE(2);
   INSTANTIATE(3);

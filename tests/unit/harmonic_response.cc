@@ -2,13 +2,10 @@
 // factors against what they replace, and periodic states against steps in real
 // time, with and without contact.
 
-#include <crevasse/contact/periodic_contact_problem.h>
 #include <crevasse/output/log.h>
 #include <crevasse/run/fourier_problem.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/time/evolution.h>
-
-#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <complex>
 #include <crevasse_tests/tests.h>
@@ -51,125 +48,10 @@ namespace
 
 
 
-  /** The convolution S ∗ g in time, as a matrix. */
-  dealii::LAPACKFullMatrix<double>
-  convolution(const PeriodicContactProblem &problem)
-  {
-    const unsigned int n = problem.openings_without_contact.size();
-    const unsigned int m = problem.mean_forces.size();
-    const Harmonics    harmonics(1., n, TimeRule::trapezoid);
-    dealii::LAPACKFullMatrix<double> matrix(n * m);
-    for (unsigned int column = 0; column < n * m; ++column)
-      {
-        std::vector<dealii::Vector<double>> g(n, dealii::Vector<double>(m));
-        g[column / m](column % m) = 1.;
-        harmonics.analyse(g);
-        g[0] = 0.;
-        for (unsigned int k = 1; k <= harmonics.n_harmonics(); ++k)
-          {
-            const auto            &S = problem.compliances[k - 1];
-            dealii::Vector<double> real(m), imaginary(m);
-            for (unsigned int i = 0; i < m; ++i)
-              for (unsigned int j = 0; j < m; ++j)
-                {
-                  const Complex w = S.factor * (*S.matrix)(i, j) *
-                                    Complex(g[2 * k - 1](j), g[2 * k](j));
-                  real(i) += w.real();
-                  imaginary(i) += w.imag();
-                }
-            g[2 * k - 1] = real;
-            g[2 * k]     = imaginary;
-          }
-        harmonics.synthesise(g);
-        for (unsigned int row = 0; row < n * m; ++row)
-          matrix(row, column) = g[row / m](row % m);
-      }
-    return matrix;
-  }
-
-
-
-  /** By a primal–dual active set with dense matrices: small problems only. */
-  PeriodicContactSolution
-  solve_densely(const PeriodicContactProblem &problem)
-  {
-    const unsigned int n  = problem.openings_without_contact.size();
-    const unsigned int m  = problem.mean_forces.size();
-    const unsigned int nm = n * m;
-    const auto         S  = convolution(problem);
-    const auto         w0 = [&](const unsigned int row) {
-      return problem.openings_without_contact[row / m](row % m);
-    };
-    double scale = 0.;
-    for (unsigned int i = 0; i < nm; ++i)
-      scale = std::max(scale, S(i, i));
-
-    // Unknowns: forces, then offsets.
-    std::vector<bool>      closed(nm, true);
-    dealii::Vector<double> x(nm + m), w(nm);
-    for (unsigned int iteration = 0;; ++iteration)
-      {
-        AssertThrow(iteration < 100, dealii::ExcInternalError());
-        dealii::LAPACKFullMatrix<double> matrix(nm + m);
-        matrix = 0.;
-        x      = 0.;
-        for (unsigned int row = 0; row < nm; ++row)
-          if (closed[row])
-            {
-              for (unsigned int k = 0; k < nm; ++k)
-                matrix(row, k) = S(row, k);
-              matrix(row, nm + row % m) = scale;
-              x(row)                    = -w0(row);
-            }
-          else
-            matrix(row, row) = scale;
-        for (unsigned int i = 0; i < m; ++i)
-          {
-            for (unsigned int j = 0; j < n; ++j)
-              matrix(nm + i, j * m + i) = scale / n;
-            x(nm + i) = scale * problem.mean_forces(i);
-          }
-        matrix.compute_lu_factorization();
-        matrix.solve(x);
-        bool changed = false;
-        for (unsigned int row = 0; row < nm; ++row)
-          {
-            w(row) = w0(row) + scale * x(nm + row % m);
-            for (unsigned int k = 0; k < nm; ++k)
-              w(row) += S(row, k) * x(k);
-            const bool next = closed[row] ? x(row) >= 0. : w(row) < 0.;
-            changed         = changed || next != closed[row];
-            closed[row]     = next;
-          }
-        if (!changed)
-          break;
-      }
-
-    PeriodicContactSolution solution;
-    solution.offsets.reinit(m);
-    for (unsigned int i = 0; i < m; ++i)
-      solution.offsets(i) = scale * x(nm + i);
-    for (unsigned int j = 0; j < n; ++j)
-      {
-        solution.forces.emplace_back(m);
-        solution.openings.emplace_back(m);
-        for (unsigned int i = 0; i < m; ++i)
-          {
-            solution.forces[j](i)   = closed[j * m + i] ? x(j * m + i) : 0.;
-            solution.openings[j](i) = closed[j * m + i] ? 0. : w(j * m + i);
-          }
-      }
-    return solution;
-  }
-
-
-
   /** A body, what solves for it, and its periodic state. */
   struct Run
   {
-    Run(const Scene   &scene,
-        const MPI_Comm communicator,
-        const TimeRule rule = TimeRule::trapezoid)
+    Run(const Scene &scene, const MPI_Comm communicator)
       : scene(scene)
       , log(communicator, true)
       , phases(std::cout,
@@ -178,13 +60,7 @@ namespace
       , body(this->scene, communicator)
       , steps(scene.time_integration, scene.loads.period)
       , solvers(this->scene, body, steps, log, phases)
-      , result(solve_fourier_problem<2>(this->scene,
-                                        body,
-                                        steps,
-                                        solvers,
-                                        rule,
-                                        1.,
-                                        solve_densely))
+      , result(solve_fourier_problem<2>(this->scene, body, steps, solvers, 1.))
       , evolution(body.strain_operator, body.points, body.loads, solvers)
     {
       if (result.flow)
@@ -434,9 +310,10 @@ namespace
   {
     // A homogeneous body without contact: u = u_el [F + ∫F/τ], so that at t =
     // 0, where F = 0, q is −T/(2πτ) u_el of F = 1 but for a constant.
-    Scene scene                  = edge_crack(sine, "60");
-    scene.material.young_modulus = "13000";
-    Run         run(scene, MPI_COMM_SELF, TimeRule::exact);
+    Scene scene                    = edge_crack(sine, "60");
+    scene.material.young_modulus   = "13000";
+    scene.periodic_state.harmonics = "exact";
+    Run         run(scene, MPI_COMM_SELF);
     const auto &q    = run.result.motion.displacement;
     Vector      loss = q[0], elastic = q[4];
     loss -= q[8];

@@ -106,6 +106,18 @@ namespace Crevasse
     void
     summarise(Summary &summary, Solvers<dim> &solvers) const;
 
+    /** A-priori bound of the periods that a march takes, where there is one. */
+    void
+    describe_decay() const;
+
+    /** When the paper's own test would have ended a march. */
+    void
+    report_end_by_change(const PeriodicResult &result) const;
+
+    /** @throw NumericalError if the stress is nothing but rounding. */
+    void
+    require_meaning() const;
+
     /** @throw NumericalError if the periodic state was not reached, or if the
      * stress is nothing but rounding. */
     void

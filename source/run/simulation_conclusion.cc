@@ -1,0 +1,156 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/run/simulation.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** How many periods more it takes until the error is below the tolerance if
+     * changes go on to shrink as from the last but one period to the last, in
+     * brackets; nothing as long as this cannot be told. The first change, from
+     * no stress at all, says nothing. */
+    std::string
+    periods_to_go(const PeriodicResult &result, const double tolerance)
+    {
+      const std::vector<double> &changes = result.stress_change;
+      if (changes.size() < 3)
+        return "";
+      const double ratio = changes.back() / changes[changes.size() - 2];
+      const double error = result.stress_error_estimate.back();
+      if (!std::isfinite(ratio))
+        return "";
+      if (!(ratio < 1.) || !std::isfinite(error))
+        return " (the changes do not shrink at present)";
+      std::ostringstream text;
+      text << " (about "
+           << std::ceil(std::log(tolerance / error) / std::log(ratio))
+           << " more at the present rate)";
+      return text.str();
+    }
+
+
+
+    /** The first period after which the change of stress was within the
+     * tolerance, as the paper asks; 0: none. */
+    unsigned int
+    end_by_change(const PeriodicResult &result, const double tolerance)
+    {
+      for (unsigned int k = 1; k < result.stress_change.size(); ++k)
+        if (result.stress_change[k] <= tolerance)
+          return k + 1;
+      return 0;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::report_end_by_change(const PeriodicResult &result) const
+  {
+    const double       tolerance = scene.periodic_state.tolerance;
+    const unsigned int early     = end_by_change(result, tolerance);
+    if (tolerance == 0. || early == 0 || early == result.periods ||
+        periodic_choice.method != "march")
+      return;
+    std::ostringstream text;
+    text << "  The change of stress alone (the paper's test) would have ended "
+            "the march after "
+         << early << " periods";
+    if (const double error = result.stress_error_estimate[early - 1];
+        std::isfinite(error))
+      text << ", with an estimated error of " << error;
+    log.line(text.str() + '.');
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::require_meaning() const
+  {
+    constexpr double   doubtful = 1e-6, worthless = 1e-2;
+    std::ostringstream rounding;
+    rounding
+      << "The body has flown so far that rounding leaves errors of "
+      << stress_rounding
+      << " of its maximum in the stress, which is the difference of "
+         "total and viscous strain. "
+      << (secular_split.is_split
+            ? "Look"
+            : "Split off the mean flow ([Periodic state] Secular split = "
+              "on), or look")
+      << " at the relaxation times: they are many orders below the "
+         "period.";
+    if (stress_rounding > worthless)
+      throw NumericalError(rounding.str());
+    if (stress_rounding > doubtful)
+      log.line("  Beware: " + rounding.str());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::conclude(const PeriodicResult &result) const
+  {
+    require_meaning();
+    report_end_by_change(result);
+    if (result.converged || scene.periodic_state.tolerance == 0. ||
+        result.periods == 0)
+      return;
+
+    const bool         marches = periodic_choice.method == "march";
+    const double       error   = result.stress_error_estimate.back();
+    std::ostringstream message;
+    message << "The stress is not yet periodic: after " << result.periods
+            << " period" << (result.periods == 1 ? "" : "s");
+    if (!result.steps_repeat)
+      message << " its change cannot be told, for the adaptive steps of the "
+                 "last period are not those of the one before";
+    else
+      {
+        message << " it still changes by " << result.stress_change.back()
+                << " of its maximum, and its error is ";
+        if (std::isfinite(error))
+          message << "estimated as " << error << ", more than ";
+        else
+          message << "not known to be within ";
+        message << "[Periodic state] Tolerance = "
+                << scene.periodic_state.tolerance;
+      }
+    message << ". All results so far are written. Raise \"Maximum periods\"";
+    if (marches && result.steps_repeat)
+      message << periods_to_go(result, scene.periodic_state.tolerance);
+    message << " or \"Tolerance\"";
+    if (marches)
+      message << ", set Method = automatic, which mostly needs fewer periods,";
+    message << " or set Tolerance = 0 to compute a fixed number of periods.";
+    throw NotPeriodicError(message.str());
+  }
+
+
+
+#define INSTANTIATE(dim)                                                      \
+  template void Simulation<dim>::report_end_by_change(const PeriodicResult &) \
+    const;                                                                    \
+  template void Simulation<dim>::require_meaning() const;                     \
+  template void Simulation<dim>::conclude(const PeriodicResult &) const
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+} // namespace Crevasse
