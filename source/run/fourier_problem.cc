@@ -119,9 +119,19 @@ namespace Crevasse
       lines.push_back("  periodic contact at " +
                       std::to_string(motion.instants_of_contact.size()) +
                       " nodes: " + contact);
-    for (const std::string &warning : warnings)
-      lines.push_back("  warning: " + warning);
     return lines;
+  }
+
+
+
+  void
+  FourierResult::add_to(Summary &summary) const
+  {
+    auto &direct                     = summary["direct_in_time"];
+    direct["loaded_harmonics"]       = motion.loaded_harmonics;
+    direct["complex_factorisations"] = motion.complex_factorisations;
+    direct["nodes_with_mean_force"]  = motion.instants_of_contact.size();
+    direct["contact"]                = contact;
   }
 
 

@@ -179,23 +179,47 @@ namespace Crevasse
 
 
 
+  void
+  History::keep_last_period(const double period)
+  {
+    if (find("t") == nullptr || instants().empty())
+      return;
+    const double begin = instants().back() - period, rounding = 1e-9 * period;
+    const std::size_t first =
+      std::lower_bound(instants().begin(), instants().end(), begin - rounding) -
+      instants().begin();
+    for (std::size_t c = 0; c < names.size(); ++c)
+      {
+        values[c].erase(values[c].begin(), values[c].begin() + first);
+        if (names[c] == "t")
+          for (double &t : values[c])
+            t -= begin;
+      }
+  }
+
+
+
   MeasuredError
   history_error(const Quantity    &quantity,
                 const std::string &folder,
                 const std::string &reference,
-                const double       period)
+                const double       period,
+                const Compared     compared)
   {
     if (!contains(folder, quantity))
       return MeasuredError::none("the run has no table " + quantity.table());
-    const History history = table_of(folder, quantity);
+    History history = table_of(folder, quantity);
     if (quantity.exact != nullptr)
       return compare_with_formula(quantity, history);
     if (!contains(reference, quantity))
       return MeasuredError::none("the reference has no table " +
                                  quantity.table());
-    return compare_with_run(quantity,
-                            history,
-                            table_of(reference, quantity),
-                            period);
+    History correct = table_of(reference, quantity);
+    if (compared == Compared::last_period)
+      {
+        history.keep_last_period(period);
+        correct.keep_last_period(period);
+      }
+    return compare_with_run(quantity, history, correct, period);
   }
 } // namespace Crevasse

@@ -63,6 +63,15 @@ namespace Crevasse
 
 
 
+    bool
+    marches_from_rest(const Scene &scene)
+    {
+      return scene.periodic_state.method == "march" &&
+             scene.periodic_state.start_from == "rest";
+    }
+
+
+
     /** Ends the sweep as the reference run would have ended by itself. */
     [[noreturn]] void
     throw_of_reference(const std::exception_ptr &exception)
@@ -303,14 +312,19 @@ namespace Crevasse
     result.errors.clear();
     if (!result.has_results())
       return;
-    const double period = variant.scene.loads.period;
+    const double   period   = variant.scene.loads.period;
+    const Compared compared = marches_from_rest(variant.scene) &&
+                                  marches_from_rest(scenes.reference.scene)
+                                ? Compared::whole_run
+                                : Compared::last_period;
     for (const Quantity &quantity : quantities)
       result.errors[quantity.name] = quantity.is_stress_field()
                                        ? stress_error(folder, result)
                                        : history_error(quantity,
                                                        folder.path(),
                                                        directory + "/reference",
-                                                       period);
+                                                       period,
+                                                       compared);
   }
 
 

@@ -171,6 +171,8 @@ namespace Crevasse
       return result;
     }();
 
+    if (direct)
+      direct->add_to(summary);
     summary["stress_change"]         = result.stress_change;
     summary["stress_error_estimate"] = result.stress_error_estimate;
     summary["periods"]               = result.periods;
@@ -244,6 +246,9 @@ namespace Crevasse
           scene, body, steps, solvers, relaxation_times.smallest);
         for (const std::string &line : result.describe())
           log.line(line);
+        for (const std::string &warning : result.warnings)
+          log.line("  warning: " + warning);
+        direct_warnings = result.warnings;
         return result;
       }
     catch (const NumericalError &error)

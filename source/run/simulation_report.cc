@@ -220,7 +220,12 @@ namespace Crevasse
       summary["effects"][effect.name] = {{"on", effect.on},
                                          {"why", effect.why}};
 
-    summary["warnings"] = warnings();
+    summary["periodic_method"]            = periodic_choice.describe();
+    std::vector<std::string> all_warnings = warnings();
+    all_warnings.insert(all_warnings.end(),
+                        direct_warnings.begin(),
+                        direct_warnings.end());
+    summary["warnings"] = all_warnings;
 
     solvers.summarise(summary);
     summary["counters"]["rate_evaluations"] = rate_evaluations;

@@ -156,6 +156,24 @@ namespace Crevasse
 
 
 
+    /** What needs a viscous strain that is periodic. */
+    void
+    check_secular_split(const Scene &scene, Problems &problems)
+    {
+      const PeriodicStateParameters &periodic = scene.periodic_state;
+      Checker(PeriodicStateParameters::section, problems)
+        .demand(periodic.secular_split != "off" ||
+                  (periodic.method != "anderson" &&
+                   periodic.method != "fourier" &&
+                   periodic.start_from != "fourier"),
+                "Secular split",
+                periodic.secular_split,
+                "leaves what flows in the viscous strain, which only Method = "
+                "march from rest can do with; set it to automatic");
+    }
+
+
+
     void
     check_instants(const Scene &scene, Problems &problems)
     {
@@ -239,6 +257,7 @@ namespace Crevasse
       check_points<3>(*this, problems);
     check_instants(*this, problems);
     check_fixed_steps(*this, problems);
+    check_secular_split(*this, problems);
     check_recorded_steps(*this, problems);
   }
 } // namespace Crevasse

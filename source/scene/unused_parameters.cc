@@ -195,16 +195,45 @@ namespace Crevasse
         {here, "Locate contact events", elastic, none},
         {here, "Locate contact events", !has_contact(scene), no_contact},
         {here, "Check stability", elastic, none},
-        {PeriodicStateParameters::section, "Secular split", elastic, none},
-        {PeriodicStateParameters::section,
-         "Maximum periods",
-         elastic && scene.periodic_state.maximum_periods > 1,
-         none + ", one period tells all"},
         {OutputParameters::section,
          "Field times",
          scene.output.fields == "none",
          "Fields = none"},
       };
+    }
+
+
+
+    Rules
+    rules_of_periodic_state(const Scene &scene)
+    {
+      const PeriodicStateParameters &periodic = scene.periodic_state;
+      const char                    *here = PeriodicStateParameters::section;
+      const bool        elastic           = scene.material.viscosity == "none";
+      const bool        direct            = periodic.method == "fourier";
+      const bool        automatic         = periodic.method == "automatic";
+      const bool        is_started        = periodic.start_from == "fourier";
+      const bool        combines = periodic.method == "anderson" || automatic;
+      const std::string none     = "[Material] Viscosity = none";
+      const std::string method   = "Method = " + periodic.method;
+      Rules             rules    = {
+                       {here, "Secular split", elastic, none},
+                       {here,
+                        "Maximum periods",
+                        elastic && periodic.maximum_periods > 1,
+                        none + ", one period tells all"},
+                       {here, "Method", elastic, none + ", one period tells all"},
+                       {here, "Start from", elastic, none},
+                       {here, "Start from", direct || automatic, method},
+                       {here,
+                        "Harmonics",
+                        elastic || !(direct || automatic || is_started),
+         elastic ? none : method},
+      };
+      for (const char *name :
+           {"Anderson depth", "Anderson damping", "Anderson delay"})
+        rules.push_back({here, name, !combines, method});
+      return rules;
     }
 
 
@@ -231,7 +260,8 @@ namespace Crevasse
     for (const Rules &part : {rules_of_body(scene),
                               rules_of_material(scene),
                               rules_of_solvers(scene),
-                              rules_of_time(scene)})
+                              rules_of_time(scene),
+                              rules_of_periodic_state(scene)})
       rules.insert(rules.end(), part.begin(), part.end());
 
     auto                     values   = values_of(scene, rules);

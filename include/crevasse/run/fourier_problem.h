@@ -12,6 +12,7 @@
 #ifndef crevasse_run_fourier_problem_h
 #define crevasse_run_fourier_problem_h
 
+#include <crevasse/output/summary.h>
 #include <crevasse/periodic/fourier.h>
 #include <crevasse/run/body.h>
 #include <crevasse/run/solvers.h>
@@ -40,6 +41,10 @@ namespace Crevasse
     /** Lines for the log. */
     std::vector<std::string>
     describe() const;
+
+    /** Adds "direct_in_time". */
+    void
+    add_to(Summary &summary) const;
   };
 
   /** Why the direct treatment in time cannot do a scene, and what can; empty if

@@ -39,6 +39,11 @@ namespace Crevasse
     const std::vector<double> &
     instants() const;
 
+    /** Forgets all rows but those of the last period, whose beginning becomes
+     * t = 0; a periods.csv is left as it is. */
+    void
+    keep_last_period(const double period);
+
   private:
     void
     read_row(const std::string &line);
@@ -48,10 +53,17 @@ namespace Crevasse
     std::vector<std::vector<double>> values; ///< of each column
   };
 
+  /** What of two histories is compared. */
+  enum class Compared
+  {
+    whole_run,  ///< both march from the same rest
+    last_period ///< the periods before are steps of a search
+  };
+
   /**
    * The error of a quantity that is a column over time: the largest difference
-   * over the largest value of the reference, at all instants of the run that
-   * both have, over all columns that the quantity stands for.
+   * over the largest value of the reference, at all instants compared that both
+   * have, over all columns that the quantity stands for.
    *
    * @param reference folder; not used if the quantity has a closed form.
    * @param period of the loads.
@@ -61,7 +73,8 @@ namespace Crevasse
   history_error(const Quantity    &quantity,
                 const std::string &folder,
                 const std::string &reference,
-                const double       period);
+                const double       period,
+                const Compared     compared);
 } // namespace Crevasse
 
 #endif

@@ -141,6 +141,7 @@ namespace Crevasse
     std::optional<SecularFlow>             secular_flow;
     std::size_t                            rate_evaluations = 0;
     double                                 stress_rounding  = 0.;
+    std::vector<std::string>               direct_warnings;
   };
 } // namespace Crevasse
 
