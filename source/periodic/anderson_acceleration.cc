@@ -14,6 +14,9 @@
 
 #include <deal.II/lac/qr.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace Crevasse
 {
   namespace
@@ -46,8 +49,21 @@ namespace Crevasse
   void
   AndersonAcceleration::add(const Vector &x, const Vector &image)
   {
-    pairs.push_back({image, image});
-    pairs.back().residual -= x;
+    Pair pair{image, image};
+    pair.residual -= x;
+    if (!pairs.empty())
+      {
+        Vector change = pair.residual;
+        change -= pairs.back().residual;
+        const double residual_change = change.l2_norm();
+        // x = G(x) − f
+        change = x;
+        change -= pairs.back().image;
+        change += pairs.back().residual;
+        if (residual_change > 0.)
+          pair.slowness = change.l2_norm() / residual_change;
+      }
+    pairs.push_back(std::move(pair));
     if (pairs.size() > settings.depth + 1)
       pairs.pop_front();
   }
@@ -55,7 +71,7 @@ namespace Crevasse
 
 
   void
-  AndersonAcceleration::extrapolate(Vector &x) const
+  AndersonAcceleration::extrapolate(Vector &x)
   {
     // Residuals are differences of images that are accurate to about this.
     constexpr double accuracy = 1e-11, independent = 1e-3;
@@ -86,11 +102,14 @@ namespace Crevasse
       }
 
     x                    = last.image;
+    unexplained          = last.residual.l2_norm();
     const unsigned int n = differences.images.size();
     if (n == 0)
       return;
     dealii::Vector<double> gamma(n);
     differences.factors.multiply_with_QT(gamma, last.residual);
+    unexplained =
+      std::sqrt(std::max(unexplained * unexplained - gamma.norm_sqr(), 0.));
     if (settings.damping < 1.)
       {
         Vector explained = last.residual;
@@ -101,5 +120,16 @@ namespace Crevasse
     differences.factors.solve(gamma, gamma);
     for (unsigned int i = 0; i < n; ++i)
       x.add(-gamma(i), differences.images[i]);
+  }
+
+
+
+  double
+  AndersonAcceleration::unexplained_distance() const
+  {
+    double slowest = 0.;
+    for (const Pair &pair : pairs)
+      slowest = std::max(slowest, pair.slowness);
+    return slowest * unexplained;
   }
 } // namespace Crevasse

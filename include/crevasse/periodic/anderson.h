@@ -31,7 +31,8 @@ namespace Crevasse
    *
    * The error of the stress is estimated before the next period is computed:
    * the step to its start, which the acceleration extrapolates from all that it
-   * remembers, times the change of stress that steps have made so far.
+   * remembers, and what it cannot explain, times the change of stress that the
+   * last steps have made.
    */
   template <int dim>
   class Anderson : public PeriodicMethod

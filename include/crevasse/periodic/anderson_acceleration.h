@@ -51,16 +51,28 @@ namespace Crevasse
 
     /** The next point. */
     void
-    extrapolate(Vector &x) const;
+    extrapolate(Vector &x);
+
+    /**
+     * How far the last point may be from the fixed point besides the step to
+     * the next one: the part of its residual that the differences do not
+     * explain, at the slowest contraction that one of them shows,
+     *
+     *     |f − ΔF γ| max |x_{k+1} − x_k| / |f_{k+1} − f_k|.
+     */
+    double
+    unexplained_distance() const;
 
   private:
     struct Pair
     {
       Vector image, residual;
+      double slowness = 0.; ///< |Δx| / |Δf| to the pair before
     };
 
     const Settings   settings;
-    std::deque<Pair> pairs; ///< the youngest at the back
+    std::deque<Pair> pairs;            ///< the youngest at the back
+    double           unexplained = 0.; ///< |f − ΔF γ|
   };
 } // namespace Crevasse
 
