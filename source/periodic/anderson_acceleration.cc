@@ -125,9 +125,9 @@ namespace Crevasse
 
 
   double
-  AndersonAcceleration::unexplained_distance() const
+  AndersonAcceleration::unexplained_distance(const double slowness) const
   {
-    double slowest = 0.;
+    double slowest = slowness;
     for (const Pair &pair : pairs)
       slowest = std::max(slowest, pair.slowness);
     return slowest * unexplained;

@@ -21,8 +21,9 @@ namespace Crevasse
   double
   Contraction::add(const double change, const bool counts)
   {
-    // Ratios of what rounding leaves say nothing; that before does.
-    constexpr double rounding = 1e-12;
+    // Ratios of what rounding leaves say nothing; that before does. It is about
+    // what contact problems are solved to.
+    constexpr double rounding = 2e-11;
     if (!counts || !std::isfinite(change))
       {
         last_change.reset();

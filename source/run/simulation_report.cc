@@ -34,7 +34,7 @@ namespace Crevasse
   {
     if (!scene.title.empty())
       log.line(scene.title);
-    describe_sizes(body, steps, scene, log);
+    describe_sizes(body, steps, scene, periodic_choice, log);
     log.line("  boundaries: " + describe_boundaries<dim>(scene));
     for (const Effects::Effect &effect : effects())
       {

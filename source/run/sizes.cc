@@ -132,14 +132,36 @@ namespace Crevasse
 
 
 
+    /** Bytes of what the search for the periodic state keeps. */
+    template <int dim>
+    double
+    bytes_of_search(const Sizes          &sizes,
+                    const Body<dim>      &body,
+                    const StepList       &steps,
+                    const Scene          &scene,
+                    const PeriodicChoice &choice)
+    {
+      const double strain = double(body.law.branches().size()) *
+                            n_stress_components<dim> * sizes.quadrature_points;
+      double values = 0.;
+      if (choice.method == "anderson") // images and residuals
+        values += 2. * (scene.periodic_state.anderson_depth + 1.) * strain;
+      if (choice.uses_fourier())
+        values += steps.n_steps() * (strain + 2. * sizes.unknowns);
+      return sizeof(double) * values;
+    }
+
+
+
     /** Bytes of these, and of what is stored per quadrature point and per
      * unknown while a period is computed. */
     template <int dim>
     double
-    predicted_memory(const Sizes     &sizes,
-                     const Body<dim> &body,
-                     const StepList  &steps,
-                     const Scene     &scene)
+    predicted_memory(const Sizes          &sizes,
+                     const Body<dim>      &body,
+                     const StepList       &steps,
+                     const Scene          &scene,
+                     const PeriodicChoice &choice)
     {
       // The stress of all samples of a period is kept to compare with the
       // next; the integrator keeps r, a stage and a rate for each stage. What
@@ -154,6 +176,7 @@ namespace Crevasse
                (fields * n_stress_components<dim> * sizes.quadrature_points +
                 vectors * sizes.unknowns) +
              bytes_of_solvers(sizes, body, steps, scene.linear_solver) +
+             bytes_of_search(sizes, body, steps, scene, choice) +
              bytes_of_field_output(sizes,
                                    body,
                                    steps,
@@ -190,10 +213,11 @@ namespace Crevasse
 
   template <int dim>
   void
-  describe_sizes(const Body<dim> &body,
-                 const StepList  &steps,
-                 const Scene     &scene,
-                 Log             &log)
+  describe_sizes(const Body<dim>      &body,
+                 const StepList       &steps,
+                 const Scene          &scene,
+                 const PeriodicChoice &choice,
+                 Log                  &log)
   {
     const Sizes sizes(body);
     log.line("  mesh: " + std::to_string(sizes.cells) + " cells, " +
@@ -204,7 +228,7 @@ namespace Crevasse
     std::snprintf(text,
                   sizeof(text),
                   "  memory: about %.0f MB",
-                  predicted_memory(sizes, body, steps, scene) * 1e-6);
+                  predicted_memory(sizes, body, steps, scene, choice) * 1e-6);
     log.line(text);
   }
 
@@ -213,7 +237,15 @@ namespace Crevasse
   template Sizes::Sizes(const Body<2> &);
   template Sizes::Sizes(const Body<3> &);
   template void
-  describe_sizes<2>(const Body<2> &, const StepList &, const Scene &, Log &);
+  describe_sizes<2>(const Body<2> &,
+                    const StepList &,
+                    const Scene &,
+                    const PeriodicChoice &,
+                    Log &);
   template void
-  describe_sizes<3>(const Body<3> &, const StepList &, const Scene &, Log &);
+  describe_sizes<3>(const Body<3> &,
+                    const StepList &,
+                    const Scene &,
+                    const PeriodicChoice &,
+                    Log &);
 } // namespace Crevasse

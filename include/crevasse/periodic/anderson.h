@@ -44,7 +44,10 @@ namespace Crevasse
       unsigned int delay; ///< periods before the first combination
       /** For the estimated error of the stress relative to its maximum; 0:
        * compute as many periods as are allowed. */
-      double       tolerance;
+      double tolerance;
+      /** 1/(1−λ) with the contraction λ of the slowest point by itself; 1 if it
+       * is not known. */
+      double       slowness;
       unsigned int most_restarts; ///< then it counts as stagnant
     };
 

@@ -15,6 +15,7 @@
 #include <crevasse/output/log.h>
 #include <crevasse/output/summary.h>
 #include <crevasse/run/body.h>
+#include <crevasse/run/periodic_choice.h>
 #include <crevasse/scene/scene.h>
 #include <crevasse/time/step_list.h>
 
@@ -39,10 +40,11 @@ namespace Crevasse
    * tenth. Collective. */
   template <int dim>
   void
-  describe_sizes(const Body<dim> &body,
-                 const StepList  &steps,
-                 const Scene     &scene,
-                 Log             &log);
+  describe_sizes(const Body<dim>      &body,
+                 const StepList       &steps,
+                 const Scene          &scene,
+                 const PeriodicChoice &choice,
+                 Log                  &log);
 } // namespace Crevasse
 
 #endif
