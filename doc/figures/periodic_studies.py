@@ -172,10 +172,8 @@ def short(seconds):
 def cost(run, errors):
     """Periods, and seconds, to the true error."""
     n = run.first_below(errors)
-    seconds = run.table["seconds"]
-    if n is None:
-        return f"> {len(errors)} ({short(seconds.sum())})"
-    return f"{n} ({short(seconds[:n].sum())})"
+    seconds = run.seconds["direct in time"] + run.table["seconds"][:n].sum()
+    return f"{n or f'> {len(errors)}'} ({short(seconds)})"
 
 
 def print_table(header, rows):
@@ -217,18 +215,19 @@ def estimates(studies):
     """A run with a tolerance is the beginning of that without."""
     print("With Tolerance = 1e-6: periods, estimated and true error\n")
     header, rows = ["", "τ/T"], []
-    columns = (("heun", 0), ("trapezoid", 0), ("trapezoid", 2))
-    for method in ("march", "anderson"):
-        for scheme, refinements in columns:
-            header.append(f"{method}, {MESHES[refinements]}, {scheme}")
+    columns = (("march", "heun", 0), ("anderson", "heun", 0),
+               ("anderson from fourier", "heun", 0),
+               ("anderson", "trapezoid", 0), ("anderson", "trapezoid", 2),
+               ("anderson from fourier", "heun", 2))
+    for method, scheme, refinements in columns:
+        header.append(f"{method}, {MESHES[refinements]}, {scheme}")
     for case in CASES:
         for ratio in RATIOS:
             rows.append([case, f"{ratio:g}"])
-            for method in ("march", "anderson"):
-                for scheme, refinements in columns:
-                    runs, reference = studies.all_methods(
-                        case, ratio, refinements, scheme)
-                    rows[-1].append(judgement(runs[method], reference))
+            for method, scheme, refinements in columns:
+                runs, reference = studies.all_methods(case, ratio,
+                                                      refinements, scheme)
+                rows[-1].append(judgement(runs[method], reference))
     print_table(header, rows)
 
 
@@ -238,7 +237,8 @@ def judgement(run, reference):
         return f"> {len(run.stress)}"
     estimate = run.table["stress_error_estimate"][n - 1]
     error = run.errors(reference)[n - 1]
-    return f"{n}: {rounded(estimate)}, {rounded(error)}"
+    doubt = "**" if error > max(2 * estimate, TOLERANCE) else ""
+    return f"{n}: {rounded(estimate)}, {doubt}{rounded(error)}{doubt}"
 
 
 def rounded(error):
