@@ -169,9 +169,13 @@ def short(seconds):
     return f"{seconds:.2g}" if seconds < 9.5 else f"{seconds:.0f}"
 
 
-def cost(run, errors):
-    """Periods, and seconds, to the true error."""
+def cost(run, reference):
+    """Periods, and seconds, to the true error; "?" where the reference is not
+    good enough for it."""
+    errors = run.errors(reference)
     n = run.first_below(errors)
+    if n and not reference.table["stress_error_estimate"][-1] < 1e-9:
+        return "?"
     seconds = run.seconds["direct in time"] + run.table["seconds"][:n].sum()
     return f"{n or f'> {len(errors)}'} ({short(seconds)})"
 
@@ -202,7 +206,7 @@ def periods_to_error(studies):
                         where = ""
                         row.append(short(sum_of_direct(run))
                                    if method == "fourier"
-                                   else cost(run, run.errors(reference)))
+                                   else cost(run, reference))
                 rows.append(row)
         print_table(header + names, rows)
 
