@@ -11,7 +11,6 @@ that are finished are not computed again."""
 import argparse
 import csv
 import json
-import math
 import os
 import pathlib
 import shutil
@@ -22,7 +21,7 @@ sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 
 import numpy
 
-from plotting import BLUE, GREEN, GREY, INK, VERMILION, pyplot, save
+from plotting import BLUE, GREY, INK, VERMILION, pyplot, save
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "prm" / "studies"
@@ -53,8 +52,7 @@ class Run:
     def __init__(self, directory):
         with open(directory / "run.json") as file:
             about = json.load(file)
-        self.status, self.scale = about["status"], about["scale"]
-        self.seconds = about["seconds"]
+        self.scale, self.seconds = about["scale"], about["seconds"]
         self.stress = numpy.load(directory / "stress.npy")
         self.table = {name: numpy.array(values)
                       for name, values in about["periods"].items()}
@@ -110,13 +108,13 @@ class Studies:
         words = [word for name, value in settings.items()
                  for word in ("--set", f"{name}={value}")]
         print(directory.name, file=sys.stderr, flush=True)
-        status = subprocess.run(
+        result = subprocess.run(
             [self.program, scene, "--quiet", "--output", raw, *words],
             env=dict(os.environ, OMP_NUM_THREADS="1"),
             stderr=subprocess.PIPE, text=True)
         # A march that is cut ends with status 3, and has written all.
-        if status.returncode not in (0, 3):
-            sys.exit(status.stderr)
+        if result.returncode not in (0, 3):
+            sys.exit(result.stderr)
         with open(raw / "summary.json") as file:
             summary = json.load(file)
         with open(raw / "periods.csv", newline="") as file:
@@ -126,9 +124,7 @@ class Studies:
                                 "vi_solves", "seconds")}
         numpy.save(directory / "stress.npy", stresses(raw, len(rows)))
         shutil.rmtree(raw)
-        about = {"status": status.returncode, "periods": periods,
-                 "message": status.stderr,
-                 "scale": summary["extremes"]["stress"],
+        about = {"periods": periods, "scale": summary["extremes"]["stress"],
                  "seconds": {name: summary["seconds"].get(name, 0.)
                              for name in ("direct in time", "time stepping",
                                           "total")}}
