@@ -43,7 +43,9 @@ namespace Crevasse
   void
   ContactOnset<dim>::observe(const Sample &sample)
   {
-    const double flown = sample.secular_flow == nullptr ? sample.time : 0.;
+    constexpr double rounding = 1e-9; // of the forces that are in balance
+    const double     pressing = rounding * sample.right_hand_side.linfty_norm();
+    const double     flown = sample.secular_flow == nullptr ? sample.time : 0.;
     for (OpeningNode &opening : nodes)
       {
         const LipNode<dim> &node = lip.nodes()[opening.index];
@@ -61,7 +63,7 @@ namespace Crevasse
               0.5 * (sample.instant - last_instant) * (q + opening.last);
           }
         opening.last = q;
-        if (sample.state.contact_forces[opening.index] > 0.)
+        if (sample.state.contact_forces[opening.index] > pressing)
           pressed = sample.time;
       }
     last_instant = sample.instant;

@@ -143,7 +143,9 @@ namespace Crevasse
       return 0.;
     if (changes_per_step.size() < 2)
       return std::numeric_limits<double>::quiet_NaN();
-    return last_step *
+    const double distance =
+      last_step + acceleration.unexplained_distance(settings.slowness);
+    return distance *
            *std::max_element(changes_per_step.begin(), changes_per_step.end());
   }
 

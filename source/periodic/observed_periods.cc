@@ -23,12 +23,14 @@ namespace Crevasse
     PeriodMap<dim>                &period_map,
     const SolveCount              &n_solves,
     const std::vector<Observer *> &observers,
-    const unsigned int             maximum_periods)
+    const unsigned int             maximum_periods,
+    const PeriodicResult          &before)
     : period_map(period_map)
     , n_solves(n_solves)
     , observers(observers)
     , maximum_periods(maximum_periods)
     , history(period_map.steps().period())
+    , so_far(before)
   {
   }
 

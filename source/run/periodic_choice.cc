@@ -77,7 +77,12 @@ namespace Crevasse
                 automatic +
                   "nothing but the loads depends on time; the last "
                   "periods bring in what is the scheme's own"};
-      return {"anderson", false, true, automatic + obstacles.front()};
+      // Without what to use instead.
+      return {"anderson",
+              false,
+              true,
+              automatic + "no direct method, for " +
+                obstacles.front().substr(0, obstacles.front().find(';'))};
     }
   } // namespace
 

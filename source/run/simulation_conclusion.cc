@@ -38,7 +38,7 @@ namespace Crevasse
       std::ostringstream text;
       text << " (about "
            << std::ceil(std::log(tolerance / error) / std::log(ratio))
-           << " more at the present rate)";
+           << " more if they go on to shrink as they do now)";
       return text.str();
     }
 
@@ -137,8 +137,12 @@ namespace Crevasse
     if (marches && result.steps_repeat)
       message << periods_to_go(result, scene.periodic_state.tolerance);
     message << " or \"Tolerance\"";
-    if (marches)
+    if (scene.periodic_state.method == "march")
       message << ", set Method = automatic, which mostly needs fewer periods,";
+    else if (periodic_choice.method == "anderson")
+      message
+        << ", set Method = fourier with Scheme = trapezoid if nothing but "
+           "the loads depends on time,";
     message << " or set Tolerance = 0 to compute a fixed number of periods.";
     throw NotPeriodicError(message.str());
   }

@@ -47,11 +47,14 @@ namespace Crevasse
     /** The number of variational inequalities solved so far. */
     using SolveCount = std::function<std::size_t()>;
 
-    /** All arguments but @p n_solves must outlive this object. */
+    /** All arguments but the numbers must outlive this object.
+     *
+     * @param before what was computed, and shown, already. */
     ObservedPeriods(PeriodMap<dim>                &period_map,
                     const SolveCount              &n_solves,
                     const std::vector<Observer *> &observers,
-                    const unsigned int             maximum_periods);
+                    const unsigned int             maximum_periods,
+                    const PeriodicResult          &before = PeriodicResult());
 
     /** Whether another period is allowed. */
     bool
