@@ -59,12 +59,13 @@ namespace Crevasse
         if (k > 0)
           remember_change(change);
 
-        next = image;
+        last_residual = distance(image, start);
+        next          = image;
         if (k >= settings.delay)
           {
             acceleration.add(start, image);
             acceleration.extrapolate(next);
-            restart_if_stagnant(distance(image, start), image, next);
+            restart_if_stagnant(image, next);
           }
         last_step          = distance(next, start);
         const double error = estimated_error();
@@ -94,21 +95,19 @@ namespace Crevasse
 
   template <int dim>
   void
-  Anderson<dim>::restart_if_stagnant(const double  residual,
-                                     const Vector &image,
-                                     Vector       &next)
+  Anderson<dim>::restart_if_stagnant(const Vector &image, Vector &next)
   {
     // Kinks and noise make residuals rise for a while.
     constexpr double tolerable_rise = 1e3;
     ++since_least;
-    if (residual < least_residual)
+    if (last_residual < least_residual)
       {
-        least_residual = residual;
+        least_residual = last_residual;
         best_image     = image;
         since_least    = 0;
       }
     if (since_least <= 2 * settings.acceleration.depth &&
-        residual <= tolerable_rise * least_residual)
+        last_residual <= tolerable_rise * least_residual)
       return;
     acceleration.clear();
     next        = best_image;
@@ -144,7 +143,8 @@ namespace Crevasse
     if (changes_per_step.size() < 2)
       return std::numeric_limits<double>::quiet_NaN();
     const double distance =
-      last_step + acceleration.unexplained_distance(settings.slowness);
+      std::max(last_step + acceleration.unexplained_distance(),
+               settings.slowness * last_residual);
     return distance *
            *std::max_element(changes_per_step.begin(), changes_per_step.end());
   }

@@ -125,9 +125,9 @@ namespace Crevasse
 
 
   double
-  AndersonAcceleration::unexplained_distance(const double slowness) const
+  AndersonAcceleration::unexplained_distance() const
   {
-    double slowest = slowness;
+    double slowest = 0.;
     for (const Pair &pair : pairs)
       slowest = std::max(slowest, pair.slowness);
     return slowest * unexplained;

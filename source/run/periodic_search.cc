@@ -17,6 +17,9 @@
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace Crevasse
 {
   template <int dim>
@@ -24,11 +27,13 @@ namespace Crevasse
                                       const Body<dim>      &body,
                                       const PeriodicChoice &choice,
                                       const FourierResult  *direct,
-                                      Log                  &log)
+                                      const double largest_relaxation_time,
+                                      Log         &log)
     : scene(scene)
     , body(body)
     , choice(choice)
     , direct(direct)
+    , largest_relaxation_time(largest_relaxation_time)
     , log(log)
   {
   }
@@ -44,8 +49,14 @@ namespace Crevasse
     const typename ObservedPeriods<dim>::SolveCount &n_solves,
     const std::vector<Observer *>                   &observers) const
   {
+    PeriodicResult shown;
     if (choice.method == "fourier" && direct != nullptr)
-      return show(evolution, steps, n_solves, observers);
+      {
+        shown = show(evolution, steps, n_solves, observers);
+        if (shown.converged)
+          return shown;
+        log.line("  anderson takes over");
+      }
 
     Vector viscous_strain;
     if (direct != nullptr)
@@ -55,7 +66,8 @@ namespace Crevasse
     ObservedPeriods<dim> periods(period_map,
                                  n_solves,
                                  observers,
-                                 scene.periodic_state.maximum_periods);
+                                 scene.periodic_state.maximum_periods,
+                                 shown);
     Ending               ending = choice.method == "march"
                                     ? march(periods, viscous_strain)
                                     : accelerate(periods, viscous_strain);
@@ -92,10 +104,13 @@ namespace Crevasse
     periods.compute(r);
     const double defect = motion.largest_defect();
     periods.report(defect);
-    periods.finish(r);
     log.line("  direct in time: states and samples differ by " +
              Text::from_number(defect) + " at most");
-    if (!(defect <= tolerable))
+    PeriodicResult result = periods.result();
+    result.converged      = defect <= tolerable;
+    if (result.converged || !choice.may_fall_back)
+      periods.finish(r);
+    if (!result.converged && !choice.may_fall_back)
       throw NumericalError(
         "[Periodic state] Method = fourier: the periodic motion that was found "
         "is not one: its states differ from those of the same viscous strain "
@@ -103,8 +118,6 @@ namespace Crevasse
         Text::from_number(defect) +
         " of their size. Look for moduli or relaxation times that differ by "
         "many orders of magnitude, or use Method = anderson.");
-    PeriodicResult result = periods.result();
-    result.converged      = true;
     return result;
   }
 
@@ -115,6 +128,23 @@ namespace Crevasse
   PeriodicSearch<dim>::march(ObservedPeriods<dim> &periods, Vector &r) const
   {
     return March<dim>(periods, scene.periodic_state.tolerance).run(r);
+  }
+
+
+
+  template <int dim>
+  double
+  PeriodicSearch<dim>::slowness() const
+  {
+    // Infinite where a part does not relax, which then does not change either;
+    // and of what varies the slowest instant says little.
+    constexpr double longest = 1e4; // of periods: much longer than runs
+    if (!std::isfinite(largest_relaxation_time) ||
+        body.effects.varying_stiffness.on || body.effects.varying_viscosity.on)
+      return 1.;
+    const double period = scene.loads.period;
+    return 1. / -std::expm1(-period / std::min(largest_relaxation_time,
+                                               longest * period));
   }
 
 
@@ -133,6 +163,7 @@ namespace Crevasse
                              parameters.anderson_damping};
     settings.delay        = parameters.anderson_delay;
     settings.tolerance    = parameters.tolerance;
+    settings.slowness     = slowness();
     // Where something else could go on, this ends in time for it.
     settings.most_restarts = choice.may_fall_back ? 2 : unsigned(-1);
     return Anderson<dim>(periods, coordinates, settings).run(r);

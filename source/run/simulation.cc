@@ -284,7 +284,8 @@ namespace Crevasse
         scene.time_integration.step_control == "adaptive")
       evolution.set_scales(instants_of_scale(body, steps));
     const PeriodicResult result =
-      PeriodicSearch<dim>(scene, body, periodic_choice, direct, log)
+      PeriodicSearch<dim>(
+        scene, body, periodic_choice, direct, relaxation_times.largest, log)
         .run(
           evolution,
           period_map,

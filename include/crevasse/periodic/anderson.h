@@ -31,8 +31,9 @@ namespace Crevasse
    *
    * The error of the stress is estimated before the next period is computed:
    * the step to its start, which the acceleration extrapolates from all that it
-   * remembers, and what it cannot explain, times the change of stress that the
-   * last steps have made.
+   * remembers, and what it cannot explain, or what the residual stands for
+   * where the slowest point forgets at its own pace; times the change of stress
+   * that the last steps have made.
    */
   template <int dim>
   class Anderson : public PeriodicMethod
@@ -45,8 +46,8 @@ namespace Crevasse
       /** For the estimated error of the stress relative to its maximum; 0:
        * compute as many periods as are allowed. */
       double tolerance;
-      /** 1/(1−λ) with the contraction λ of the slowest point by itself; 1 if it
-       * is not known. */
+      /** 1/(1−λ) with the contraction λ of the slowest point by itself: that
+       * far from the fixed point residuals may be. 1 if it is not known. */
       double       slowness;
       unsigned int most_restarts; ///< then it counts as stagnant
     };
@@ -72,9 +73,7 @@ namespace Crevasse
     /** Begins anew from the image of the start with the least residual if
      * residuals have not been less for long, or have risen far. */
     void
-    restart_if_stagnant(const double  residual,
-                        const Vector &image,
-                        Vector       &next);
+    restart_if_stagnant(const Vector &image, Vector &next);
 
     /** Takes the change of stress that the last step has made. */
     void
@@ -95,8 +94,9 @@ namespace Crevasse
     unsigned int since_least    = 0; ///< periods
     unsigned int restarts       = 0;
 
-    double             last_step = 0.;   ///< from start to start
-    std::deque<double> changes_per_step; ///< of stress, by the last steps
+    double             last_residual = 0.; ///< from a start to its image
+    double             last_step     = 0.; ///< from start to start
+    std::deque<double> changes_per_step;   ///< of stress, by the last steps
   };
 } // namespace Crevasse
 

@@ -56,15 +56,12 @@ namespace Crevasse
     /**
      * How far the last point may be from the fixed point besides the step to
      * the next one: the part of its residual that the differences do not
-     * explain, at the slowest contraction that is known or that one of them
-     * shows,
+     * explain, at the slowest contraction that one of them shows,
      *
      *     |f − ΔF γ| max |x_{k+1} − x_k| / |f_{k+1} − f_k|.
-     *
-     * @param slowness 1/(1−λ) if G is known to have a contraction λ, else 1.
      */
     double
-    unexplained_distance(const double slowness) const;
+    unexplained_distance() const;
 
   private:
     struct Pair

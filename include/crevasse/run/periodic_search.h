@@ -40,6 +40,7 @@ namespace Crevasse
                    const Body<dim>      &body,
                    const PeriodicChoice &choice,
                    const FourierResult  *direct,
+                   const double          largest_relaxation_time,
                    Log                  &log);
 
     /**
@@ -57,7 +58,8 @@ namespace Crevasse
         const std::vector<Observer *>                   &observers) const;
 
   private:
-    /** Shows the period that was found, and compares it with its states. */
+    /** Shows the period that was found, and compares it with its states: not
+     * converged if they differ and another method may take over. */
     PeriodicResult
     show(Evolution<dim>                                  &evolution,
          StepList                                        &steps,
@@ -67,6 +69,10 @@ namespace Crevasse
     Ending
     march(ObservedPeriods<dim> &periods, Vector &r) const;
 
+    /** Anderson::Settings::slowness */
+    double
+    slowness() const;
+
     Ending
     accelerate(ObservedPeriods<dim> &periods, Vector &r) const;
 
@@ -74,6 +80,7 @@ namespace Crevasse
     const Body<dim>      &body;
     const PeriodicChoice &choice;
     const FourierResult  *direct;
+    const double          largest_relaxation_time;
     Log                  &log;
   };
 } // namespace Crevasse
