@@ -85,8 +85,8 @@ def largest_stress(results):
     return results.summary["extremes"]["stress"]
 
 
-def difference(one, other, openings=False, stride=1, which=-1, probes=PROBES,
-               components=("s_11", "s_22", "s_12")):
+def difference(one, other, openings=False, stride=1, which=-1,
+               probes=PROBES):
     """Of stress, pressure, contact force and perhaps opening of two runs over
     a period, relative to the largest value of each kind. Every stride-th
     sample of the other one counts; which period is one of its. What flows open
@@ -103,7 +103,7 @@ def difference(one, other, openings=False, stride=1, which=-1, probes=PROBES,
 
     tables = [f"probe_{probe}.csv" for probe in probes]
     on_lip = [t for t in tables if "pressure" in one.table(t)]
-    stresses = [pair(t, c) for t in tables for c in components]
+    stresses = [pair(t, c) for t in tables for c in ("s_11", "s_22", "s_12")]
     size = max(max(map(abs, mine)) for mine, _ in stresses)
     worst = apart(stresses)
     if on_lip:

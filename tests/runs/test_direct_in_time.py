@@ -39,30 +39,27 @@ def test_is_the_trapezoidal_state():
 
 
 def test_order():
-    """Heun's method, converged, tends to the same state."""
-    for name, ratio in (("b", 0.1), ("b", 1), ("b", 10),
-                        ("c", 0.1), ("c", 1), ("c", 10)):
+    """Heun's method, converged, tends to the same state. Where in a step
+    contact changes is a matter of chance, so that a single number of steps may
+    do better than others by far: the worst of three counts."""
+    finest = 3840
+    for name, ratio in (("b", 1), ("b", 10), ("c", 0.1), ("c", 10)):
         settings = case(name, ratio)
-        finest = 1280
         reference = compute("finest", settings + steps(finest) + method(
             "anderson", "heun"))
         check(reference.summary["converged"], "the reference has converged")
-        errors = {"fourier to Heun's limit": [], "to Heun's state": []}
-        for n in (40, 80, 160, 320):
-            found = compute("fourier", settings + steps(n) + FOURIER)
-            same = compute("heun", settings + steps(n) + method(
-                "anderson", "heun"))
-            for key, (other, stride) in zip(errors, (
-                    (reference, finest // n), (same, 1))):
-                errors[key].append(difference(found, other, stride=stride))
-        for key, values in errors.items():
-            orders = [math.log2(a / b) for a, b in zip(values, values[1:])]
-            mean = sum(orders) / len(orders)
-            print(f"({name}), tau/T = {ratio}, {key}: "
-                  + ", ".join(f"{x:.1e}" for x in values) + "; orders "
-                  + ", ".join(f"{x:.2f}" for x in orders)
-                  + f"; mean {mean:.2f}")
-            check(1.6 <= mean <= 2.5, "order 2")
+        errors = []
+        for level in range(4):
+            errors.append(max(
+                difference(compute("fourier", settings + steps(n) + FOURIER),
+                           reference, stride=finest // n)
+                for n in (32 * 2**level, 40 * 2**level, 48 * 2**level)))
+        orders = [math.log2(a / b) for a, b in zip(errors, errors[1:])]
+        mean = sum(orders) / len(orders)
+        print(f"({name}), tau/T = {ratio}, from Heun's limit: "
+              + ", ".join(f"{x:.1e}" for x in errors) + "; orders "
+              + ", ".join(f"{x:.2f}" for x in orders) + f"; mean {mean:.2f}")
+        check(1.6 <= mean <= 2.5, "order 2")
 
 
 def test_mean_pressure():
