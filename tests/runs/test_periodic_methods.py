@@ -5,8 +5,8 @@ in the same state."""
 import math
 import re
 
-from crevasse_run import SOURCE, check, check_below, execute
-from periodic_scenes import (ALTERNATING, BODY, COMPRESSIVE, FOURIER, LIP,
+from crevasse_run import check, check_below
+from periodic_scenes import (COMPRESSIVE, FOURIER, LIP,
                              PERIOD, TWO_HARMONICS, case, compute, difference,
                              largest_stress, log, method, period, relaxation,
                              steps, traction)
@@ -51,18 +51,19 @@ def test_few_steps():
 def test_march():
     """A change that is small says little, the estimate does: in slow
     relaxation."""
-    settings = case("c", 10)
-    exact = compute("exact", settings + method("anderson", "heun"))
-    for n in (60, 100, 200):
-        found = compute("found", settings + method(
-            "march", "heun", tolerance=0, periods=n))
-        change = found.summary["stress_change"][-1]
-        error = difference(exact, found)
-        print(f"march of {n} periods: change {change:.1e}, error {error:.1e}, "
-              f"estimated {estimate(found):.1e}")
-        check(change < (1e-3 if n == 60 else 1e-4), "a small change")
-        check(error > 1e-2 or n == 200, "a large error")
-        check(1 / 3 < estimate(found) / error < 3, "an honest estimate")
+    for ratio, all_periods in ((1, (60, 120, 200)), (10, (100, 200, 400))):
+        settings = case("c", ratio)
+        exact = compute("exact", settings + method("anderson", "heun"))
+        for n in all_periods:
+            found = compute("found", settings + method(
+                "march", "heun", tolerance=0, periods=n))
+            change = found.summary["stress_change"][-1]
+            error = difference(exact, found)
+            print(f"(c), tau/T = {ratio}, march of {n} periods: change "
+                  f"{change:.1e}, error {error:.1e}, estimated "
+                  f"{estimate(found):.1e}")
+            check(error > 20 * change, "the change is much less")
+            check(1 / 3 < estimate(found) / error < 3, "an honest estimate")
     # Until it converges: the paper's test is told.
     settings = case("a", 0.1)
     found = compute("found", settings + method("march", "heun", 1e-5))
@@ -95,8 +96,6 @@ def test_anderson_and_march():
             "anderson", scheme, tolerance))
         marched = compute("marched", settings + method(
             "march", scheme, tolerance))
-        if name == "K(t, x)":
-            check(not marched.summary["secular"]["on"] or True, "")
         n = [r.summary["periods"] for r in (accelerated, marched)]
         apart = (difference(accelerated, marched) if name != "adaptive steps"
                  else last_samples_apart(accelerated, marched))
@@ -226,31 +225,48 @@ def test_without_contact():
                 "march", "heun", 0, periods=int(told[1]) + 1))
             print(f"tau = {tau}: {found.summary['periods']} periods to "
                   f"{tolerance}, {told[1]} told")
-            check_below(difference(exact, enough), tolerance,
-                        "after as many periods, and the one that is compared")
+            check_below(difference(exact, enough, probes=("top", "body")),
+                        tolerance,
+                        "after as many periods and one to compare")
 
 
 def test_onset():
     """Where the mean load opens the lip, t_0 is after its last contact."""
     onsets = []
     settings = [traction("0; 10*(0.5 - sin(2*pi*t/600))")] + relaxation(0.1)
-    for split in ("on", "off"):
+    for split in ("on", "automatic"):
         found = compute("onset", settings + method(
-            "march", "heun", 1e-9, split=split))
+            "march", "heun", 0, 60, split=split))
         secular = found.summary["secular"]
-        onset = secular["onset"]
-        last = secular["last_contact_of_opening_nodes"]
         print(f"split {split}: {secular['opening_nodes']} nodes open, t_0 = "
-              f"{onset}, last contact at {last}")
-        check(last is not None and 0 < last <= onset, "t_0 is after it")
-        if split == "off":
-            pressed = [t for p in LIP for t, x in zip(
-                found.table(f"probe_{p}.csv")["t"],
-                found.table(f"probe_{p}.csv")["pressure"]) if x > 1e-6]
-            print("last pressure at", max(pressed))
-            check(max(pressed) <= last, "at the probes, no later")
-        onsets.append(onset)
-    check_below(abs(onsets[0] / onsets[1] - 1), 1e-6, "both forms")
+              f"{secular['onset']:.6g}")
+        onsets.append(secular["onset"])
+    check_below(abs(onsets[0] / onsets[1] - 1), 1e-6, "t_0 of both forms")
+    # sin wt - cos(wt) / (w tau) and its mean, 5 t / tau
+    omega, tau = 2 * math.pi / PERIOD, 0.1 * PERIOD
+    check_below(abs(onsets[1] / (2 * math.hypot(tau, 1 / omega)) - 1), 5e-3,
+                "t_0 = 2 tau sqrt(1 + 1/(omega tau)^2), to the order of Heun")
+    # At the probes, whatever is more than rounding.
+    pressed = [t for p in LIP for t, x in zip(
+        *(found.table(f"probe_{p}.csv")[column] for column in
+          ("t", "pressure"))) if x > 1e-6]
+    last = secular["last_contact_of_opening_nodes"]
+    print(f"last pressed at {max(pressed)}, told {last}")
+    check(last <= onsets[1] + 15, "no contact after t_0, to a step")
+    check(abs(last - max(pressed)) <= 15, "the last contact is told")
+
+
+def test_march_with_split():
+    """The split form's own contact fades; what is said to be converged must
+    be."""
+    settings = [traction("0; 10*(0.5 - sin(2*pi*t/600))")] + relaxation(0.1)
+    exact = compute("exact", settings + method("march", "heun", 0, 60,
+                                               split="automatic"))
+    found = compute("found", settings + method("march", "heun", 1e-9, 2000,
+                                               split="on"))
+    check_below(difference(exact, found), 3e-9,
+                f"{found.summary['periods']} periods, estimated error "
+                f"{estimate(found):.1e}")
 
 
 if __name__ == "__main__":
@@ -259,7 +275,8 @@ if __name__ == "__main__":
     test_anderson_and_march()
     test_units()
     test_automatic()
-    test_start_from_fourier()
     test_without_contact()
+    test_march_with_split()
+    test_start_from_fourier()
     test_onset()
     test_few_steps()
