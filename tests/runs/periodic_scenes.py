@@ -110,11 +110,11 @@ def difference(one, other, openings=False, stride=1, which=-1,
         worst = max(worst, apart([pair(t, "pressure") for t in on_lip], size),
                     apart([pair("contact.csv", "force")], 0.1 * size))
     if openings:
-        n_before = which % other.summary["periods"]
-        pairs = [pair(t, "opening") for t in on_lip]
-        flows = [flow(other, p) * PERIOD * n_before for p in probes
-                 if f"probe_{p}.csv" in on_lip]
-        worst = max(worst, apart([(mine, [x - gain for x in theirs])
-                                  for (mine, theirs), gain
-                                  in zip(pairs, flows)]))
+        gains = [[flow(results, p) * PERIOD * (k % results.summary["periods"])
+                  for p in probes if f"probe_{p}.csv" in on_lip]
+                 for results, k in ((one, -1), (other, which))]
+        worst = max(worst, apart([
+            ([x - my_gain for x in mine], [x - their_gain for x in theirs])
+            for (mine, theirs), my_gain, their_gain
+            in zip([pair(t, "opening") for t in on_lip], *gains)]))
     return worst

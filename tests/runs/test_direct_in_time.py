@@ -149,6 +149,7 @@ def test_everything_else():
             "Material/Viscous Poisson ratio=0.4"],
         "odd number of steps": steps(41),
         "three steps": steps(3),
+        "quadratic, thermal strain": thermal + ["Discretisation/Degree=2"],
         "quadratic, with all": thermal + steps(21) + [
             "Discretisation/Degree=2", "Loads/Body force=0; -2",
             "Boundary/Gap=-1e-4*x", "Material/Plane state=plane strain"],
