@@ -9,7 +9,8 @@ LIP = ("mouth", "inside", "near")
 PROBES = LIP + ("top", "body")
 COMMON = ["Contact/Solver=condensed active set", "Contact/Tolerance=1e-14",
           "Output/Fields=none",
-          "Output/Probes=mouth: 1, 0; inside: 0.75, 0; near: 0.5714285714285714,"
+          "Output/Probes=mouth: 1, 0; inside: 0.75, 0; "
+          "near: 0.5714285714285714,"
           " 0; top: 0.25, 1; body: 0.3, 0.6"]
 
 ALTERNATING = "0; 10*sin(2*pi*t/600)"
