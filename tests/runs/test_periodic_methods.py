@@ -1,0 +1,284 @@
+"""Anderson's acceleration, marching and the automatic choice: how many periods
+they take, that their estimates of the error are honest, and that they all end
+in the same state."""
+
+import math
+import re
+
+from crevasse_run import check, check_below
+from periodic_scenes import (COMPRESSIVE, FOURIER, LIP,
+                             PERIOD, TWO_HARMONICS, case, compute, difference,
+                             largest_stress, log, method, period, relaxation,
+                             steps, traction)
+
+
+def estimate(results):
+    return results.summary["stress_error_estimate"][-1]
+
+
+def test_anderson():
+    """Few periods, and the error is what it is said to be."""
+    tolerance = 1e-6
+    for name, most in (("a", 26), ("b", 12), ("c", 40)):
+        for ratio in (1, 10):
+            for scheme in ("heun", "trapezoid"):
+                settings = case(name, ratio)
+                exact = compute("exact", settings + (
+                    FOURIER if scheme == "trapezoid" else
+                    method("anderson", scheme)))
+                found = compute("found", settings + method(
+                    "anderson", scheme, tolerance))
+                n, error = found.summary["periods"], difference(exact, found)
+                print(f"({name}), tau/T = {ratio}, {scheme}: {n} periods "
+                      f"(allowed {most}), estimated error "
+                      f"{estimate(found):.1e}, error {error:.1e}")
+                check(found.summary["converged"] and n <= most,
+                      "few periods")
+                check(error <= 3 * tolerance, "an honest estimate")
+
+
+def test_few_steps():
+    """With long steps: what counts as converged must be so."""
+    for n in (3, 4, 5, 8):
+        settings = case("c", 1) + steps(n)
+        exact = compute("exact", settings + FOURIER)
+        found = compute("found", settings + method("anderson"))
+        check_below(difference(exact, found), 1e-8,
+                    f"{n} steps, {found.summary['periods']} periods, "
+                    f"estimated error {estimate(found):.1e}")
+
+
+def test_march():
+    """A change that is small says little, the estimate does: in slow
+    relaxation."""
+    for ratio, all_periods, factor in ((1, (60, 120, 200), 10),
+                                       (10, (60, 100, 200), 3)):
+        settings = case("c", ratio)
+        exact = compute("exact", settings + method("anderson", "heun"))
+        for n in all_periods:
+            found = compute("found", settings + method(
+                "march", "heun", tolerance=0, periods=n))
+            change = found.summary["stress_change"][-1]
+            error = difference(exact, found)
+            print(f"(c), tau/T = {ratio}, march of {n} periods: change "
+                  f"{change:.1e}, error {error:.1e}, estimated "
+                  f"{estimate(found):.1e}")
+            check(error > 20 * change, "the change is much less")
+            check(1 / factor < estimate(found) / error < factor,
+                  "an honest estimate")
+    # Until it converges: the paper's test is told.
+    settings = case("b", 1)
+    found = compute("found", settings + method("march", "heun", 1e-5))
+    lines = [s for s in log(found).splitlines() if "the paper's test" in s]
+    print(lines)
+    check(len(lines) == 1, "the paper's test is told")
+    exact = compute("exact", settings + method("anderson", "heun"))
+    check_below(difference(exact, found), 3e-5, "march to 1e-5")
+
+
+CHAIN = ["Material/Viscosity=chain",
+         "Material/Chain=0.4: 100; 0.3: if(x < 0.7, 300, 600)"]
+VARYING = ["Material/Young modulus=13000*(1 + 0.5*x*sin(2*pi*t/600))",
+           "Material/Viscosity=isotropic", "Material/Viscous modulus=13000*150",
+           "Material/Viscous Poisson ratio=0.2"]
+
+
+def test_anderson_and_march():
+    """Both end in the same state, whatever the problem and the scheme."""
+    adaptive = ["Time integration/Step control=adaptive",
+                "Time integration/Relative tolerance=1e-3"]
+    for name, settings, scheme, tolerance, allowed in (
+            ("adaptive steps", case("b", 0.25) + adaptive, "heun", 1e-7, 1e-5),
+            ("arkode", case("b", 0.25), "arkode explicit", 1e-6, 1e-3),
+            ("sdirk2", case("b", 0.25), "sdirk2", 1e-9, 1e-7),
+            ("K(t, x)", [traction(COMPRESSIVE)] + VARYING, "heun", 1e-9, 1e-7),
+            ("chain with a spring", [traction(TWO_HARMONICS)] + CHAIN, "heun",
+             1e-9, 1e-7)):
+        accelerated = compute("accelerated", settings + method(
+            "anderson", scheme, tolerance))
+        marched = compute("marched", settings + method(
+            "march", scheme, tolerance))
+        n = [r.summary["periods"] for r in (accelerated, marched)]
+        apart = (difference(accelerated, marched) if name != "adaptive steps"
+                 else last_samples_apart(accelerated, marched))
+        print(f"{name}: {n[0]} periods instead of {n[1]}")
+        check(n[0] <= n[1], name + ": no more periods")
+        check_below(apart, allowed, f"{name}: anderson and march")
+
+
+def last_samples_apart(one, other):
+    """At the end of the last period, whatever the steps before."""
+    worst = size = 0.
+    for probe in LIP:
+        for column in ("s_11", "s_22", "s_12", "pressure"):
+            a, b = (r.table(f"probe_{probe}.csv")[column] for r in (one, other))
+            worst = max(worst, abs(a[-1] - b[-1]))
+            size = max(size, *map(abs, a))
+    return worst / size
+
+
+def test_units():
+    """Lengths in thousandths, stresses in millionths, times in 1e4ths."""
+    length, stress, time = 1e-3, 1e6, 1e4
+    scaled = [f"Geometry/Width={length}", f"Geometry/Height={length}",
+              f"Geometry/Crack length={0.5 * length}",
+              f"Material/Young modulus={13000 * stress}",
+              f"Loads/Period={600 * time}",
+              "Output/Probes=" + "; ".join(
+                  f"{name}: {x * length}, 0" for name, x in
+                  (("mouth", 1), ("inside", 0.75),
+                   ("near", 0.5714285714285714)))
+              + f"; top: {0.25 * length}, {length}"
+              f"; body: {0.3 * length}, {0.6 * length}",
+              "Material/Relaxation time="
+              f"if(x < {0.5 * length}, {6e2 * time}, {6e3 * time})",
+              f"Loads/Traction=0; {10 * stress}*(sin(2*pi*t/{600 * time})"
+              f" + 0.5*cos(4*pi*t/{600 * time}) - 0.1)"]
+    for name, scheme in (("anderson", "heun"), ("fourier", "trapezoid")):
+        base = compute("base", case("c", 1) + method(name, scheme, 1e-9))
+        other = compute("scaled", scaled + method(name, scheme, 1e-9))
+        n = [r.summary["periods"] for r in (base, other)]
+        changes = [max(abs(a - b) for a, b in zip(*(
+            [x or 0. for x in r.summary["stress_change"]]
+            for r in (base, other))))]
+        worst = 0.
+        for probe in LIP:
+            for column in ("s_11", "s_22", "s_12", "pressure"):
+                a, b = (period(r, f"probe_{probe}.csv", column)
+                        for r in (base, other))
+                worst = max(worst, max(abs(x - y / stress)
+                                       for x, y in zip(a, b)))
+        print(f"{name}: periods {n}, changes differ by {changes[0]:.1e}")
+        check(n[0] == n[1], "as many periods")
+        check_below(worst / largest_stress(base), 1e-8, name + ": stress")
+
+
+AUTOMATIC = {
+    "elastic": (["Material/Viscosity=none"], "heun",
+                "march (without viscosity one period tells all)"),
+    "heun": ([], "heun", "anderson, started from fourier (automatic: nothing "
+                         "but the loads depends on time"),
+    "trapezoid": ([], "trapezoid",
+                  "fourier (automatic: nothing but the loads depends on time"),
+    "K(t)": (["Material/Stiffness time factor=1 + 0.3*sin(2*pi*t/600)"],
+             "heun", "anderson (automatic: the stiffness varies"),
+    "eta(t, x)": (["Material/Viscosity=isotropic",
+                   "Material/Viscous modulus="
+                   "13000*600*(1 + 0.5*x*sin(2*pi*t/600))",
+                   "Material/Viscous Poisson ratio=0.2"], "heun",
+                  "march (automatic: whether the viscous strain is periodic"),
+    "split off": (["Periodic state/Secular split=off"], "heun",
+                  "march (automatic: Secular split = off"),
+    "fast": (relaxation(0.05), "heun",
+             "anderson (automatic: the stress is forgotten within a period"),
+}
+
+
+def test_automatic():
+    for name, (settings, scheme, why) in AUTOMATIC.items():
+        settings = case("b", 1) + settings
+        automatic = method("automatic", scheme, 1e-6)
+        found = compute("automatic", settings + automatic + [
+            s for s in settings if s.startswith("Periodic")])
+        line = next(s for s in log(found).splitlines()
+                    if "periodic state:" in s)
+        print(f"{name}: {line.strip()}; {found.summary['periods']} periods")
+        check(why in line, f"{name}: '{why}' is not what it says")
+        check(found.summary["converged"], name + ": converged")
+        # No worse than by the plain way.
+        if name in ("elastic", "split off"):
+            continue
+        plain = compute("plain", settings + method(
+            "march", scheme, 1e-9) if name == "eta(t, x)" else settings
+            + method("anderson", scheme, 1e-11))
+        check_below(difference(plain, found), 3e-6, name + ": stress")
+
+
+def test_start_from_fourier():
+    """What is left is the error of the scheme, which takes few periods."""
+    for name in "bc":
+        settings = case(name, 1)
+        exact = compute("exact", settings + method("anderson", "heun"))
+        n = {}
+        for start in ("rest", "fourier"):
+            found = compute("found", settings + method(
+                "march", "heun", 1e-4, start=start))
+            n[start] = found.summary["periods"]
+            check_below(difference(exact, found), 3e-4,
+                        f"({name}), from {start}, {n[start]} periods")
+        check(n["fourier"] <= 0.7 * n["rest"], "fewer periods")
+
+
+def test_without_contact():
+    """The number of periods that is known beforehand is enough."""
+    for tau in ("600", "if(x < 0.5, 300, 1800)"):
+        for tolerance in (1e-3, 1e-6):
+            settings = [
+                "Geometry/Shape=rectangle", f"Material/Relaxation time={tau}",
+                traction("0; 10*(1 + x)*sin(2*pi*t/600 + 1)"),
+                "Output/Probes=top: 0.25, 1; body: 0.3, 0.6"]
+            found = compute("known", settings + method(
+                "march", "heun", tolerance))
+            told = re.search(r"without contact .* within (\d+) periods",
+                             log(found))
+            check(told, "the log tells how many periods it takes")
+            exact = compute("exact", settings + method("anderson", "heun"))
+            enough = compute("enough", settings + method(
+                "march", "heun", 0, periods=int(told[1]) + 1))
+            print(f"tau = {tau}: {found.summary['periods']} periods to "
+                  f"{tolerance}, {told[1]} told")
+            check_below(difference(exact, enough, probes=("top", "body")),
+                        tolerance,
+                        "after as many periods and one to compare")
+
+
+def test_onset():
+    """Where the mean load opens the lip, t_0 is after its last contact."""
+    onsets = []
+    settings = [traction("0; 10*(0.5 - sin(2*pi*t/600))")] + relaxation(0.1)
+    for split in ("on", "automatic"):
+        found = compute("onset", settings + method(
+            "march", "heun", 0, 60, split=split))
+        secular = found.summary["secular"]
+        print(f"split {split}: {secular['opening_nodes']} nodes open, t_0 = "
+              f"{secular['onset']:.6g}")
+        onsets.append(secular["onset"])
+    check_below(abs(onsets[0] / onsets[1] - 1), 1e-6, "t_0 of both forms")
+    # sin wt - cos(wt) / (w tau) and its mean, 5 t / tau
+    omega, tau = 2 * math.pi / PERIOD, 0.1 * PERIOD
+    check_below(abs(onsets[1] / (2 * math.hypot(tau, 1 / omega)) - 1), 5e-3,
+                "t_0 = 2 tau sqrt(1 + 1/(omega tau)^2), to the order of Heun")
+    # At the probes, whatever is more than rounding.
+    pressed = [t for p in LIP for t, x in zip(
+        *(found.table(f"probe_{p}.csv")[column] for column in
+          ("t", "pressure"))) if x > 1e-6]
+    last = secular["last_contact_of_opening_nodes"]
+    print(f"last pressed at {max(pressed)}, told {last}")
+    check(last <= onsets[1] + 15, "no contact after t_0, to a step")
+    check(abs(last - max(pressed)) <= 15, "the last contact is told")
+
+
+def test_march_with_split():
+    """The split form's own contact fades; what is said to be converged must
+    be."""
+    settings = [traction("0; 10*(0.5 - sin(2*pi*t/600))")] + relaxation(0.1)
+    exact = compute("exact", settings + method("march", "heun", 0, 60,
+                                               split="automatic"))
+    found = compute("found", settings + method("march", "heun", 1e-9, 2000,
+                                               split="on"))
+    check_below(difference(exact, found), 3e-9,
+                f"{found.summary['periods']} periods, estimated error "
+                f"{estimate(found):.1e}")
+
+
+if __name__ == "__main__":
+    test_anderson()
+    test_march()
+    test_anderson_and_march()
+    test_units()
+    test_automatic()
+    test_without_contact()
+    test_march_with_split()
+    test_start_from_fourier()
+    test_onset()
+    test_few_steps()
