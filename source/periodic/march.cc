@@ -13,12 +13,17 @@
 #include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/march.h>
 
+#include <algorithm>
+
 namespace Crevasse
 {
   template <int dim>
-  March<dim>::March(ObservedPeriods<dim> &periods, const double tolerance)
+  March<dim>::March(ObservedPeriods<dim> &periods,
+                    const double          tolerance,
+                    const double          slowness)
     : periods(periods)
     , tolerance(tolerance)
+    , slowness(slowness)
   {
   }
 
@@ -37,7 +42,9 @@ namespace Crevasse
             periods.report(0.);
             return Ending::converged;
           }
-        const double error = contraction.add(change, !is_first);
+        // nan comes first: max() gives back what it is compared with then.
+        const double error = std::max(contraction.add(change, !is_first),
+                                      (slowness - 1.) * change);
         periods.report(error);
         if (tolerance > 0. && error <= tolerance)
           return Ending::converged;

@@ -17,6 +17,8 @@
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -94,7 +96,10 @@ namespace Crevasse
   {
     constexpr double tolerable = 1e-8;
     FixedSteps       as_they_are;
-    GivenMotion      motion(direct->motion, direct->rule);
+    GivenMotion      motion(direct->motion,
+                       direct->rule,
+                       steps.step(0),
+                       dealii::GridTools::diameter(body.space.mesh()));
     PeriodMap<dim>   period_map(evolution, &motion, as_they_are, steps);
 
     std::vector<Observer *> all = observers;
@@ -127,7 +132,8 @@ namespace Crevasse
   Ending
   PeriodicSearch<dim>::march(ObservedPeriods<dim> &periods, Vector &r) const
   {
-    return March<dim>(periods, scene.periodic_state.tolerance).run(r);
+    return March<dim>(periods, scene.periodic_state.tolerance, slowness())
+      .run(r);
   }
 
 

@@ -30,8 +30,14 @@ namespace Crevasse
   public:
     /** @param motion at the beginnings of equal steps; it must outlive this
      * object.
-     * @param rule by which it was found. */
-    GivenMotion(const PeriodicMotion &motion, const TimeRule rule);
+     * @param rule by which it was found.
+     * @param step from one instant to the next.
+     * @param diameter of the body: strains are small beside displacements over
+     * it. */
+    GivenMotion(const PeriodicMotion &motion,
+                const TimeRule        rule,
+                const double          step,
+                const double          diameter);
 
     void
     restart() override;
@@ -73,9 +79,13 @@ namespace Crevasse
     const PeriodicMotion &motion;
     const TimeRule        rule;
 
-    unsigned int step = 0;
+    /** The number of the instant @p t, from 0; N at the end of the period. */
+    unsigned int
+    number(const double t) const;
+
+    const double step, diameter;
+    bool         goes_on = false; ///< from the last step, without a jump
     Vector       last_rate, defect;
-    double       last_step = 0.;
 
     /** A difference and the size of what differs. */
     struct Difference

@@ -28,8 +28,12 @@ namespace Crevasse
   {
   public:
     /** @param tolerance for the estimated error of the stress relative to its
-     * maximum; 0: compute as many periods as are allowed. */
-    March(ObservedPeriods<dim> &periods, const double tolerance);
+     * maximum; 0: compute as many periods as are allowed.
+     * @param slowness 1/(1−λ) with the contraction λ of the slowest point by
+     * itself: changes may go on to shrink by that at last. 1: not known. */
+    March(ObservedPeriods<dim> &periods,
+          const double          tolerance,
+          const double          slowness);
 
     Ending
     run(Vector &r) override;
@@ -39,7 +43,7 @@ namespace Crevasse
 
   private:
     ObservedPeriods<dim> &periods;
-    const double          tolerance;
+    const double          tolerance, slowness;
   };
 } // namespace Crevasse
 
