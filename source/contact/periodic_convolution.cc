@@ -194,9 +194,9 @@ namespace Crevasse
   std::vector<FullMatrix<double>>
   PeriodicConvolution::definite_kernel() const
   {
-    const unsigned int n_entries = p * p;
-    Transforms         entries(N, n_entries);
-    const auto         at = [&](const unsigned int n, const unsigned int i) {
+    const std::size_t n_entries = std::size_t(p) * p;
+    Transforms        entries(N, n_entries);
+    const auto        at = [&](const unsigned int n, const unsigned int i) {
       return entries.harmonics.begin() + n * n_entries + i * p;
     };
     for (unsigned int i = 0; i < p; ++i)

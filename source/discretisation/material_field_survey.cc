@@ -132,7 +132,7 @@ namespace Crevasse
   MaterialField<dim>::extreme_rates(const MaterialState<dim> &state) const
   {
     const Matrices &K = *state.stiffness;
-    RelaxationRates all{std::numeric_limits<double>::infinity(), 0.};
+    RelaxationRates all{std::numeric_limits<double>::infinity(), 0., true};
     for (unsigned int i = 0; i < state.fluidity.size(); ++i)
       {
         const Matrices   &H        = *state.fluidity[i];
@@ -149,6 +149,7 @@ namespace Crevasse
             const auto rates = relaxation_rates<dim>(H[p], K[p]);
             all.least        = std::min(all.least, fraction * rates.least);
             all.largest      = std::max(all.largest, fraction * rates.largest);
+            all.all          = all.all && rates.all;
           }
       }
     return all;
@@ -165,10 +166,10 @@ namespace Crevasse
     check_factor(law.viscosity_factor(), "Viscosity time factor", instants);
     check_requirements(instants);
     if (law.branches().empty())
-      return {infinity, infinity};
+      return {infinity, infinity, false};
 
     const bool      rates_vary = stiffness_varies() || fluidity_varies();
-    RelaxationRates now, all{infinity, 0.};
+    RelaxationRates now, all{infinity, 0., true};
     for (const double t : instants)
       {
         if (rates_vary || t == instants.front())
@@ -182,11 +183,15 @@ namespace Crevasse
           factors.stiffness_factor / factors.viscosity_factor;
         all.least   = std::min(all.least, now.least * factor);
         all.largest = std::max(all.largest, now.largest * factor);
+        all.all     = all.all && now.all;
       }
     all.least   = Utilities::MPI::min(all.least, communicator);
     all.largest = Utilities::MPI::max(all.largest, communicator);
+    const bool relaxes =
+      Utilities::MPI::min(all.all ? 1 : 0, communicator) == 1;
     return {all.largest > 0. ? 1. / all.largest : infinity,
-            all.least > 0. ? 1. / all.least : infinity};
+            std::isfinite(all.least) ? 1. / all.least : infinity,
+            relaxes};
   }
 
 

@@ -13,6 +13,7 @@
 #include <crevasse/linear/complex_product.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -149,6 +150,14 @@ namespace Crevasse
         invert(complement);
     }
 
+    /** Workspace, or buffers of messages between ranks. */
+    static bool
+    needs_larger_buffers(const int status)
+    {
+      return status == -8 || status == -9 || status == -14 || status == -17 ||
+             status == -20;
+    }
+
     /** MUMPS predicts the memory; where it falls short, it wants more. */
     void
     factorise_in_enough_memory()
@@ -156,7 +165,7 @@ namespace Crevasse
       constexpr int largest_relaxation = 400; // per cent
       mumps.job                        = 2;
       zmumps_c(&mumps);
-      while ((mumps.infog[0] == -8 || mumps.infog[0] == -9) &&
+      while (needs_larger_buffers(mumps.infog[0]) &&
              icntl(14) < largest_relaxation)
         {
           icntl(14) = 2 * icntl(14) + 10;
@@ -179,8 +188,18 @@ namespace Crevasse
           for (unsigned int j = 0; j < n; ++j)
             // MUMPS writes one triangle of a symmetric one.
             matrix(i, j) = complement[std::max(i, j) * n + std::min(i, j)];
-        matrix.compute_lu_factorization();
-        matrix.invert();
+        try
+          {
+            matrix.compute_lu_factorization();
+            matrix.invert();
+          }
+        catch (const ExceptionBase &)
+          {
+            throw NumericalError(
+              "The compliance of the lip under a harmonic is singular: the "
+              "stiffness is too ill-conditioned. Check the moduli of "
+              "[Material] for extreme contrasts.");
+          }
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
             entries[i * n + j] = 0.5 * (matrix(i, j) + matrix(j, i));
@@ -232,17 +251,20 @@ namespace Crevasse
       const int status = mumps.infog[0];
       if (status >= 0)
         return;
-      const bool is_memory =
-        status == -7 || status == -8 || status == -9 || status == -13;
+      const bool is_memory = needs_larger_buffers(status) || status == -7 ||
+                             status == -13 || status == -19;
+      const bool is_singular = status == -6 || status == -10;
       throw NumericalError(
         std::string("MUMPS failed in ") + what +
         " of a complex stiffness with INFOG(1) = " + std::to_string(status) +
         ", INFOG(2) = " + std::to_string(mumps.infog[1]) +
-        (is_memory ? ": memory is short. Lower [Linear solver] Memory for "
-                     "instants, use more ranks, or use [Periodic state] Method "
-                     "= march, which needs no complex factors."
-                   : ". The stiffness is singular: check the moduli of "
-                     "[Material] and the supports of [Boundary]."));
+        (is_memory     ? ": memory is short. Lower [Linear solver] Memory for "
+                         "instants, use more ranks, or use [Periodic state] Method "
+                         "= march, which needs no complex factors."
+         : is_singular ? ". The stiffness is singular: check the moduli of "
+                         "[Material] and the supports of [Boundary]."
+                       : ". Use [Periodic state] Method = anderson, which "
+                         "needs no complex factors."));
     }
 
     /** Rank 0 gets all entries of two vectors. */
@@ -317,7 +339,15 @@ namespace Crevasse
     : order(std::move(same_pattern))
     , factor(std::make_unique<Factor>(real, condensed))
   {
-    factor->factorise(UpperTriangle(real, imaginary), order.get());
+    try
+      {
+        factor->factorise(UpperTriangle(real, imaginary), order.get());
+      }
+    catch (const NumericalError &)
+      {
+        factor->end(); // All ranks are here; no destructor will be called.
+        throw;
+      }
     if (order == nullptr)
       {
         const int *positions = factor->mumps.sym_perm;
@@ -326,7 +356,15 @@ namespace Crevasse
             ? std::make_shared<Ordering>(positions, positions + factor->mumps.n)
             : std::make_shared<Ordering>();
       }
-    check(real, imaginary);
+    try
+      {
+        check(real, imaginary);
+      }
+    catch (const NumericalError &)
+      {
+        factor->end();
+        throw;
+      }
   }
 
 
@@ -365,7 +403,7 @@ namespace Crevasse
       throw NumericalError(
         "MUMPS has found a factor of a complex stiffness that leaves the "
         "relative residual " +
-        std::to_string(residual / size) +
+        Text::from_number(residual / size) +
         ": the stiffness is too ill-conditioned for a direct solver. Check "
         "the moduli of [Material] for extreme contrasts and the mesh for "
         "degenerate cells.");

@@ -49,6 +49,25 @@ namespace Crevasse
           all.push_back(i);
       return all;
     }
+
+
+
+    /** What is rounding of the largest rate is none. */
+    RelaxationRates
+    extremes(const std::vector<double> &rates)
+    {
+      constexpr double rounding = 1e-12;
+      RelaxationRates  result;
+      result.least = std::numeric_limits<double>::infinity();
+      for (const double rate : rates)
+        result.largest = std::max(result.largest, rate);
+      for (const double rate : rates)
+        if (rate > rounding * result.largest)
+          result.least = std::min(result.least, rate);
+        else
+          result.all = false;
+      return result;
+    }
   } // namespace
 
 
@@ -182,11 +201,9 @@ namespace Crevasse
         const double directions = is_in_plane<dim>(K) ? 2. : 3.;
         const double tension    = (K[0][0] + (directions - 1.) * K[0][1]) *
                                (H[0][0] + (directions - 1.) * H[0][1]);
-        const auto rates =
-          std::minmax({tension,
-                       (K[0][0] - K[0][1]) * (H[0][0] - H[0][1]),
-                       K[3][3] * H[3][3]});
-        return {std::max(rates.first, 0.), rates.second};
+        return extremes({tension,
+                         (K[0][0] - K[0][1]) * (H[0][0] - H[0][1]),
+                         K[3][3] * H[3][3]});
       }
     // HK is similar to the symmetric √H K √H: its eigenvalues are real, and
     // small enough for the general eigenvalue solver of LAPACK.
@@ -198,15 +215,10 @@ namespace Crevasse
       for (unsigned int j = 0; j < n; ++j)
         matrix(i, j) = HK[places[i]][places[j]];
     matrix.compute_eigenvalues();
-
-    RelaxationRates rates{std::numeric_limits<double>::infinity(), 0.};
+    std::vector<double> rates;
     for (unsigned int i = 0; i < n; ++i)
-      {
-        const double rate = std::max(matrix.eigenvalue(i).real(), 0.);
-        rates.least       = std::min(rates.least, rate);
-        rates.largest     = std::max(rates.largest, rate);
-      }
-    return rates;
+      rates.push_back(matrix.eigenvalue(i).real());
+    return extremes(rates);
   }
 
 

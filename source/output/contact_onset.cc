@@ -63,7 +63,8 @@ namespace Crevasse
               0.5 * (sample.instant - last_instant) * (q + opening.last);
           }
         opening.last = q;
-        if (sample.state.contact_forces[opening.index] > pressing)
+        if (sample.secular_flow == nullptr &&
+            sample.state.contact_forces[opening.index] > pressing)
           pressed = sample.time;
       }
     last_instant = sample.instant;

@@ -106,7 +106,7 @@ namespace Crevasse
         best_image     = image;
         since_least    = 0;
       }
-    if (since_least <= 2 * settings.acceleration.depth &&
+    if (since_least <= settings.patience &&
         last_residual <= tolerable_rise * least_residual)
       return;
     acceleration.clear();
@@ -147,16 +147,6 @@ namespace Crevasse
                settings.slowness * last_residual);
     return distance *
            *std::max_element(changes_per_step.begin(), changes_per_step.end());
-  }
-
-
-
-  template <int dim>
-  std::string
-  Anderson<dim>::description() const
-  {
-    return "Anderson's acceleration of depth " +
-           std::to_string(settings.acceleration.depth);
   }
 
 

@@ -56,17 +56,29 @@ namespace Crevasse
                      Vector       &rate)
   {
     f.rate(t, r, rate);
+    if (number(t) == 0)
+      first_rate = rate;
     viscous_strain.size =
       std::max(viscous_strain.size, step * rate.linfty_norm());
-    if (goes_on && rule == TimeRule::trapezoid)
-      {
-        defect = r;
-        defect -= motion.viscous_strain[number(t) - 1];
-        defect.add(-0.5 * step, last_rate, -0.5 * step, rate);
-        viscous_strain.largest =
-          std::max(viscous_strain.largest, defect.linfty_norm());
-      }
+    if (goes_on)
+      compare_step(number(t), r, rate);
     last_rate = rate;
+  }
+
+
+
+  void
+  GivenMotion::compare_step(const unsigned int end,
+                            const Vector      &r,
+                            const Vector      &rate)
+  {
+    if (rule != TimeRule::trapezoid)
+      return;
+    defect = r;
+    defect -= motion.viscous_strain[end - 1];
+    defect.add(-0.5 * step, last_rate, -0.5 * step, rate);
+    viscous_strain.largest =
+      std::max(viscous_strain.largest, defect.linfty_norm());
   }
 
 
@@ -79,8 +91,11 @@ namespace Crevasse
                        Vector &r,
                        Vector *)
   {
-    goes_on = true;
-    r = motion.viscous_strain[(number(t) + 1) % motion.viscous_strain.size()];
+    goes_on                 = true;
+    const unsigned int next = number(t) + 1;
+    r = motion.viscous_strain[next % motion.viscous_strain.size()];
+    if (next == motion.viscous_strain.size())
+      compare_step(next, r, first_rate);
   }
 
 

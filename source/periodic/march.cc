@@ -42,7 +42,7 @@ namespace Crevasse
             periods.report(0.);
             return Ending::converged;
           }
-        // nan comes first: max() gives back what it is compared with then.
+        // max() gives back its first argument if that is nan.
         const double error = std::max(contraction.add(change, !is_first),
                                       (slowness - 1.) * change);
         periods.report(error);
@@ -50,15 +50,6 @@ namespace Crevasse
           return Ending::converged;
       }
     return Ending::out_of_periods;
-  }
-
-
-
-  template <int dim>
-  std::string
-  March<dim>::description() const
-  {
-    return "march";
   }
 
 

@@ -104,7 +104,56 @@ namespace Crevasse
           "period.");
       return warnings;
     }
+
+
+
+    /** On the first rank, told to all: they must go on alike. */
+    PeriodicContactSolution
+    solve_contact(const PeriodicContactProblem &problem,
+                  const MPI_Comm                communicator,
+                  FourierResult                &result)
+    {
+      PeriodicContactSolution solution;
+      collectively(communicator, [&]() {
+        if (Utilities::MPI::this_mpi_process(communicator) != 0)
+          return;
+        PeriodicContact contact;
+        try
+          {
+            solution = contact.solve(problem);
+          }
+        catch (const ExceptionBase &error)
+          {
+            throw NumericalError(
+              std::string("The periodic contact problem has no meaning: ") +
+              error.get_exc_name() +
+              ". Look for moduli or relaxation times that differ by many "
+              "orders of magnitude, or use [Periodic state] Method = "
+              "anderson.");
+          }
+        result.contact = contact.statistics().describe() +
+                         ", certificate: " + contact.certificate().describe();
+      });
+      const auto tell = [communicator](auto &value) {
+        value = Utilities::MPI::broadcast(communicator, value, 0);
+      };
+      tell(solution.forces);
+      tell(solution.openings);
+      tell(solution.offsets);
+      tell(result.contact);
+      return solution;
+    }
   } // namespace
+
+
+
+  void
+  FourierResult::keep_start()
+  {
+    motion.viscous_strain.resize(1);
+    motion.displacement.clear();
+    motion.contact_forces.clear();
+  }
 
 
 
@@ -113,7 +162,7 @@ namespace Crevasse
   {
     std::vector<std::string> lines = {
       "  direct in time: " + std::to_string(motion.loaded_harmonics) +
-      " harmonics, " + std::to_string(motion.complex_factorisations) +
+      " loaded harmonics, " + std::to_string(motion.complex_factorisations) +
       " complex factorisations"};
     if (!contact.empty())
       lines.push_back("  periodic contact at " +
@@ -138,7 +187,9 @@ namespace Crevasse
 
   template <int dim>
   std::vector<std::string>
-  fourier_obstacles(const Scene &scene, const Body<dim> &body)
+  fourier_obstacles(const Scene     &scene,
+                    const Body<dim> &body,
+                    const StepList  &steps)
   {
     std::vector<std::string> all = material_obstacles(body);
     if (scene.time_integration.step_control != "uniform")
@@ -146,6 +197,15 @@ namespace Crevasse
         "harmonics need equal steps; set [Time integration] Step "
         "control = uniform, or use [Periodic state] Method = "
         "anderson");
+    for (unsigned int k = 1; k <= steps.n_steps(); ++k)
+      if (steps.jumps_at(steps.instant(k)))
+        {
+          all.push_back("loads or temperatures jump at t = " +
+                        Text::from_number(steps.instant(k)) +
+                        ", where one sample has no value for both sides; use "
+                        "[Periodic state] Method = anderson");
+          break;
+        }
     return all;
   }
 
@@ -153,10 +213,12 @@ namespace Crevasse
 
   template <int dim>
   void
-  require_fourier(const Scene &scene, const Body<dim> &body)
+  require_fourier(const Scene     &scene,
+                  const Body<dim> &body,
+                  const StepList  &steps)
   {
     Problems problems;
-    for (const std::string &obstacle : fourier_obstacles(scene, body))
+    for (const std::string &obstacle : fourier_obstacles(scene, body, steps))
       problems.add(
         "[Periodic state] Method or Start from = fourier: " + obstacle + ".");
     problems.throw_if_any();
@@ -172,7 +234,6 @@ namespace Crevasse
                         Solvers<dim>    &solvers,
                         const double     smallest_relaxation_time)
   {
-    require_fourier(scene, body);
     FourierResult result;
     result.rule                 = scene.periodic_state.harmonics == "exact"
                                     ? TimeRule::exact
@@ -197,15 +258,11 @@ namespace Crevasse
         result.flow = solve_secular_problem(body, mean_load, solvers);
       }
     TimerOutput::Scope phase(phases, "harmonics");
-    PeriodicContact    contact;
     result.motion = fourier.solve(
       result.flow ? &*result.flow : nullptr,
       [&](const PeriodicContactProblem &problem) {
-        TimerOutput::Scope            phase(phases, "periodic contact");
-        const PeriodicContactSolution solution = contact.solve(problem);
-        result.contact = contact.statistics().describe() +
-                         ", certificate: " + contact.certificate().describe();
-        return solution;
+        TimerOutput::Scope phase(phases, "periodic contact");
+        return solve_contact(problem, body.space.communicator(), result);
       },
       1024. * 1024. * scene.linear_solver.memory_for_instants);
     result.warnings = warnings_about(result.motion,
@@ -216,14 +273,17 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                         \
-  template std::vector<std::string> fourier_obstacles<dim>(const Scene &,        \
-                                                           const Body<dim> &);   \
-  template void          require_fourier<dim>(const Scene &, const Body<dim> &); \
-  template FourierResult solve_fourier_problem<dim>(const Scene &,               \
-                                                    const Body<dim> &,           \
-                                                    const StepList &,            \
-                                                    Solvers<dim> &,              \
+#define INSTANTIATE(dim)                                                          \
+  template std::vector<std::string> fourier_obstacles<dim>(const Scene &,         \
+                                                           const Body<dim> &,     \
+                                                           const StepList &);     \
+  template void                     require_fourier<dim>(const Scene &,           \
+                                     const Body<dim> &,       \
+                                     const StepList &);       \
+  template FourierResult            solve_fourier_problem<dim>(const Scene &,     \
+                                                    const Body<dim> &, \
+                                                    const StepList &,  \
+                                                    Solvers<dim> &,    \
                                                     const double)
 
   INSTANTIATE(2);

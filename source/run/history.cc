@@ -188,13 +188,22 @@ namespace Crevasse
     const std::size_t first =
       std::lower_bound(instants().begin(), instants().end(), begin - rounding) -
       instants().begin();
+    for (std::vector<double> &column : values)
+      column.erase(column.begin(), column.begin() + first);
+  }
+
+
+
+  void
+  History::begin_at_zero()
+  {
     for (std::size_t c = 0; c < names.size(); ++c)
-      {
-        values[c].erase(values[c].begin(), values[c].begin() + first);
-        if (names[c] == "t")
+      if (names[c] == "t" && !values[c].empty())
+        {
+          const double begin = values[c].front();
           for (double &t : values[c])
             t -= begin;
-      }
+        }
   }
 
 
@@ -209,6 +218,8 @@ namespace Crevasse
     if (!contains(folder, quantity))
       return MeasuredError::none("the run has no table " + quantity.table());
     History history = table_of(folder, quantity);
+    if (compared == Compared::last_period)
+      history.keep_last_period(period);
     if (quantity.exact != nullptr)
       return compare_with_formula(quantity, history);
     if (!contains(reference, quantity))
@@ -217,8 +228,9 @@ namespace Crevasse
     History correct = table_of(reference, quantity);
     if (compared == Compared::last_period)
       {
-        history.keep_last_period(period);
         correct.keep_last_period(period);
+        history.begin_at_zero();
+        correct.begin_at_zero();
       }
     return compare_with_run(quantity, history, correct, period);
   }

@@ -81,16 +81,19 @@ namespace Crevasse
 
 
 
-    /** At any of the points of this rank. */
+    /** At any of the points of this rank.
+     *
+     * @param scale of what may vanish for an instant. */
     template <typename Value>
     bool
     differ(const PointValues<Value> &a,
            const PointValues<Value> &b,
-           const std::size_t         n_points)
+           const std::size_t         n_points,
+           const double              scale = 0.)
     {
       for (std::size_t p = 0; p < n_points; ++p)
         if ((a[p] - b[p]).norm() >
-            negligible * std::max(a[p].norm(), b[p].norm()))
+            negligible * std::max({a[p].norm(), b[p].norm(), scale}))
           return true;
       return false;
     }
@@ -99,7 +102,10 @@ namespace Crevasse
 
     template <int dim>
     bool
-    materials_differ(const Body<dim> &body, const double t, const double before)
+    materials_differ(const Body<dim> &body,
+                     const double     t,
+                     const double     before,
+                     const double     thermal_strain)
     {
       const MaterialState<dim> a = body.material.at(t);
       const MaterialState<dim> b = body.material.at(before);
@@ -114,7 +120,10 @@ namespace Crevasse
         for (std::size_t i = 0; i < a.fluidity.size(); ++i)
           jumps = jumps || differ(*a.fluidity[i], *b.fluidity[i], n_points);
       if (body.material.thermal_strain_varies())
-        jumps = jumps || differ(*a.thermal_strain, *b.thermal_strain, n_points);
+        jumps = jumps || differ(*a.thermal_strain,
+                                *b.thermal_strain,
+                                n_points,
+                                thermal_strain);
       return dealii::Utilities::MPI::max(jumps ? 1 : 0,
                                          body.space.communicator()) == 1;
     }
@@ -130,6 +139,8 @@ namespace Crevasse
     if (!can_jump(scene))
       return jumps;
     const double largest = largest_load(body, steps);
+    const double thermal_strain =
+      body.material.largest_thermal_strain(steps.survey_instants({}));
     for (unsigned int k = 1; k <= steps.n_steps(); ++k)
       {
         const double end    = steps.instant(k);
@@ -138,7 +149,7 @@ namespace Crevasse
         Vector       change = loads_at(body, t);
         change -= loads_at(body, before);
         if (change.linfty_norm() > negligible * largest ||
-            materials_differ(body, t, before))
+            materials_differ(body, t, before, thermal_strain))
           jumps.push_back(end);
       }
     return jumps;

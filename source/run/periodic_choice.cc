@@ -27,7 +27,8 @@ namespace Crevasse
     PeriodicChoice
     one_period()
     {
-      return {"march", false, false, "without viscosity one period tells all"};
+      return {
+        "march", false, false, "without viscosity one period tells all", ""};
     }
 
 
@@ -36,6 +37,7 @@ namespace Crevasse
     PeriodicChoice
     choose_automatically(const Scene     &scene,
                          const Body<dim> &body,
+                         const StepList  &steps,
                          const double     largest_relaxation_time)
     {
       // Of the period: then stress falls by 1e-4 within it.
@@ -43,7 +45,8 @@ namespace Crevasse
       const std::string automatic  = "automatic: ";
       const bool        forgets =
         largest_relaxation_time <= short_time * scene.loads.period;
-      const std::vector<std::string> obstacles = fourier_obstacles(scene, body);
+      const std::vector<std::string> obstacles =
+        fourier_obstacles(scene, body, steps);
       if (scene.periodic_state.secular_split == "off")
         return {"march",
                 false,
@@ -117,29 +120,41 @@ namespace Crevasse
   PeriodicChoice
   choose_periodic_method(const Scene     &scene,
                          const Body<dim> &body,
+                         const StepList  &steps,
                          const double     largest_relaxation_time)
   {
+    if (!body.effects.viscosity.on)
+      return one_period();
     const PeriodicStateParameters &parameters = scene.periodic_state;
     if (parameters.method == "automatic")
-      return body.effects.viscosity.on
-               ? choose_automatically(scene, body, largest_relaxation_time)
-               : one_period();
+      return choose_automatically(scene, body, steps, largest_relaxation_time);
 
-    const bool     starts_from_fourier = parameters.start_from == "fourier";
-    PeriodicChoice choice{parameters.method,
-                          starts_from_fourier,
-                          false,
-                          Text::parameter(section, "Method") + " = " +
-                            parameters.method};
+    PeriodicChoice choice;
+    choice.method              = parameters.method;
+    choice.starts_from_fourier = parameters.method != "fourier" && //
+                                 parameters.start_from == "fourier";
+    choice.why = Text::parameter(section, "Method") + " = " + parameters.method;
     if (choice.uses_fourier())
-      require_fourier(scene, body);
-    return body.effects.viscosity.on ? choice : one_period();
+      require_fourier(scene, body, steps);
+    if (const std::string flow = secular_obstacle(body);
+        choice.method == "anderson" && !flow.empty() && !body.law.has_spring())
+      choice.warning = choice.why +
+                       ": whether there is a periodic viscous strain is not "
+                       "known, for " +
+                       flow + "; if this does not end, use Method = march";
+    return choice;
   }
 
 
 
   template PeriodicChoice
-  choose_periodic_method<2>(const Scene &, const Body<2> &, const double);
+  choose_periodic_method<2>(const Scene &,
+                            const Body<2> &,
+                            const StepList &,
+                            const double);
   template PeriodicChoice
-  choose_periodic_method<3>(const Scene &, const Body<3> &, const double);
+  choose_periodic_method<3>(const Scene &,
+                            const Body<3> &,
+                            const StepList &,
+                            const double);
 } // namespace Crevasse

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Crevasse
 {
@@ -107,14 +108,13 @@ namespace Crevasse
     ObservedPeriods<dim> periods(period_map, n_solves, all, 1);
     Vector               r = direct->motion.viscous_strain.front();
     periods.compute(r);
+    periods.finish(r);
     const double defect = motion.largest_defect();
     periods.report(defect);
     log.line("  direct in time: states and samples differ by " +
              Text::from_number(defect) + " at most");
     PeriodicResult result = periods.result();
     result.converged      = defect <= tolerable;
-    if (result.converged || !choice.may_fall_back)
-      periods.finish(r);
     if (!result.converged && !choice.may_fall_back)
       throw NumericalError(
         "[Periodic state] Method = fourier: the periodic motion that was found "
@@ -165,14 +165,26 @@ namespace Crevasse
                                              body.points,
                                              body.material.at(0.));
     typename Anderson<dim>::Settings settings;
-    settings.acceleration = {parameters.anderson_depth,
-                             parameters.anderson_damping};
-    settings.delay        = parameters.anderson_delay;
-    settings.tolerance    = parameters.tolerance;
-    settings.slowness     = slowness();
-    // Where something else could go on, this ends in time for it.
-    settings.most_restarts = choice.may_fall_back ? 2 : unsigned(-1);
-    return Anderson<dim>(periods, coordinates, settings).run(r);
+    settings.acceleration  = {parameters.anderson_depth,
+                              parameters.anderson_damping};
+    settings.delay         = parameters.anderson_delay;
+    settings.tolerance     = parameters.tolerance;
+    settings.slowness      = slowness();
+    settings.patience      = 2 * parameters.anderson_depth;
+    settings.most_restarts = std::numeric_limits<unsigned int>::max();
+    if (choice.may_fall_back)
+      {
+        // Leaves most of the periods to what goes on.
+        settings.patience =
+          std::min(settings.patience, 1 + parameters.maximum_periods / 4);
+        settings.most_restarts = 0;
+      }
+    Anderson<dim> method(periods, coordinates, settings);
+    const Ending  ending = method.run(r);
+    if (method.n_restarts() > 0)
+      log.line("  anderson began anew " + std::to_string(method.n_restarts()) +
+               " times, for its residuals did not fall");
+    return ending;
   }
 
 

@@ -54,6 +54,20 @@ namespace Crevasse
 
 
 
+    /** Jumps are marked in the steps: a choice depends on them. */
+    template <int dim>
+    PeriodicChoice
+    choose_with_jumps(const Scene           &scene,
+                      const Body<dim>       &body,
+                      StepList              &steps,
+                      const RelaxationTimes &times)
+    {
+      steps.set_jumps(find_jumps(scene, body, steps));
+      return choose_periodic_method(scene, body, steps, times.largest);
+    }
+
+
+
     std::vector<Observer *>
     together(std::vector<Observer *>        some,
              const std::vector<Observer *> &others)
@@ -89,8 +103,7 @@ namespace Crevasse
     , relaxation_times(survey(body, survey_instants(steps, integrator.get())))
     , largest_thermal_strain(body.material.largest_thermal_strain(
         survey_instants(steps, integrator.get())))
-    , periodic_choice(
-        choose_periodic_method(scene, body, relaxation_times.largest))
+    , periodic_choice(choose_with_jumps(scene, body, steps, relaxation_times))
     , secular_split(
         choose_secular_split(scene,
                              body,
@@ -107,7 +120,6 @@ namespace Crevasse
     if (body.effects.contact.on && (scene.contact.solver == "projected sor" ||
                                     !scene.contact.relaxation_table.empty()))
       require_one_rank(communicator);
-    steps.set_jumps(find_jumps(scene, body, steps));
     if (integrator != nullptr)
       step_control = make_step_control(scene.time_integration,
                                        steps,
@@ -130,8 +142,8 @@ namespace Crevasse
     if (scene.periodic_state.maximum_periods > 0)
       {
         direct = solve_directly(solvers);
-        if (direct)
-          secular_flow = direct->flow;
+        if (direct && periodic_choice.method == "fourier")
+          take_flow(*direct);
         else if (secular_split.effect.on)
           find_secular_flow(solvers);
       }
@@ -224,11 +236,44 @@ namespace Crevasse
           error.what();
         if (scene.periodic_state.secular_split == "on")
           throw NumericalError("[Periodic state] Secular split = on: " + what);
+        if (secular_split.is_split && !periodic_choice.may_fall_back)
+          throw NumericalError(what +
+                               " [Periodic state] Method = march does "
+                               "without.");
+        if (secular_split.is_split)
+          periodic_choice = {"march",
+                             false,
+                             true,
+                             "automatic: the flow was not found"};
         // Nothing else of the run needs it.
+        secular_split.is_split   = false;
         secular_split.effect.on  = false;
         secular_split.effect.why = what;
         log.line("  warning: " + what);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::take_flow(const FourierResult &direct)
+  {
+    secular_flow           = direct.flow;
+    secular_split.is_split = direct.flow.has_value();
+    if (direct.flow && !secular_split.effect.on)
+      {
+        secular_split.effect.on = true;
+        secular_split.effect.why =
+          "the mean of the samples does not vanish, "
+          "though that of the load does";
+        direct_warnings.push_back(
+          "[Time integration] Steps per period: the mean load vanishes, but "
+          "not that of its samples: what flows is an error of the steps");
+        log.line("  warning: " + direct_warnings.back());
+      }
+    else if (!direct.flow)
+      secular_split.effect.on = false;
   }
 
 
@@ -249,6 +294,8 @@ namespace Crevasse
         for (const std::string &warning : result.warnings)
           log.line("  warning: " + warning);
         direct_warnings = result.warnings;
+        if (periodic_choice.method != "fourier")
+          result.keep_start();
         return result;
       }
     catch (const NumericalError &error)

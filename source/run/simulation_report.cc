@@ -77,8 +77,11 @@ namespace Crevasse
   {
     const double tolerance = scene.periodic_state.tolerance;
     if (body.effects.contact.on || integrator == nullptr ||
-        body.law.has_spring() || tolerance == 0. ||
-        !std::isfinite(relaxation_times.largest))
+        body.law.has_spring() || tolerance == 0. || !relaxation_times.all ||
+        periodic_choice.method == "fourier" ||
+        body.effects.varying_stiffness.on ||
+        body.effects.varying_viscosity.on ||
+        steps.largest_step() > 2. * relaxation_times.smallest)
       return;
     // What differs from the periodic stress does no work: its energy falls at
     // least as fast as that of the slowest point.
@@ -109,8 +112,10 @@ namespace Crevasse
   std::vector<std::string>
   Simulation<dim>::warnings() const
   {
-    std::vector<std::string> all   = unused_parameters(scene);
-    constexpr double         small = 0.1;
+    std::vector<std::string> all = unused_parameters(scene);
+    if (!periodic_choice.warning.empty())
+      all.push_back(periodic_choice.warning);
+    constexpr double small = 0.1;
     if (largest_thermal_strain > small)
       {
         std::ostringstream text;

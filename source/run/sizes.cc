@@ -144,8 +144,9 @@ namespace Crevasse
       const double strain = double(body.law.branches().size()) *
                             n_stress_components<dim> * sizes.quadrature_points;
       double values = 0.;
-      if (choice.method == "anderson") // images and residuals
-        values += 2. * (scene.periodic_state.anderson_depth + 1.) * strain;
+      // Images and residuals, and their differences while they are combined.
+      if (choice.method == "anderson")
+        values += 4. * (scene.periodic_state.anderson_depth + 1.) * strain;
       if (choice.uses_fourier())
         values += steps.n_steps() * (strain + 2. * sizes.unknowns);
       return sizeof(double) * values;

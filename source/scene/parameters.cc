@@ -380,8 +380,8 @@ namespace Crevasse
       Patterns::Selection("automatic|on|off"));
     prm.add_parameter("Maximum periods",
                       maximum_periods,
-                      "Number of periods after which the march ends even if "
-                      "the stress still changes. Allowed: an integer of at "
+                      "Number of periods after which the search ends even if "
+                      "the stress is not periodic. Allowed: an integer of at "
                       "least 0",
                       count);
     prm.add_parameter("Tolerance",

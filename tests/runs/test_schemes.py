@@ -21,7 +21,7 @@ def steps_of(scheme, number):
 
 
 ORDERS = {"euler": 1, "heun": 2, "predictor corrector": 2, "exponential": 2,
-          "sdirk2": 2, "rk4": 4}
+          "sdirk2": 2, "trapezoid": 2, "rk4": 4}
 
 for scheme, order in ORDERS.items():
     errors = []

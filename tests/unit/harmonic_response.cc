@@ -333,8 +333,9 @@ namespace
     const auto refusal = [](const Scene &scene) {
       try
         {
-          const Body<2> body(scene, MPI_COMM_WORLD);
-          require_fourier(scene, body);
+          const Body<2>  body(scene, MPI_COMM_WORLD);
+          const StepList steps(scene.time_integration, scene.loads.period);
+          require_fourier(scene, body, steps);
         }
       catch (const SceneError &error)
         {

@@ -115,13 +115,14 @@ namespace
         check_below("three eigenvalues, five points, " + in_units,
                     fast_errors[4],
                     1e-12);
-        check_below("slow map, five points, " + in_units, slow_errors[4], 1e-7);
+        // Its differences are nearly dependent, and some are left out.
+        check_below("slow map, nine points, " + in_units, slow_errors[8], 1e-7);
         check_below("what dependent residuals do afterwards, " + in_units,
                     *std::max_element(fast_errors.begin() + 5,
                                       fast_errors.end()),
                     1e-12);
         check_below("the same of the slow map, " + in_units,
-                    *std::max_element(slow_errors.begin() + 8,
+                    *std::max_element(slow_errors.begin() + 9,
                                       slow_errors.end()),
                     1e-9);
       }
@@ -171,7 +172,7 @@ namespace
         Contraction contraction;
         double      estimate = contraction.add(1., false);
         check("no estimate of the first period", std::isnan(estimate));
-        for (unsigned int n = 1; n < 6; ++n)
+        for (unsigned int n = 1; n <= 3; ++n)
           {
             estimate = contraction.add(std::pow(lambda, n - 1) - //
                                        std::pow(lambda, n));
@@ -179,7 +180,7 @@ namespace
               check("no estimate of one change", std::isnan(estimate));
           }
         check_below("geometric sequence: relative error of the estimate",
-                    std::abs(estimate / std::pow(lambda, 5) - 1.),
+                    std::abs(estimate / std::pow(lambda, 3) - 1.),
                     1e-9);
       }
 
@@ -201,9 +202,8 @@ namespace
     Contraction growing;
     growing.add(1e-3);
     check("no estimate of changes that grow", std::isnan(growing.add(2e-3)));
-    growing.add(1e-3);
-    check("nor soon after", std::isnan(growing.add(1e-4)));
-    check("but later", std::isfinite(growing.add(1e-5)));
+    check("nor soon after", std::isnan(growing.add(1e-3)));
+    check("but later", std::isfinite(growing.add(1e-4)));
     check("changes that are rounding are no ratio",
           growing.add(1e-14) <= 1e-14 && growing.add(2e-14) <= 2e-14);
   }

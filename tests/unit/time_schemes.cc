@@ -25,6 +25,7 @@
 #include <crevasse/time/runge_kutta.h>
 #include <crevasse/time/sdirk.h>
 #include <crevasse/time/step_list.h>
+#include <crevasse/time/trapezoid.h>
 
 #include <crevasse_tests/tests.h>
 
@@ -539,6 +540,7 @@ main(int argc, char **argv)
                 Relaxation(0.5, 0.6),
                 2.);
     check_order("sdirk2", Sdirk2(), Relaxation(0.5, 0.6), 2.);
+    check_order("trapezoid", Trapezoid(), Relaxation(0.5, 0.6), 2.);
     check_order("exponential", ExponentialHeun(), Relaxation(0.5, 0.6), 2.);
     check_contact_events();
     check_phi_functions();

@@ -56,7 +56,8 @@ namespace Crevasse
   /** Of all points, branches and instants. */
   struct RelaxationTimes
   {
-    double smallest, largest;
+    double smallest, largest; ///< infinite if nothing relaxes
+    bool   all;               ///< whether all parts of the stress relax
   };
 
   /**

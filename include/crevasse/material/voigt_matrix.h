@@ -52,8 +52,9 @@ namespace Crevasse
   /** At which stress relaxes where the strain is held. Unit: 1/time. */
   struct RelaxationRates
   {
-    double least   = 0.; ///< 0: a part of the stress does not relax
+    double least   = 0.; ///< that is not 0; infinite if all are
     double largest = 0.;
+    bool   all     = true; ///< no part of the stress does not relax
   };
 
   /** The extreme eigenvalues of H K, both symmetric and positive semidefinite;

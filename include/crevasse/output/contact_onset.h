@@ -48,8 +48,8 @@ namespace Crevasse
     double
     onset() const;
 
-    /** The last instant at which one of these nodes was pressed; −1: none was.
-     * Collective. */
+    /** The last instant at which one of these nodes was pressed; −1: none was,
+     * or what was computed was q, whose contact is another one. Collective. */
     double
     last_contact() const;
 

@@ -48,7 +48,9 @@ namespace Crevasse
       double tolerance;
       /** 1/(1−λ) with the contraction λ of the slowest point by itself: that
        * far from the fixed point residuals may be. 1 if it is not known. */
-      double       slowness;
+      double slowness;
+      /** Periods without a lesser residual before it begins anew. */
+      unsigned int patience;
       unsigned int most_restarts; ///< then it counts as stagnant
     };
 
@@ -58,9 +60,6 @@ namespace Crevasse
 
     Ending
     run(Vector &r) override;
-
-    std::string
-    description() const override;
 
     /** How often the iteration began anew because it stagnated. */
     unsigned int

@@ -83,9 +83,14 @@ namespace Crevasse
     unsigned int
     number(const double t) const;
 
+    /** Takes the defect of the trapezoidal rule in the step that ends at
+     * instant @p end. */
+    void
+    compare_step(const unsigned int end, const Vector &r, const Vector &rate);
+
     const double step, diameter;
     bool         goes_on = false; ///< from the last step, without a jump
-    Vector       last_rate, defect;
+    Vector       first_rate, last_rate, defect;
 
     /** A difference and the size of what differs. */
     struct Difference

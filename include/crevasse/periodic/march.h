@@ -38,9 +38,6 @@ namespace Crevasse
     Ending
     run(Vector &r) override;
 
-    std::string
-    description() const override;
-
   private:
     ObservedPeriods<dim> &periods;
     const double          tolerance, slowness;

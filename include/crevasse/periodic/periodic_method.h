@@ -15,8 +15,6 @@
 
 #include <crevasse/time/rate_equation.h>
 
-#include <string>
-
 namespace Crevasse
 {
   /** How the search for the periodic state ended. */
@@ -37,10 +35,6 @@ namespace Crevasse
      * afterwards is that at the end of the last one computed. */
     virtual Ending
     run(Vector &r) = 0;
-
-    /** For the log. */
-    virtual std::string
-    description() const = 0;
   };
 } // namespace Crevasse
 

@@ -38,6 +38,11 @@ namespace Crevasse
      * force. */
     std::string contact;
 
+    /** Forgets all but the beginning of the motion, from which another method
+     * goes on. */
+    void
+    keep_start();
+
     /** Lines for the log. */
     std::vector<std::string>
     describe() const;
@@ -51,21 +56,24 @@ namespace Crevasse
    * it can. Collective. */
   template <int dim>
   std::vector<std::string>
-  fourier_obstacles(const Scene &scene, const Body<dim> &body);
+  fourier_obstacles(const Scene     &scene,
+                    const Body<dim> &body,
+                    const StepList  &steps);
 
   /** Whether the direct treatment in time can do a scene. Collective.
    * @throw SceneError with all that it cannot do, and what to use instead. */
   template <int dim>
   void
-  require_fourier(const Scene &scene, const Body<dim> &body);
+  require_fourier(const Scene     &scene,
+                  const Body<dim> &body,
+                  const StepList  &steps);
 
   /**
    * Finds the periodic state of a scene direct in time: see Fourier. The
    * secular flow is that of the mean of the samples. Collective.
    *
    * @param smallest_relaxation_time of the material, for a warning.
-   * @throw SceneError see require_fourier(); NumericalError if one of the
-   * problems is not solved.
+   * @throw NumericalError if one of the problems is not solved.
    */
   template <int dim>
   FourierResult

@@ -39,10 +39,14 @@ namespace Crevasse
     const std::vector<double> &
     instants() const;
 
-    /** Forgets all rows but those of the last period, whose beginning becomes
-     * t = 0; a periods.csv is left as it is. */
+    /** Forgets all rows but those of the last period; a periods.csv is left as
+     * it is. */
     void
     keep_last_period(const double period);
+
+    /** Makes the first instant t = 0. */
+    void
+    begin_at_zero();
 
   private:
     void

@@ -15,6 +15,7 @@
 
 #include <crevasse/run/body.h>
 #include <crevasse/scene/scene.h>
+#include <crevasse/time/step_list.h>
 
 #include <string>
 
@@ -28,6 +29,7 @@ namespace Crevasse
     /** Whether another method takes over where one fails. */
     bool        may_fall_back = false;
     std::string why;
+    std::string warning; ///< empty: none
 
     /** Whether something is solved direct in time. */
     bool
@@ -48,6 +50,7 @@ namespace Crevasse
    * else Anderson's acceleration, unless r may flow in an unknown way.
    * Collective.
    *
+   * @param steps whose jumps are marked.
    * @param largest_relaxation_time Stress that is forgotten within a period
    * needs no start.
    * @throw SceneError if the direct method is asked for and cannot do the
@@ -57,6 +60,7 @@ namespace Crevasse
   PeriodicChoice
   choose_periodic_method(const Scene     &scene,
                          const Body<dim> &body,
+                         const StepList  &steps,
                          const double     largest_relaxation_time);
 } // namespace Crevasse
 

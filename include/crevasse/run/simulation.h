@@ -89,6 +89,10 @@ namespace Crevasse
     void
     find_secular_flow(Solvers<dim> &solvers);
 
+    /** Makes the flow that belongs to the samples that of the run. */
+    void
+    take_flow(const FourierResult &direct);
+
     /** What is solved direct in time; nothing if the method does without, or
      * if it fails and another one takes over. */
     std::optional<FourierResult>
@@ -136,7 +140,7 @@ namespace Crevasse
     std::unique_ptr<StepControl>           step_control;
     const RelaxationTimes                  relaxation_times;
     const double                           largest_thermal_strain;
-    const PeriodicChoice                   periodic_choice;
+    PeriodicChoice                         periodic_choice;
     SecularSplit                           secular_split;
     std::optional<SecularFlow>             secular_flow;
     std::size_t                            rate_evaluations = 0;
