@@ -27,6 +27,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "prm" / "studies"
 PERIOD, STEPS = 600, 40
 TOLERANCE = 1e-6
+FAR_TOO_SMALL = 3  # an estimate is, when the error is more than this many times it
 COMPONENTS = ("s_11", "s_22", "s_12")
 RATIOS = (0.1, 1, 10, 100)  # tau / T
 MESHES = ("14 × 4", "28 × 8", "56 × 16")  # by refinements
@@ -237,7 +238,7 @@ def judgement(run, reference):
         return f"> {len(run.stress)}"
     estimate = run.table["stress_error_estimate"][n - 1]
     error = run.errors(reference)[n - 1]
-    doubt = "**" if error > max(2 * estimate, TOLERANCE) else ""
+    doubt = "**" if error > max(FAR_TOO_SMALL * estimate, 1e-10) else ""
     return f"{n}: {rounded(estimate)}, {doubt}{rounded(error)}{doubt}"
 
 
