@@ -27,6 +27,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "prm" / "studies"
 PERIOD, STEPS = 600, 40
 TOLERANCE = 1e-6
+GOOD_REFERENCE = 0.2  # of the tolerance is its error at most
+FAR_TOO_SMALL = 3  # an estimate is, when the error is more than this many times it
 COMPONENTS = ("s_11", "s_22", "s_12")
 RATIOS = (0.1, 1, 10, 100)  # tau / T
 MESHES = ("14 × 4", "28 × 8", "56 × 16")  # by refinements
@@ -170,7 +172,8 @@ def cost(run, reference):
     good enough for it."""
     errors = run.errors(reference)
     n = run.first_below(errors)
-    if n and not reference.table["stress_error_estimate"][-1] < 1e-9:
+    if n and not (reference.table["stress_error_estimate"][-1]
+                  < GOOD_REFERENCE * TOLERANCE):
         return "?"
     seconds = run.seconds["direct in time"] + run.table["seconds"][:n].sum()
     return f"{n or f'> {len(errors)}'} ({short(seconds)})"
@@ -237,7 +240,7 @@ def judgement(run, reference):
         return f"> {len(run.stress)}"
     estimate = run.table["stress_error_estimate"][n - 1]
     error = run.errors(reference)[n - 1]
-    doubt = "**" if error > max(2 * estimate, TOLERANCE) else ""
+    doubt = "**" if error > max(FAR_TOO_SMALL * estimate, 1e-10) else ""
     return f"{n}: {rounded(estimate)}, {doubt}{rounded(error)}{doubt}"
 
 
