@@ -28,6 +28,8 @@ namespace Crevasse
   {
     constexpr double rounding = 1e-10;
     const double     opens    = rounding * flow.velocity.linfty_norm();
+    for (const double force : flow.contact_forces)
+      secular_force += force;
     for (unsigned int k = 0; k < lip.nodes().size(); ++k)
       {
         const LipNode<dim> &node = lip.nodes()[k];
@@ -67,6 +69,14 @@ namespace Crevasse
             sample.state.contact_forces[opening.index] > pressing)
           pressed = sample.time;
       }
+    double force = 0.;
+    for (const double g : sample.state.contact_forces)
+      force += g;
+    if (sample.step == 0)
+      impulse = 0.;
+    else
+      impulse += 0.5 * (sample.instant - last_instant) * (force + last_force);
+    last_force   = force;
     last_instant = sample.instant;
   }
 
@@ -95,6 +105,16 @@ namespace Crevasse
                    (lip.nodes()[opening.index].gap + swing) / opening.rate);
       }
     return Utilities::MPI::max(latest, communicator);
+  }
+
+
+
+  template <int dim>
+  std::pair<double, double>
+  ContactOnset<dim>::mean_forces() const
+  {
+    return {Utilities::MPI::sum(impulse, communicator) / last_instant,
+            Utilities::MPI::sum(secular_force, communicator)};
   }
 
 

@@ -75,8 +75,10 @@ namespace Crevasse
 
   template <int dim>
   ContactTable<dim>::ContactTable(const ContactBoundary<dim> &lip,
-                                  const std::string          &file_name)
+                                  const std::string          &file_name,
+                                  const bool                  of_last_period)
     : lip(lip)
+    , of_last_period(of_last_period)
     , table(open_table(file_name,
                        {"t", "closed_nodes", "force", "largest_pressure"}))
   {
@@ -89,7 +91,9 @@ namespace Crevasse
   ContactTable<dim>::observe(const Sample &sample)
   {
     const LipState now = lip_state(lip, sample.state);
-    opening            = std::max(opening, now.largest_opening);
+    if (of_last_period && sample.step == 0)
+      opening = 0.;
+    opening = std::max(opening, now.largest_opening);
     if (table != nullptr)
       table->add_row({sample.time,
                       double(now.closed_nodes),

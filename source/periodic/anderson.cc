@@ -70,7 +70,10 @@ namespace Crevasse
         last_step          = distance(next, start);
         const double error = estimated_error();
         periods.report(error);
-        if (settings.tolerance > 0. && error <= settings.tolerance)
+        // After a leap steps say nothing of the stress.
+        constexpr double leap = 0.1;
+        if (settings.tolerance > 0. && error <= settings.tolerance &&
+            !(k > 0 && change > leap))
           return Ending::converged;
         if (restarts > settings.most_restarts)
           return Ending::stagnant;

@@ -117,6 +117,12 @@ namespace Crevasse
     for (unsigned int i = 0; i < q.locally_owned_size(); ++i)
       displacement.add(q.local_element(i),
                        motion.displacement[j].local_element(i));
+    // Under constant loads nothing but the flow is there.
+    if (sample.secular_flow != nullptr)
+      displacement.size =
+        std::max(displacement.size,
+                 motion.displacement.size() * step *
+                   sample.secular_flow->velocity.linfty_norm());
     // A lip that nothing presses bears what rounding leaves of the loads.
     for (const double b : sample.right_hand_side)
       force.size = std::max(force.size, std::abs(b));

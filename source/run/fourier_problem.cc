@@ -56,7 +56,11 @@ namespace Crevasse
       if (effects.varying_stiffness.on)
         found.push_back("the stiffness varies in time, " +
                         effects.varying_stiffness.why + instead);
-      if (effects.varying_viscosity.on)
+      if (body.material.fluidity_varies())
+        found.push_back("the viscosity varies in time, " +
+                        effects.varying_viscosity.why +
+                        "; use [Periodic state] Method = march");
+      else if (effects.varying_viscosity.on)
         found.push_back("the viscosity varies in time, " +
                         effects.varying_viscosity.why + instead);
       if (body.law.has_spring())
@@ -66,9 +70,8 @@ namespace Crevasse
           instead);
       if (found.empty() && !flows_everywhere(body))
         found.push_back(
-          "the fluidity of [Material] is singular: a part of the "
-          "strain does not flow" +
-          instead);
+          "the fluidity of [Material] is singular: a part of the strain does "
+          "not flow; use [Periodic state] Method = march");
       return found;
     }
 

@@ -27,6 +27,8 @@ namespace Crevasse
     void
     observe(const Sample &sample) override
     {
+      if (of_last_period && sample.step == 0)
+        viscous_strain = 0.;
       if (sample.viscous_strain.size() > 0)
         viscous_strain =
           std::max(viscous_strain, sample.viscous_strain.linfty_norm());
@@ -35,11 +37,18 @@ namespace Crevasse
     void
     end_of_period(const PeriodReport &report) override
     {
-      value = std::max(value, report.largest_stress);
+      value = of_last_period ? report.largest_stress
+                             : std::max(value, report.largest_stress);
     }
 
-    double value          = 0.;
-    double viscous_strain = 0.; ///< largest component
+    explicit LargestStress(const bool of_last_period)
+      : of_last_period(of_last_period)
+    {
+    }
+
+    const bool of_last_period;
+    double     value          = 0.;
+    double     viscous_strain = 0.; ///< largest component
   };
 
 
@@ -68,8 +77,9 @@ namespace Crevasse
                         const StepList                         &steps,
                         const Integrator                       *integrator,
                         const SecularFlow                      *flow,
-                        Log                                    &log,
-                        const std::string                      &directory)
+                        const bool         periods_are_iterates,
+                        Log               &log,
+                        const std::string &directory)
     : body(body)
     , steps(steps)
     , log(log)
@@ -85,7 +95,9 @@ namespace Crevasse
     for (const ProbeEvaluator<dim> &probe : probes)
       add<ProbeTable<dim>>(probe, file("probe_" + probe.name() + ".csv"));
     if (body.effects.contact.on)
-      contact_table = add<ContactTable<dim>>(body.lip, file("contact.csv"));
+      contact_table = add<ContactTable<dim>>(body.lip,
+                                             file("contact.csv"),
+                                             periods_are_iterates);
     if (body.effects.contact.on && flow != nullptr)
       onset = add<ContactOnset<dim>>(body.lip, *flow);
     if (body.effects.viscosity.on)
@@ -115,7 +127,7 @@ namespace Crevasse
         problems,
         log,
         directory);
-    largest_stress = add<LargestStress>();
+    largest_stress = add<LargestStress>(periods_are_iterates);
     add<PeriodTable>(file("periods.csv"));
     add<Progress<dim>>(log,
                        body.lip,
@@ -204,9 +216,11 @@ namespace Crevasse
     const unsigned int n_nodes = onset->n_opening_nodes();
     const double       pressed = onset->last_contact();
 
-    auto &secular            = summary["secular"];
-    secular["opening_nodes"] = n_nodes;
-    secular["onset"]         = onset->onset();
+    auto      &secular                           = summary["secular"];
+    const auto forces                            = onset->mean_forces();
+    secular["mean_contact_force_of_last_period"] = forces.first;
+    secular["opening_nodes"]                     = n_nodes;
+    secular["onset"]                             = onset->onset();
     // null: none of them was pressed at all
     secular["last_contact_of_opening_nodes"] =
       pressed >= 0. ? Summary(pressed) : Summary();

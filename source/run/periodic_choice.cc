@@ -13,6 +13,7 @@
 #include <crevasse/run/fourier_problem.h>
 #include <crevasse/run/periodic_choice.h>
 #include <crevasse/run/secular_problem.h>
+#include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
 
 namespace Crevasse
@@ -27,8 +28,7 @@ namespace Crevasse
     PeriodicChoice
     one_period()
     {
-      return {
-        "march", false, false, "without viscosity one period tells all", ""};
+      return {"march", false, false, "without viscosity one period tells all"};
     }
 
 
@@ -54,7 +54,8 @@ namespace Crevasse
                 automatic +
                   "Secular split = off leaves what flows in the "
                   "viscous strain"};
-      if (obstacles.empty() && scene.time_integration.scheme == "trapezoid")
+      if (obstacles.empty() && scene.time_integration.scheme == "trapezoid" &&
+          !scene.time_integration.locate_contact_events)
         return {"fourier",
                 false,
                 true,
@@ -107,6 +108,14 @@ namespace Crevasse
 
 
 
+  bool
+  PeriodicChoice::periods_are_iterates() const
+  {
+    return method == "anderson";
+  }
+
+
+
   std::string
   PeriodicChoice::describe() const
   {
@@ -138,10 +147,10 @@ namespace Crevasse
       require_fourier(scene, body, steps);
     if (const std::string flow = secular_obstacle(body);
         choice.method == "anderson" && !flow.empty() && !body.law.has_spring())
-      choice.warning = choice.why +
+      throw SceneError(choice.why +
                        ": whether there is a periodic viscous strain is not "
                        "known, for " +
-                       flow + "; if this does not end, use Method = march";
+                       flow + ". Use Method = march.");
     return choice;
   }
 

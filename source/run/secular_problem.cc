@@ -26,13 +26,16 @@ namespace Crevasse
 
   namespace
   {
+    constexpr double rounding = 1e-12;
+
+
+
     /** The load that counts as none beside this one. */
     template <int dim>
     double
     negligible_load(const Body<dim> &body, const double period)
     {
       constexpr unsigned int n_samples = 512;
-      constexpr double       rounding  = 1e-12;
       Vector                 loads;
       body.strain_operator.initialize(loads);
       double largest = 0.;
@@ -104,6 +107,29 @@ namespace Crevasse
            "less than a step. Take more steps, or [Time integration] Step "
            "control = list with instants where it changes.";
       return text.str();
+    }
+
+
+
+    /** What is to be said if the steps see a mean load that there is not;
+     * nothing if they do not. */
+    template <int dim>
+    std::string
+    seen_by_steps(const Body<dim>  &body,
+                  const double      largest_load,
+                  const StepList   &steps,
+                  const Integrator &integrator)
+    {
+      constexpr double tolerable = 0.01;
+      const double     seen =
+        mean_load_of_steps(body, steps, integrator).linfty_norm();
+      if (seen <= tolerable * largest_load)
+        return "";
+      return "[Periodic state] Secular split: the mean load vanishes, but the "
+             "time steps see one: the body flows by an error of the steps. "
+             "Something changes within less than a step. Take more steps, or "
+             "[Time integration] Step control = list with instants where it "
+             "changes.";
     }
 
 
@@ -198,6 +224,12 @@ namespace Crevasse
       : split.is_split
         ? "the mean load does not vanish: its flow is split off"
         : "the mean load does not vanish: beta is found, not split off";
+    if (!effect.on && scene.time_integration.step_control != "adaptive")
+      split.warning =
+        seen_by_steps(body,
+                      negligible_load(body, scene.loads.period) / rounding,
+                      steps,
+                      *integrator);
     // Adaptive steps are found where the loads are.
     if (!effect.on || scene.time_integration.step_control == "adaptive")
       return split;

@@ -166,6 +166,7 @@ namespace Crevasse
                            steps,
                            integrator.get(),
                            secular_flow ? &*secular_flow : nullptr,
+                           periodic_choice.periods_are_iterates(),
                            log,
                            directory);
       const PeriodicResult result =
@@ -204,6 +205,8 @@ namespace Crevasse
     std::snprintf(text, sizeof(text), "  Time = %.2f s", timer.wall_time());
     log.line(text);
     conclude(result);
+    if (result.converged)
+      require_contact_forces(summary);
   }
 
 

@@ -12,11 +12,16 @@
 
 #include <crevasse/run/simulation.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 namespace Crevasse
 {
+  using namespace dealii;
+
   namespace
   {
     /** How many periods more it takes until the error is below the tolerance if
@@ -106,6 +111,40 @@ namespace Crevasse
 
   template <int dim>
   void
+  Simulation<dim>::require_contact_forces(const Summary &summary) const
+  {
+    const auto &secular = summary["secular"];
+    if (!secular_flow || !body.effects.contact.on || //
+        body.effects.varying_viscosity.on ||
+        !secular.contains("mean_contact_force_of_last_period"))
+      return;
+    // Much more than the error of any reasonable steps.
+    constexpr double far = 0.5, rounding = 1e-6;
+    const double     measured = secular["mean_contact_force_of_last_period"];
+    double           expected = 0.;
+    for (const double force : secular_flow->contact_forces)
+      expected += force;
+    expected = Utilities::MPI::sum(expected, communicator);
+    if (std::abs(measured - expected) <= far * std::max(measured, expected) ||
+        std::max(measured, expected) <=
+          rounding * secular_split.mean_load.linfty_norm())
+      return;
+    std::ostringstream message;
+    message << "The stress repeats, but it is not the periodic one: the lip "
+               "bears "
+            << measured << " in the mean of the last period, and " << expected
+            << " once its flow has become steady (mean contact force of the "
+               "secular problem). It still approaches contact, or leaves it. "
+               "All results so far are written. Use [Periodic state] Method = "
+               "fourier with Scheme = trapezoid, or march with Tolerance = 0 "
+               "over more periods.";
+    throw NotPeriodicError(message.str());
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::conclude(const PeriodicResult &result) const
   {
     require_meaning();
@@ -151,6 +190,8 @@ namespace Crevasse
 
 #define INSTANTIATE(dim)                                                      \
   template void Simulation<dim>::report_end_by_change(const PeriodicResult &) \
+    const;                                                                    \
+  template void Simulation<dim>::require_contact_forces(const Summary &)      \
     const;                                                                    \
   template void Simulation<dim>::require_meaning() const;                     \
   template void Simulation<dim>::conclude(const PeriodicResult &) const

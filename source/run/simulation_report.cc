@@ -112,10 +112,8 @@ namespace Crevasse
   std::vector<std::string>
   Simulation<dim>::warnings() const
   {
-    std::vector<std::string> all = unused_parameters(scene);
-    if (!periodic_choice.warning.empty())
-      all.push_back(periodic_choice.warning);
-    constexpr double small = 0.1;
+    std::vector<std::string> all   = unused_parameters(scene);
+    constexpr double         small = 0.1;
     if (largest_thermal_strain > small)
       {
         std::ostringstream text;
@@ -127,6 +125,17 @@ namespace Crevasse
       }
     if (!secular_split.warning.empty())
       all.push_back(secular_split.warning);
+    if (integrator != nullptr && !periodic_choice.uses_fourier() &&
+        scene.time_integration.scheme == "trapezoid" &&
+        steps.largest_step() > 2. * relaxation_times.smallest)
+      {
+        std::ostringstream text;
+        text << "[Time integration] Scheme = trapezoid with steps of "
+             << steps.largest_step() / relaxation_times.smallest
+             << " relaxation times: what relaxes so fast swings on instead of "
+                "dying out; Scheme = sdirk2 lets it die";
+        all.push_back(text.str());
+      }
     if (integrator != nullptr &&
         scene.time_integration.scheme == "exponential" &&
         scene.time_integration.step_control != "adaptive" &&

@@ -17,6 +17,7 @@
 #include <crevasse/periodic/observer.h>
 #include <crevasse/time/secular_flow.h>
 
+#include <utility>
 #include <vector>
 
 namespace Crevasse
@@ -48,6 +49,12 @@ namespace Crevasse
     double
     onset() const;
 
+    /** The mean of the contact force over the last period, and that of the
+     * secular problem: equal in the periodic state but for the steps' error, if
+     * η₀ is constant. Collective. */
+    std::pair<double, double>
+    mean_forces() const;
+
     /** The last instant at which one of these nodes was pressed; −1: none was,
      * or what was computed was q, whose contact is another one. Collective. */
     double
@@ -68,6 +75,8 @@ namespace Crevasse
     std::vector<OpeningNode>    nodes;
 
     double last_instant = 0., pressed = -1.;
+    double last_force = 0., impulse = 0.; ///< of this rank's nodes
+    double secular_force = 0.;
   };
 } // namespace Crevasse
 

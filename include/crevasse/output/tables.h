@@ -44,17 +44,21 @@ namespace Crevasse
   class ContactTable : public Observer
   {
   public:
-    ContactTable(const ContactBoundary<dim> &lip, const std::string &file_name);
+    /** @param of_last_period what the largest opening is that of. */
+    ContactTable(const ContactBoundary<dim> &lip,
+                 const std::string          &file_name,
+                 const bool                  of_last_period);
 
     void
     observe(const Sample &sample) override;
 
-    /** The largest opening seen so far. */
+    /** The largest opening seen so far, or in the last period. */
     double
     largest_opening() const;
 
   private:
     const ContactBoundary<dim> &lip;
+    const bool                  of_last_period;
     std::unique_ptr<CsvTable>   table;
     double                      opening = 0.;
   };

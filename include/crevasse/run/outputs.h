@@ -39,7 +39,9 @@ namespace Crevasse
   {
   public:
     /** All arguments must outlive this object.
-     * @param flow that the mean load causes; null: none, or it is not known. */
+     * @param flow that the mean load causes; null: none, or it is not known.
+     * @param periods_are_iterates Extremes are those of the last period then.
+     */
     Outputs(const Scene                            &scene,
             const Body<dim>                        &body,
             const StressRecovery<dim>              &recovery,
@@ -48,6 +50,7 @@ namespace Crevasse
             const StepList                         &steps,
             const Integrator                       *integrator,
             const SecularFlow                      *flow,
+            const bool                              periods_are_iterates,
             Log                                    &log,
             const std::string                      &directory);
 

@@ -29,7 +29,6 @@ namespace Crevasse
     /** Whether another method takes over where one fails. */
     bool        may_fall_back = false;
     std::string why;
-    std::string warning; ///< empty: none
 
     /** Whether something is solved direct in time. */
     bool
@@ -38,6 +37,10 @@ namespace Crevasse
     /** Whether r must be periodic, and so a secular flow split off. */
     bool
     needs_periodic_strain() const;
+
+    /** Whether only the last period is one of the body. */
+    bool
+    periods_are_iterates() const;
 
     /** One line for the log. */
     std::string
@@ -53,8 +56,7 @@ namespace Crevasse
    * @param steps whose jumps are marked.
    * @param largest_relaxation_time Stress that is forgotten within a period
    * needs no start.
-   * @throw SceneError if the direct method is asked for and cannot do the
-   * scene.
+   * @throw SceneError if the scene asks for a method that cannot do it.
    */
   template <int dim>
   PeriodicChoice

@@ -122,6 +122,11 @@ namespace Crevasse
     void
     require_meaning() const;
 
+    /** @throw NotPeriodicError if the lip bears another mean force than the
+     * secular problem has. */
+    void
+    require_contact_forces(const Summary &summary) const;
+
     /** @throw NumericalError if the periodic state was not reached, or if the
      * stress is nothing but rounding. */
     void
