@@ -21,9 +21,8 @@ namespace Crevasse
   double
   Contraction::add(const double change, const bool counts)
   {
-    // Ratios of what rounding leaves say nothing; that before does. It is about
-    // what contact problems are solved to.
-    constexpr double rounding = 2e-11;
+    // Ratios of what rounding leaves say nothing; those before do.
+    constexpr double rounding = 1e-10;
     if (!counts || !std::isfinite(change))
       {
         last_change.reset();
@@ -34,10 +33,11 @@ namespace Crevasse
         ratio_before = ratio;
         ratio        = change / *last_change;
       }
-    last_change = change;
-    if (change <= rounding)
-      return change;
+    last_change         = change;
     const double lambda = factor();
+    if (change <= rounding)
+      return lambda < 1. ? change * std::max(1., lambda / (1. - lambda))
+                         : change;
     return lambda < 1. ? change * lambda / (1. - lambda)
                        : std::numeric_limits<double>::quiet_NaN();
   }

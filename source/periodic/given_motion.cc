@@ -23,12 +23,14 @@ namespace Crevasse
   GivenMotion::GivenMotion(const PeriodicMotion &motion,
                            const TimeRule        rule,
                            const double          step,
-                           const double          diameter)
+                           const double          diameter,
+                           const double          largest_load)
     : motion(motion)
     , rule(rule)
     , step(step)
     , diameter(diameter)
   {
+    force.size = largest_load;
   }
 
 

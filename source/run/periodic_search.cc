@@ -13,6 +13,7 @@
 #include <crevasse/periodic/anderson.h>
 #include <crevasse/periodic/given_motion.h>
 #include <crevasse/periodic/march.h>
+#include <crevasse/run/largest_load.h>
 #include <crevasse/run/periodic_search.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
@@ -100,7 +101,8 @@ namespace Crevasse
     GivenMotion      motion(direct->motion,
                        direct->rule,
                        steps.step(0),
-                       dealii::GridTools::diameter(body.space.mesh()));
+                       dealii::GridTools::diameter(body.space.mesh()),
+                       largest_load(body, steps));
     PeriodMap<dim>   period_map(evolution, &motion, as_they_are, steps);
 
     std::vector<Observer *> all = observers;

@@ -641,7 +641,7 @@ def test_not_yet_periodic():
                      "Periodic state/Tolerance=1e-8", "--set",
                      "Periodic state/Maximum periods=3")
     check_messages("periods to go", *result, 3,
-                   [r'"Maximum periods" \(about \d+ more at the present rate\)'])
+                   [r'"Maximum periods" \(about \d+ more if they go on to shrink'])
 
 
 UNUSED = [  # settings, and the warnings that they give

@@ -33,11 +33,13 @@ namespace Crevasse
      * @param rule by which it was found.
      * @param step from one instant to the next.
      * @param diameter of the body: strains are small beside displacements over
-     * it. */
+     * it.
+     * @param largest_load at a node. */
     GivenMotion(const PeriodicMotion &motion,
                 const TimeRule        rule,
                 const double          step,
-                const double          diameter);
+                const double          diameter,
+                const double          largest_load);
 
     void
     restart() override;
