@@ -124,7 +124,7 @@ namespace Crevasse
   void
   Anderson<dim>::remember_change(const double change)
   {
-    constexpr unsigned int n_remembered = 16;
+    constexpr unsigned int n_remembered = 3;
     if (!std::isfinite(change)) // adaptive steps are not yet the same
       {
         changes_per_step.clear();
