@@ -56,7 +56,9 @@ namespace Crevasse
         coordinates.to_strain(start, r);
         const double change = periods.compute(r);
         coordinates.from_strain(r, image);
-        if (k > 0)
+        // Of steps that are rounding nothing is to be learned.
+        constexpr double rounding = 1e-11;
+        if (k > 0 && last_step > rounding * image.l2_norm())
           remember_change(change);
 
         last_residual = distance(image, start);

@@ -21,6 +21,11 @@ namespace Crevasse
 {
   namespace
   {
+    // Residuals are differences of images that are accurate to about this.
+    constexpr double accuracy = 1e-11;
+
+
+
     /** The differences ΔF that are used, as Q R, and what belongs to them. */
     struct Differences
     {
@@ -60,7 +65,7 @@ namespace Crevasse
         change = x;
         change -= pairs.back().image;
         change += pairs.back().residual;
-        if (residual_change > 0.)
+        if (residual_change > accuracy * image.l2_norm())
           pair.slowness = change.l2_norm() / residual_change;
       }
     pairs.push_back(std::move(pair));
@@ -73,8 +78,7 @@ namespace Crevasse
   void
   AndersonAcceleration::extrapolate(Vector &x)
   {
-    // Residuals are differences of images that are accurate to about this.
-    constexpr double accuracy = 1e-11, independent = 1e-3;
+    constexpr double independent = 1e-3;
 
     const Pair  &last  = pairs.back();
     const double noise = accuracy * last.image.l2_norm();

@@ -5,7 +5,7 @@ in the same state."""
 import math
 import re
 
-from crevasse_run import check, check_below
+from crevasse_run import Failure, check, check_below
 from periodic_scenes import (COMPRESSIVE, FOURIER, LIP,
                              PERIOD, TWO_HARMONICS, case, compute, difference,
                              largest_stress, log, method, period, relaxation,
@@ -38,11 +38,17 @@ def test_anderson():
 
 
 def test_few_steps():
-    """With long steps: what counts as converged must be so."""
+    """With long steps: what counts as converged must be so. With the longest
+    the search may end without, and says so."""
     for n in (3, 4, 5, 8):
         settings = case("c", 1) + steps(n)
         exact = compute("exact", settings + FOURIER)
-        found = compute("found", settings + method("anderson"))
+        try:
+            found = compute("found", settings + method("anderson"))
+        except Failure as failure:
+            check(n < 8 and "exit status 3" in str(failure), str(failure))
+            print(f"{n} steps: not converged, and told")
+            continue
         check_below(difference(exact, found), 1e-8,
                     f"{n} steps, {found.summary['periods']} periods, "
                     f"estimated error {estimate(found):.1e}")
@@ -161,7 +167,7 @@ AUTOMATIC = {
     "trapezoid": ([], "trapezoid",
                   "fourier (automatic: nothing but the loads depends on time"),
     "K(t)": (["Material/Stiffness time factor=1 + 0.3*sin(2*pi*t/600)"],
-             "heun", "anderson (automatic: the stiffness varies"),
+             "heun", "anderson (automatic: no direct method, for the stiffness varies"),
     "eta(t, x)": (["Material/Viscosity=isotropic",
                    "Material/Viscous modulus="
                    "13000*600*(1 + 0.5*x*sin(2*pi*t/600))",
