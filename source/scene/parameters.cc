@@ -194,6 +194,15 @@ namespace Crevasse
                       "need where the volume hardly changes, in plane strain "
                       "or three dimensions with a Poisson ratio near 0.5.",
                       Patterns::Selection("full|mean"));
+    prm.add_parameter(
+      "Singular functions",
+      singular_functions,
+      "Number of functions with the singularity of the crack tip that are "
+      "added to the finite elements: 1: that of a unit K_I, 2: and the other "
+      "one with the square root of r, which is needed where the viscous "
+      "Poisson ratio is not the elastic one, 3: and that with the power 3/2. "
+      "Allowed: 0 to 3",
+      count);
   }
 
 

@@ -41,6 +41,10 @@ namespace Crevasse
                    volumetric_strain,
                    "is for linear elements only; with Degree = " +
                      std::to_string(degree) + " it must be full");
+    checker.demand(singular_functions <= 3,
+                   "Singular functions",
+                   singular_functions,
+                   "must be 0, 1, 2 or 3");
   }
 
 

@@ -41,10 +41,12 @@ namespace Crevasse
     add(material);
     add(loads);
     add(discretisation);
+    add(refinement);
     add(contact);
     add(linear_solver);
     add(time_integration);
     add(periodic_state);
+    add(crack_tip);
     add(output);
   }
 } // namespace Crevasse

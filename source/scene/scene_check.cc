@@ -55,6 +55,47 @@ namespace Crevasse
 
 
 
+    /** The singular functions are those of a plane crack, and B-bar knows only
+     * shape functions. */
+    void
+    check_singular_functions(const Scene &scene, Problems &problems)
+    {
+      const DiscretisationParameters &discretisation = scene.discretisation;
+      const Checker checker(DiscretisationParameters::section, problems);
+      checker.demand(discretisation.singular_functions == 0 ||
+                       scene.dimension == 2,
+                     "Singular functions",
+                     discretisation.singular_functions,
+                     "must be 0 with Dimension = 3: they are those of a crack "
+                     "tip in the plane; use [Refinement] Strategy = tip");
+      checker.demand(discretisation.singular_functions == 0 ||
+                       discretisation.volumetric_strain == "full",
+                     "Singular functions",
+                     discretisation.singular_functions,
+                     "must be 0 with Volumetric strain = mean; use Degree = 2 "
+                     "instead of mean dilatations");
+      checker.demand(discretisation.singular_functions == 0 ||
+                       scene.linear_solver.type != "amg",
+                     "Singular functions",
+                     discretisation.singular_functions,
+                     "must be 0 with [Linear solver] Type = amg: they couple "
+                     "all unknowns; use automatic, cholesky or mumps");
+    }
+
+
+
+    void
+    check_crack_tip(const Scene &scene, Problems &problems)
+    {
+      Checker(CrackTipParameters::section, problems)
+        .demand(!scene.crack_tip.stress_intensity || scene.dimension == 2,
+                "Stress intensity",
+                "true",
+                "is for Dimension = 2: in space K varies along the front");
+    }
+
+
+
     /** Formulas and mesh sizes: one for each dimension. */
     void
     check_components(const Scene &scene, Problems &problems)
@@ -197,6 +238,9 @@ namespace Crevasse
               "Steps",
               scene.time_integration.steps);
       check(OutputParameters::section, "Field times", scene.output.field_times);
+      check(RefinementParameters::section,
+            "Instants",
+            scene.refinement.instants);
     }
 
 
@@ -233,10 +277,12 @@ namespace Crevasse
     material.check(problems);
     loads.check(problems);
     discretisation.check(problems);
+    refinement.check(problems);
     contact.check(problems);
     linear_solver.check(problems);
     time_integration.check(problems);
     periodic_state.check(problems);
+    crack_tip.check(problems);
     output.check(problems);
 
     if (dimension != 2 && dimension != 3)
@@ -249,6 +295,8 @@ namespace Crevasse
       }
     check_shape(*this, problems);
     check_volumetric_strain(*this, problems);
+    check_singular_functions(*this, problems);
+    check_crack_tip(*this, problems);
     check_components(*this, problems);
     check_tensors(*this, problems);
     if (dimension == 2)

@@ -126,6 +126,8 @@ namespace Crevasse
     unsigned int degree = 1;
     /** full | mean (B-bar: the mean dilatation of each cell). */
     std::string volumetric_strain = "full";
+    /** At the crack tip: 1: w₁, 2: and D, 3: and w₃ (SingularFunctions). */
+    unsigned int singular_functions = 0;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

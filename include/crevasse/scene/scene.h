@@ -12,7 +12,9 @@
 #ifndef crevasse_scene_scene_h
 #define crevasse_scene_scene_h
 
+#include <crevasse/scene/crack_tip_parameters.h>
 #include <crevasse/scene/parameters.h>
+#include <crevasse/scene/refinement_parameters.h>
 
 #include <string>
 
@@ -31,10 +33,12 @@ namespace Crevasse
     MaterialParameters        material;
     LoadParameters            loads;
     DiscretisationParameters  discretisation;
+    RefinementParameters      refinement;
     ContactParameters         contact;
     LinearSolverParameters    linear_solver;
     TimeIntegrationParameters time_integration;
     PeriodicStateParameters   periodic_state;
+    CrackTipParameters        crack_tip;
     OutputParameters          output;
 
     void

@@ -1,0 +1,59 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_discretisation_crack_tip_h
+#define crevasse_discretisation_crack_tip_h
+
+#include <crevasse/scene/boundary_roles.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/grid/tria.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /** The end of a crack in the plane: where a face of the lip goes straight on
+   * as a face of the plane of symmetry. Its own coordinates X and Y begin
+   * there; r and θ are their polar coordinates, so that the upper lip is at
+   * θ = π. */
+  struct CrackTip
+  {
+    dealii::Point<2>     position;
+    dealii::Tensor<1, 2> ahead;  ///< of X, along the plane of symmetry
+    dealii::Tensor<1, 2> inward; ///< of Y, into the body
+
+    /** (X, Y) of a point. */
+    dealii::Point<2>
+    local(const dealii::Point<2> &point) const;
+
+    /** A vector with components along X and Y in the coordinates of the mesh.
+     */
+    dealii::Tensor<1, 2>
+    global(const dealii::Tensor<1, 2> &vector) const;
+  };
+
+  /** All tips of a mesh whose lips are straight there. Looks at the coarse
+   * mesh, which every rank knows whole. */
+  std::vector<CrackTip>
+  find_crack_tips(const dealii::Triangulation<2> &mesh,
+                  const BoundaryRoles            &roles);
+
+  /** The vertices of the coarse mesh where faces of the lip go straight on as
+   * faces of the plane of symmetry: tips in the plane, crack fronts in space.
+   */
+  template <int dim>
+  std::vector<dealii::Point<dim>>
+  crack_front(const dealii::Triangulation<dim> &mesh,
+              const BoundaryRoles              &roles);
+} // namespace Crevasse
+
+#endif

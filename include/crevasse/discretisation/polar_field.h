@@ -1,0 +1,79 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_discretisation_polar_field_h
+#define crevasse_discretisation_polar_field_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+
+namespace Crevasse
+{
+  /**
+   * A displacement of mode I around a crack tip, in the tip's coordinates (X
+   * ahead, Y into the body; see CrackTip):
+   *
+   *     u_X = r^p Σ aᵢ cos mᵢθ,      u_Y = r^p Σ bᵢ sin mᵢθ
+   *
+   * Its gradient is singular at the tip for p < 1 and must not be asked for
+   * there.
+   */
+  class PolarField
+  {
+  public:
+    /** (mᵢ, aᵢ, bᵢ) */
+    struct Term
+    {
+      double frequency, cosine, sine;
+    };
+
+    PolarField(const double power, const std::array<Term, 2> &terms);
+
+    dealii::Tensor<1, 2>
+    displacement(const dealii::Point<2> &local) const;
+
+    /** ∂u_i/∂X_j */
+    dealii::Tensor<2, 2>
+    gradient(const dealii::Point<2> &local) const;
+
+    PolarField &
+    operator*=(const double factor);
+
+  private:
+    double              power;
+    std::array<Term, 2> terms;
+  };
+
+  /**
+   * The n-th term of the series of Williams (J. Appl. Mech. 24, 1957) for a
+   * crack with free lips, n ≥ 1, as 2μu:
+   *
+   *     2μ u_X = r^{n/2} [(κ + n/2 + (−1)ⁿ) cos(nθ/2) − (n/2) cos((n/2 − 2)θ)]
+   *     2μ u_Y = r^{n/2} [(κ − n/2 − (−1)ⁿ) sin(nθ/2) + (n/2) sin((n/2 − 2)θ)]
+   *
+   * The first one has K_I = √(2π), the second one is the stress along the
+   * crack, the even ones do not open it.
+   *
+   * @param kappa 3 − 4ν in plane strain, (3 − ν)/(1 + ν) in plane stress.
+   */
+  PolarField
+  williams_term(const unsigned int n, const double kappa);
+
+  /** D: besides the first term of the series the other displacement with √r
+   * that is left of it for any κ: √r (cos θ/2 (1 + cos θ), sin θ/2 (1 + cos
+   * θ)). It does not open the crack. */
+  PolarField
+  square_root_without_opening();
+} // namespace Crevasse
+
+#endif

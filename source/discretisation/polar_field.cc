@@ -1,0 +1,96 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/discretisation/polar_field.h>
+
+#include <cmath>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  PolarField::PolarField(const double power, const std::array<Term, 2> &terms)
+    : power(power)
+    , terms(terms)
+  {
+  }
+
+
+
+  Tensor<1, 2>
+  PolarField::displacement(const Point<2> &local) const
+  {
+    const double theta = std::atan2(local[1], local[0]);
+    Tensor<1, 2> u;
+    for (const Term &term : terms)
+      {
+        u[0] += term.cosine * std::cos(term.frequency * theta);
+        u[1] += term.sine * std::sin(term.frequency * theta);
+      }
+    return std::pow(local.norm(), power) * u;
+  }
+
+
+
+  Tensor<2, 2>
+  PolarField::gradient(const Point<2> &local) const
+  {
+    const double       r     = local.norm();
+    const double       theta = std::atan2(local[1], local[0]);
+    const Tensor<1, 2> radial({local[0] / r, local[1] / r});
+    const Tensor<1, 2> tangential({-local[1] / r, local[0] / r});
+    Tensor<1, 2>       along_r, along_theta;
+    for (const Term &term : terms)
+      {
+        const double angle = term.frequency * theta;
+        along_r[0] += power * term.cosine * std::cos(angle);
+        along_r[1] += power * term.sine * std::sin(angle);
+        along_theta[0] -= term.frequency * term.cosine * std::sin(angle);
+        along_theta[1] += term.frequency * term.sine * std::cos(angle);
+      }
+    return std::pow(r, power - 1.) * (outer_product(along_r, radial) +
+                                      outer_product(along_theta, tangential));
+  }
+
+
+
+  PolarField &
+  PolarField::operator*=(const double factor)
+  {
+    for (Term &term : terms)
+      {
+        term.cosine *= factor;
+        term.sine *= factor;
+      }
+    return *this;
+  }
+
+
+
+  PolarField
+  williams_term(const unsigned int n, const double kappa)
+  {
+    const double half = n / 2.;
+    const double sign = n % 2 == 0 ? 1. : -1.;
+    return PolarField(half,
+                      {{{half, kappa + half + sign, kappa - half - sign},
+                        {half - 2., -half, half}}});
+  }
+
+
+
+  PolarField
+  square_root_without_opening()
+  {
+    // cos θ/2 (1 + cos θ) = (3 cos θ/2 + cos 3θ/2)/2, and likewise for sines.
+    return PolarField(0.5, {{{0.5, 1.5, 0.5}, {1.5, 0.5, 0.5}}});
+  }
+} // namespace Crevasse
