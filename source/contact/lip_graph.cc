@@ -48,17 +48,18 @@ namespace Crevasse
     , starts(partial_sums(counts))
     , first_local(starts[Utilities::MPI::this_mpi_process(communicator)])
   {
-    // Numbers by dof, of all ranks: the lip is small.
-    const auto all_dofs =
-      Utilities::MPI::all_gather(communicator, problem.bounds.dofs);
+    // Numbers by dof, of all ranks: the lip is small. Bounds without a place
+    // have numbers, but no neighbours.
+    std::vector<types::global_dof_index> with_place = problem.bounds.dofs;
+    with_place.resize(with_place.size() - problem.bounds.n_global);
+    const auto all_dofs = Utilities::MPI::all_gather(communicator, with_place);
     std::map<types::global_dof_index, unsigned int> node_of;
-    unsigned int                                    n = 0;
-    for (const auto &dofs : all_dofs)
-      for (const auto dof : dofs)
-        node_of[dof] = n++;
+    for (unsigned int rank = 0; rank < all_dofs.size(); ++rank)
+      for (unsigned int k = 0; k < all_dofs[rank].size(); ++k)
+        node_of[all_dofs[rank][k]] = starts[rank] + k;
 
     std::vector<Nodes> local;
-    for (const auto dof : problem.bounds.dofs)
+    for (const auto dof : with_place)
       {
         local.emplace_back();
         for (auto entry = problem.matrix.begin(dof);
@@ -69,6 +70,7 @@ namespace Crevasse
                 found != node_of.end())
               local.back().push_back(found->second);
       }
+    local.resize(problem.bounds.dofs.size());
     for (const auto &of_rank : Utilities::MPI::all_gather(communicator, local))
       neighbours.insert(neighbours.end(), of_rank.begin(), of_rank.end());
   }

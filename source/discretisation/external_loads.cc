@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/period_mean.h>
@@ -26,34 +27,74 @@ namespace Crevasse
   {
     using Weights = std::vector<std::pair<types::global_dof_index, double>>;
 
-    /** What a point of a cell or face contributes to the load vector for a
+    /** What the points of a cell or face contribute to the load vector for a
      * unit density of one component, with constraints resolved. */
     template <int dim>
-    Weights
-    weights_at(const FEValuesBase<dim>                    &values,
-               const unsigned int                          q,
-               const unsigned int                          component,
-               const std::vector<types::global_dof_index> &indices,
-               const AffineConstraints<double>            &constraints)
+    class PointWeights
     {
-      const FiniteElement<dim> &fe = values.get_fe();
-      Weights                   weights;
-      for (unsigned int i = 0; i < indices.size(); ++i)
-        {
-          if (fe.system_to_component_index(i).first != component)
-            continue;
-          const double weight = values.shape_value(i, q) * values.JxW(q);
-          if (weight == 0.)
-            continue;
-          if (!constraints.is_constrained(indices[i]))
-            weights.emplace_back(indices[i], weight);
-          else if (const auto *entries =
-                     constraints.get_constraint_entries(indices[i]))
-            for (const auto &[dof, factor] : *entries)
-              weights.emplace_back(dof, factor * weight);
-        }
-      return weights;
-    }
+    public:
+      explicit PointWeights(const Space<dim> &space)
+        : space(space)
+      {
+      }
+
+
+
+      void
+      reinit(const FEValuesBase<dim>                              &values,
+             const typename DoFHandler<dim>::active_cell_iterator &cell)
+      {
+        this->values = &values;
+        space.get_unknowns(cell, indices);
+        if constexpr (dim == 2)
+          if (const SingularShapes *shapes = space.singular_shapes())
+            {
+              singular_values.resize(shapes->size());
+              for (unsigned int k = 0; k < shapes->size(); ++k)
+                shapes->values(k, values, singular_values[k]);
+            }
+      }
+
+
+
+      Weights
+      at(const unsigned int q, const unsigned int component) const
+      {
+        const FiniteElement<dim> &fe = values->get_fe();
+        Weights                   weights;
+        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+          if (fe.system_to_component_index(i).first == component)
+            add(indices[i],
+                values->shape_value(i, q) * values->JxW(q),
+                weights);
+        for (unsigned int k = 0; k < singular_values.size(); ++k)
+          add(space.singular_unknown(k),
+              singular_values[k][q][component] * values->JxW(q),
+              weights);
+        return weights;
+      }
+
+    private:
+      void
+      add(const types::global_dof_index unknown,
+          const double                  weight,
+          Weights                      &weights) const
+      {
+        if (weight == 0.)
+          return;
+        if (!space.constraints().is_constrained(unknown))
+          weights.emplace_back(unknown, weight);
+        else if (const auto *entries =
+                   space.constraints().get_constraint_entries(unknown))
+          for (const auto &[dof, factor] : *entries)
+            weights.emplace_back(dof, factor * weight);
+      }
+
+      const Space<dim>                        &space;
+      const FEValuesBase<dim>                 *values = nullptr;
+      std::vector<types::global_dof_index>     indices;
+      std::vector<std::vector<Tensor<1, dim>>> singular_values;
+    };
 
 
 
@@ -66,22 +107,17 @@ namespace Crevasse
                           const unsigned int        component,
                           const PointFunction<dim> &f)
     {
-      const FESystem<dim>                 &fe = space.finite_element();
-      FEValues<dim>                        values(space.mapping(),
-                           fe,
-                           space.quadrature(),
-                           update_values | update_JxW_values |
-                             update_quadrature_points);
-      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      CellValues<dim>   cell_values(space,
+                                  update_values | update_JxW_values |
+                                    update_quadrature_points);
+      PointWeights<dim> weights(space);
       for (const auto &cell : space.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
-            values.reinit(cell);
-            cell->get_dof_indices(indices);
+            const FEValues<dim> &values = cell_values.reinit(cell);
+            weights.reinit(values, cell);
             for (const unsigned int q : values.quadrature_point_indices())
-              f(values.quadrature_point(q),
-                weights_at<dim>(
-                  values, q, component, indices, space.constraints()));
+              f(values.quadrature_point(q), weights.at(q, component));
           }
     }
 
@@ -93,13 +129,12 @@ namespace Crevasse
                           const unsigned int        component,
                           const PointFunction<dim> &f)
     {
-      const FESystem<dim>                 &fe = space.finite_element();
-      FEFaceValues<dim>                    values(space.mapping(),
-                               fe,
+      FEFaceValues<dim> values(space.mapping(),
+                               space.finite_element(),
                                space.face_quadrature(),
                                update_values | update_JxW_values |
                                  update_quadrature_points);
-      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      PointWeights<dim> weights(space);
       for (const auto &cell : space.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int face : cell->face_indices())
@@ -107,11 +142,9 @@ namespace Crevasse
                 space.roles().loaded.count(cell->face(face)->boundary_id()) > 0)
               {
                 values.reinit(cell, face);
-                cell->get_dof_indices(indices);
+                weights.reinit(values, cell);
                 for (const unsigned int q : values.quadrature_point_indices())
-                  f(values.quadrature_point(q),
-                    weights_at<dim>(
-                      values, q, component, indices, space.constraints()));
+                  f(values.quadrature_point(q), weights.at(q, component));
               }
     }
   } // namespace

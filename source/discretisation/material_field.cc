@@ -9,13 +9,12 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/scene/coefficients.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
-
-#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <map>
@@ -86,17 +85,14 @@ namespace Crevasse
       of_importance = of_importance || varies_in_space(branch.fluidity);
     if (of_importance)
       {
-        FEValues<dim> values(space.mapping(),
-                             space.finite_element(),
-                             space.quadrature(),
-                             update_quadrature_points);
+        CellValues<dim> cell_values(space, update_quadrature_points);
         locations.resize(n_points);
         materials.resize(n_points);
         for (const auto &cell : space.dof_handler().active_cell_iterators())
           if (cell->is_locally_owned())
             {
-              values.reinit(cell);
-              const std::size_t first =
+              const FEValues<dim> &values = cell_values.reinit(cell);
+              const std::size_t    first =
                 points.offset(cell) / n_stress_components<dim>;
               for (const unsigned int q : values.quadrature_point_indices())
                 {

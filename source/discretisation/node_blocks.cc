@@ -48,6 +48,8 @@ namespace Crevasse
     for (auto &block : of_first_dof)
       if (!block.empty())
         blocks.push_back(std::move(block));
+    for (auto i = space.dof_handler().n_dofs(); i < space.n_unknowns(); ++i)
+      blocks.push_back({i});
     return blocks;
   }
 

@@ -25,7 +25,7 @@ namespace Crevasse
       if (cell->is_locally_owned())
         {
           offsets[cell->active_cell_index()] = n_local * n_components;
-          n_local += space.quadrature().size();
+          n_local += space.quadrature(cell).size();
         }
     partitioner =
       std::make_shared<Utilities::MPI::Partitioner>(n_local * n_components,

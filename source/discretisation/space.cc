@@ -19,6 +19,7 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -31,11 +32,11 @@ namespace Crevasse
                     const unsigned int                  degree,
                     const BoundaryRoles                &roles,
                     const std::vector<FixedPoint<dim>> &fixed_points,
-                    const VolumetricStrain              volumetric_strain)
+                    const VolumetricStrain              volumetric_strain,
+                    const SingularFunctions            &singular_functions)
     : triangulation(std::move(mesh))
     , fe(FE_Q<dim>(degree), dim)
-    , cell_rule(degree + 1)
-    , face_rule(degree + 1)
+    , face_rule(singular_functions.fields.empty() ? degree + 1 : 5)
     , boundary_roles(roles)
     , volumetric(volumetric_strain)
     , dofs(*triangulation)
@@ -44,6 +45,13 @@ namespace Crevasse
            ExcMessage("Mean dilatation is for linear elements."));
     check_roles();
     dofs.distribute_dofs(fe);
+    if constexpr (dim == 2)
+      if (!singular_functions.fields.empty())
+        shapes = std::make_unique<SingularShapes>(singular_functions,
+                                                  q1_mapping,
+                                                  dofs);
+    number_unknowns();
+    choose_rules();
     make_constraints(fixed_points);
   }
 
@@ -86,11 +94,73 @@ namespace Crevasse
 
   template <int dim>
   void
-  Space<dim>::make_constraints(const std::vector<FixedPoint<dim>> &fixed_points)
+  Space<dim>::number_unknowns()
   {
+    const types::global_dof_index n_singular =
+      shapes == nullptr ? 0 : shapes->size();
+    const auto extended = [&](const IndexSet &of_nodes, const bool with_last) {
+      IndexSet all(n_unknowns());
+      all.add_indices(of_nodes);
+      if (with_last)
+        all.add_range(n_unknowns() - n_singular, n_unknowns());
+      all.compress();
+      return all;
+    };
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    affine_constraints.reinit(relevant);
+    relevant_unknowns = extended(relevant, true);
+    owned_unknowns =
+      extended(dofs.locally_owned_dofs(),
+               Utilities::MPI::this_mpi_process(communicator()) + 1 ==
+                 Utilities::MPI::n_mpi_processes(communicator()));
+  }
+
+
+
+  template <int dim>
+  void
+  Space<dim>::choose_rules()
+  {
+    if (shapes == nullptr)
+      {
+        rules.push_back(QGauss<dim>(fe.degree + 1));
+        return;
+      }
+    rules.push_back(QGauss<dim>(fe.degree + 2));
+    if constexpr (dim == 2)
+      {
+        // As Mousavi and Sukumar (Comput. Mech. 45, 2010) for stresses with
+        // 1/√r.
+        constexpr unsigned int n         = 5;
+        constexpr double       beta      = 2.;
+        constexpr double       near_size = 3.5;
+        rules.push_back(QGauss<dim>(n));
+        for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+          rules.push_back(QSplit<dim>(QDuffy(n, beta),
+                                      GeometryInfo<dim>::unit_cell_vertex(v)));
+
+        const Point<dim> &tip = shapes->functions().tip.position;
+        rule_of_cell.assign(triangulation->n_active_cells(), 0);
+        for (const auto &cell : triangulation->active_cell_iterators())
+          {
+            const double size = cell->diameter() / std::sqrt(2.);
+            auto        &rule = rule_of_cell[cell->active_cell_index()];
+            if (cell->center().distance(tip) < near_size * size)
+              rule = 1;
+            for (const unsigned int v : cell->vertex_indices())
+              if (cell->vertex(v).distance(tip) < 1e-8 * size)
+                rule = 2 + v;
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Space<dim>::make_constraints(const std::vector<FixedPoint<dim>> &fixed_points)
+  {
+    affine_constraints.reinit(relevant_unknowns);
 
     DoFTools::make_hanging_node_constraints(dofs, affine_constraints);
     for (const auto id : boundary_roles.clamped)
@@ -105,6 +175,9 @@ namespace Crevasse
         dofs, 0, boundary_roles.symmetry, affine_constraints, q1_mapping);
     for (const FixedPoint<dim> &fixed_point : fixed_points)
       constrain(fixed_point);
+    // Without a lip there is none that it could open.
+    if (shapes != nullptr && boundary_roles.contact.empty())
+      affine_constraints.add_line(singular_unknown(0));
     affine_constraints.close();
   }
 
@@ -255,6 +328,15 @@ namespace Crevasse
   Vector
   Space<dim>::ghosted_vector() const
   {
+    return Vector(owned_unknowns, relevant_unknowns, communicator());
+  }
+
+
+
+  template <int dim>
+  Vector
+  Space<dim>::nodal_vector() const
+  {
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dofs, relevant);
     return Vector(dofs.locally_owned_dofs(), relevant, communicator());
@@ -263,10 +345,103 @@ namespace Crevasse
 
 
   template <int dim>
-  const Quadrature<dim> &
-  Space<dim>::quadrature() const
+  Vector
+  Space<dim>::nodal_values(const Vector &displacement) const
   {
-    return cell_rule;
+    Vector values = nodal_vector();
+    for (std::size_t i = 0; i < values.locally_owned_size(); ++i)
+      values.local_element(i) = displacement.local_element(i);
+    affine_constraints.distribute(values);
+    values.update_ghost_values();
+    return values;
+  }
+
+
+
+  template <int dim>
+  const SingularShapes *
+  Space<dim>::singular_shapes() const
+  {
+    return shapes.get();
+  }
+
+
+
+  template <int dim>
+  types::global_dof_index
+  Space<dim>::singular_unknown(const unsigned int k) const
+  {
+    return dofs.n_dofs() + k;
+  }
+
+
+
+  template <int dim>
+  types::global_dof_index
+  Space<dim>::n_unknowns() const
+  {
+    return dofs.n_dofs() + (shapes == nullptr ? 0 : shapes->size());
+  }
+
+
+
+  template <int dim>
+  const IndexSet &
+  Space<dim>::locally_owned_unknowns() const
+  {
+    return owned_unknowns;
+  }
+
+
+
+  template <int dim>
+  const IndexSet &
+  Space<dim>::locally_relevant_unknowns() const
+  {
+    return relevant_unknowns;
+  }
+
+
+
+  template <int dim>
+  void
+  Space<dim>::get_unknowns(
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    std::vector<types::global_dof_index>                 &indices) const
+  {
+    indices.resize(fe.n_dofs_per_cell());
+    cell->get_dof_indices(indices);
+    for (auto i = dofs.n_dofs(); i < n_unknowns(); ++i)
+      indices.push_back(i);
+  }
+
+
+
+  template <int dim>
+  const hp::QCollection<dim> &
+  Space<dim>::quadratures() const
+  {
+    return rules;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Space<dim>::rule(
+    const typename Triangulation<dim>::active_cell_iterator &cell) const
+  {
+    return rule_of_cell.empty() ? 0 : rule_of_cell[cell->active_cell_index()];
+  }
+
+
+
+  template <int dim>
+  const Quadrature<dim> &
+  Space<dim>::quadrature(
+    const typename Triangulation<dim>::active_cell_iterator &cell) const
+  {
+    return rules[rule(cell)];
   }
 
 

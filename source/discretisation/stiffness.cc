@@ -9,10 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/stiffness.h>
 
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 namespace Crevasse
@@ -71,23 +70,94 @@ namespace Crevasse
 
 
 
+    /** Strains of all shape functions of a cell, those of the nodes and the
+     * singular ones. */
+    template <int dim>
+    class ShapeStrains
+    {
+    public:
+      explicit ShapeStrains(const Space<dim> &space)
+        : space(space)
+        , fe(space.finite_element())
+        , cell_values(space, flags(space))
+        , mean_volume(space.volumetric_strain() == VolumetricStrain::mean)
+      {
+      }
+
+
+
+      const FEValues<dim> &
+      reinit(const typename DoFHandler<dim>::active_cell_iterator &cell)
+      {
+        values = &cell_values.reinit(cell);
+        if (mean_volume)
+          means = mean_dilatations(*values);
+        if constexpr (dim == 2)
+          if (const SingularShapes *shapes = space.singular_shapes())
+            {
+              singular_gradients.resize(shapes->size());
+              for (unsigned int k = 0; k < shapes->size(); ++k)
+                shapes->gradients(k, *values, singular_gradients[k]);
+            }
+        return *values;
+      }
+
+
+
+      void
+      at_point(const unsigned int             q,
+               std::vector<VoigtVector<dim>> &strains) const
+      {
+        strains.clear();
+        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+          {
+            const unsigned int   c = fe.system_to_component_index(i).first;
+            const Tensor<1, dim> gradient =
+              values->shape_grad_component(i, q, c);
+            strains.push_back(shape_strain<dim>(gradient, c));
+            if (mean_volume)
+              add_dilatation<dim>(strains.back(), means[i] - gradient[c]);
+          }
+        for (const auto &gradients : singular_gradients)
+          strains.push_back(voigt_strain<dim>(gradients[q]));
+      }
+
+    private:
+      static UpdateFlags
+      flags(const Space<dim> &space)
+      {
+        return update_gradients | update_JxW_values |
+               (space.singular_shapes() != nullptr ? update_quadrature_points
+                                                   : update_default);
+      }
+
+      const Space<dim>                        &space;
+      const FESystem<dim>                     &fe;
+      CellValues<dim>                          cell_values;
+      const bool                               mean_volume;
+      const FEValues<dim>                     *values = nullptr;
+      std::vector<double>                      means;
+      std::vector<std::vector<Tensor<2, dim>>> singular_gradients;
+    };
+
+
+
     template <int dim>
     void
     initialize_matrix(const Space<dim> &space, SparseMatrix &matrix)
     {
-      const DoFHandler<dim> &dofs = space.dof_handler();
-      IndexSet               relevant;
-      DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-      TrilinosWrappers::SparsityPattern sparsity(dofs.locally_owned_dofs(),
-                                                 dofs.locally_owned_dofs(),
-                                                 relevant,
-                                                 space.communicator());
-      DoFTools::make_sparsity_pattern(dofs,
-                                      sparsity,
-                                      space.constraints(),
-                                      false,
-                                      Utilities::MPI::this_mpi_process(
-                                        space.communicator()));
+      const IndexSet                   &owned = space.locally_owned_unknowns();
+      TrilinosWrappers::SparsityPattern sparsity(
+        owned, owned, space.locally_relevant_unknowns(), space.communicator());
+      std::vector<types::global_dof_index> indices;
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            space.get_unknowns(cell, indices);
+            space.constraints().add_entries_local_to_global(indices,
+                                                            sparsity,
+                                                            false);
+          }
       sparsity.compress();
       matrix.reinit(sparsity);
     }
@@ -107,39 +177,22 @@ namespace Crevasse
     else
       matrix = 0.;
 
-    const FESystem<dim> &fe = space.finite_element();
-    const unsigned int   n  = fe.n_dofs_per_cell();
-    FEValues<dim>        values(space.mapping(),
-                         fe,
-                         space.quadrature(),
-                         update_gradients | update_JxW_values);
-
-    FullMatrix<double>                   cell_matrix(n, n);
-    std::vector<types::global_dof_index> indices(n);
-    std::vector<VoigtVector<dim>>        strains(n);
-    std::vector<double>                  means;
-    const bool                           mean_volume =
-      space.volumetric_strain() == VolumetricStrain::mean;
+    ShapeStrains<dim>                    shapes(space);
+    std::vector<types::global_dof_index> indices;
+    std::vector<VoigtVector<dim>>        strains;
+    FullMatrix<double>                   cell_matrix;
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          values.reinit(cell);
-          cell_matrix = 0.;
+          const FEValues<dim> &values = shapes.reinit(cell);
+          space.get_unknowns(cell, indices);
+          const unsigned int n = indices.size();
+          cell_matrix.reinit(n, n);
           const std::size_t first =
             points.offset(cell) / n_stress_components<dim>;
-          if (mean_volume)
-            means = mean_dilatations(values);
           for (const unsigned int q : values.quadrature_point_indices())
             {
-              for (unsigned int i = 0; i < n; ++i)
-                {
-                  const unsigned int c = fe.system_to_component_index(i).first;
-                  const Tensor<1, dim> gradient =
-                    values.shape_grad_component(i, q, c);
-                  strains[i] = shape_strain<dim>(gradient, c);
-                  if (mean_volume)
-                    add_dilatation<dim>(strains[i], means[i] - gradient[c]);
-                }
+              shapes.at_point(q, strains);
               for (unsigned int i = 0; i < n; ++i)
                 {
                   const VoigtVector<dim> stress =
@@ -148,7 +201,6 @@ namespace Crevasse
                     cell_matrix(i, j) += stress * strains[j];
                 }
             }
-          cell->get_dof_indices(indices);
           space.constraints().distribute_local_to_global(cell_matrix,
                                                          indices,
                                                          matrix);

@@ -19,7 +19,7 @@ namespace Crevasse
   StrainOperator<dim>::StrainOperator(const Space<dim>           &space,
                                       const QuadratureField<dim> &points)
     : degree(space.finite_element().degree)
-    , n_cell_points(space.quadrature().size())
+    , n_cell_points(space.quadratures()[0].size())
     , mean_volume(space.volumetric_strain() == VolumetricStrain::mean)
   {
     Assert(degree == 1 || degree == 2, ExcNotImplemented());
@@ -27,11 +27,30 @@ namespace Crevasse
     typename MatrixFree<dim, double>::AdditionalData data;
     data.mapping_update_flags  = update_gradients | update_JxW_values;
     data.tasks_parallel_scheme = MatrixFree<dim, double>::AdditionalData::none;
+    const bool enriched        = space.singular_shapes() != nullptr;
+    if constexpr (dim == 2)
+      if (enriched)
+        {
+          // Batches with special cells have no others.
+          data.cell_vectorization_categories_strict = true;
+          for (const auto &cell : space.mesh().active_cell_iterators())
+            data.cell_vectorization_category.push_back(
+              cell->is_locally_owned() && Enrichment::is_special(space, cell)
+                ? 1
+                : 0);
+        }
     matrix_free.reinit(space.mapping(),
                        space.dof_handler(),
                        space.constraints(),
-                       QGauss<1>(degree + 1),
+                       QGauss<1>(degree + (enriched ? 2 : 1)),
                        data);
+    if constexpr (dim == 2)
+      if (enriched)
+        {
+          Vector nodal;
+          matrix_free.initialize_dof_vector(nodal);
+          enrichment = std::make_unique<Enrichment>(space, points, nodal);
+        }
 
     batch_offsets.resize(matrix_free.n_cell_batches());
     for (unsigned int batch = 0; batch < batch_offsets.size(); ++batch)
@@ -48,7 +67,19 @@ namespace Crevasse
   void
   StrainOperator<dim>::initialize(Vector &displacement) const
   {
-    matrix_free.initialize_dof_vector(displacement);
+    if (enrichment != nullptr)
+      enrichment->initialize(displacement);
+    else
+      matrix_free.initialize_dof_vector(displacement);
+  }
+
+
+
+  template <int dim>
+  bool
+  StrainOperator<dim>::has_batch(const unsigned int batch) const
+  {
+    return enrichment == nullptr || matrix_free.get_cell_category(batch) == 0;
   }
 
 

@@ -31,9 +31,12 @@ namespace Crevasse
     const FE_Q<dim> fe(space.finite_element().degree);
     nodal_dofs.distribute_dofs(fe);
 
-    extrapolation.reinit(fe.n_dofs_per_cell(), space.quadrature().size());
-    FETools::compute_projection_from_quadrature_points_matrix(
-      fe, space.quadrature(), space.quadrature(), extrapolation);
+    for (const Quadrature<dim> &rule : space.quadratures())
+      {
+        extrapolations.emplace_back(fe.n_dofs_per_cell(), rule.size());
+        FETools::compute_projection_from_quadrature_points_matrix(
+          fe, rule, rule, extrapolations.back());
+      }
 
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(nodal_dofs, relevant);
@@ -86,10 +89,13 @@ namespace Crevasse
   {
     constexpr unsigned int n_components = n_stress_components<dim>;
     std::vector<Vector>    nodal(n_components, nodal_vector());
-    std::vector<types::global_dof_index> indices(extrapolation.m());
+    std::vector<types::global_dof_index> indices(
+      nodal_dofs.get_fe().n_dofs_per_cell());
     for (const auto &cell : nodal_dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
+          const FullMatrix<double> &extrapolation =
+            extrapolations[space.rule(cell)];
           cell->get_dof_indices(indices);
           const std::size_t offset = points.offset(cell);
           for (unsigned int i = 0; i < extrapolation.m(); ++i)
@@ -130,10 +136,13 @@ namespace Crevasse
     at_nodes.update_ghost_values();
 
     PointWeights                         weights;
-    std::vector<types::global_dof_index> indices(extrapolation.m());
+    std::vector<types::global_dof_index> indices(
+      nodal_dofs.get_fe().n_dofs_per_cell());
     for (const auto &cell : nodal_dofs.active_cell_iterators())
       if (cell->is_locally_owned())
         {
+          const FullMatrix<double> &extrapolation =
+            extrapolations[space.rule(cell)];
           cell->get_dof_indices(indices);
           for (unsigned int q = 0; q < extrapolation.n(); ++q)
             {

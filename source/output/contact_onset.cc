@@ -28,8 +28,8 @@ namespace Crevasse
   {
     constexpr double rounding = 1e-10;
     const double     opens    = rounding * flow.velocity.linfty_norm();
-    for (const double force : flow.contact_forces)
-      secular_force += force;
+    for (unsigned int k = 0; k < lip.nodes().size(); ++k)
+      secular_force += flow.contact_forces[k];
     for (unsigned int k = 0; k < lip.nodes().size(); ++k)
       {
         const LipNode<dim> &node = lip.nodes()[k];
@@ -70,8 +70,8 @@ namespace Crevasse
           pressed = sample.time;
       }
     double force = 0.;
-    for (const double g : sample.state.contact_forces)
-      force += g;
+    for (unsigned int k = 0; k < lip.nodes().size(); ++k)
+      force += sample.state.contact_forces[k];
     if (sample.step == 0)
       impulse = 0.;
     else

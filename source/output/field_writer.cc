@@ -138,9 +138,7 @@ namespace Crevasse
       data_out.add_data_vector(recovery.dof_handler(), values, name);
     };
 
-    Vector displacement = snapshot.state.displacement;
-    space.constraints().distribute(displacement);
-    displacement.update_ghost_values();
+    const Vector displacement = space.nodal_values(snapshot.state.displacement);
     add_vector(displacement, "displacement");
 
     const auto add_components = [&](const std::vector<Vector> &components,

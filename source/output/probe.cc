@@ -153,11 +153,40 @@ namespace Crevasse
                 component(dof) += factor * value;
           }
       }
+    if (place.found)
+      add_singular_values(place, space, weights);
     for (unsigned int d = 0; d < dim; ++d)
       {
         weights[d].compress(VectorOperation::add);
         displacement_weights[d] = owned_entries(weights[d]);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  ProbeEvaluator<dim>::add_singular_values(const Place         &place,
+                                           const Space<dim>    &space,
+                                           std::vector<Vector> &weights)
+  {
+    if constexpr (dim == 2)
+      if (const SingularShapes *shapes = space.singular_shapes())
+        {
+          FEValues<dim> values(space.mapping(),
+                               space.finite_element(),
+                               Quadrature<dim>(place.unit_point),
+                               update_values | update_quadrature_points);
+          values.reinit(place.cell);
+          std::vector<Tensor<1, dim>> shape;
+          for (unsigned int k = 0; k < shapes->size(); ++k)
+            {
+              shapes->values(k, values, shape);
+              for (unsigned int d = 0; d < dim; ++d)
+                if (std::abs(shape[0][d]) > negligible)
+                  weights[d](space.singular_unknown(k)) += shape[0][d];
+            }
+        }
   }
 
 

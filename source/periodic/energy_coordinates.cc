@@ -10,10 +10,9 @@
 // ---------------------------------------------------------------------
 
 
+#include <crevasse/discretisation/cell_values.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/periodic/energy_coordinates.h>
-
-#include <deal.II/fe/fe_values.h>
 
 #include <cmath>
 
@@ -83,16 +82,13 @@ namespace Crevasse
   {
     for (const double fraction : material.fractions)
       fractions.push_back(std::sqrt(fraction));
-    FEValues<dim> values(space.mapping(),
-                         space.finite_element(),
-                         space.quadrature(),
-                         update_JxW_values);
+    CellValues<dim> cell_values(space, update_JxW_values);
     weights.resize(points.n_local_points());
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          values.reinit(cell);
-          const std::size_t first =
+          const FEValues<dim> &values = cell_values.reinit(cell);
+          const std::size_t    first =
             points.offset(cell) / n_stress_components<dim>;
           for (const unsigned int q : values.quadrature_point_indices())
             weights[first + q] = std::sqrt(values.JxW(q));

@@ -11,6 +11,7 @@
 
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/run/body.h>
+#include <crevasse/run/tip_functions.h>
 #include <crevasse/scene/built_in_boundary.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/geometry.h>
@@ -176,16 +177,26 @@ namespace Crevasse
 
   template <int dim>
   Body<dim>::Body(const Scene &scene, const MPI_Comm communicator)
-    : temperature(read_temperature<dim>(scene.loads, communicator))
+    : Body(scene, make_distributed_mesh<dim>(scene.geometry, communicator))
+  {
+  }
+
+
+
+  template <int dim>
+  Body<dim>::Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh)
+    : temperature(read_temperature<dim>(scene.loads, mesh->get_communicator()))
     , effects(scene, boundary_roles(scene), temperature.depends_on_time())
     , law(scene.material)
-    , space(make_distributed_mesh<dim>(scene.geometry, communicator),
-            scene.discretisation.degree,
-            boundary_roles(scene),
-            fixed_points<dim>(scene),
-            scene.discretisation.volumetric_strain == "mean"
-              ? VolumetricStrain::mean
-              : VolumetricStrain::full)
+    , space(
+        mesh,
+        scene.discretisation.degree,
+        boundary_roles(scene),
+        fixed_points<dim>(scene),
+        scene.discretisation.volumetric_strain == "mean"
+          ? VolumetricStrain::mean
+          : VolumetricStrain::full,
+        tip_functions(scene, *mesh, boundary_roles(scene), law, temperature))
     , points(held(space))
     , material(space, points, law, temperature)
     , strain_operator(space, points)
@@ -208,7 +219,7 @@ namespace Crevasse
 
   template <int dim>
   UnilateralBounds
-  unilateral_bounds(const ContactBoundary<dim> &lip)
+  unilateral_bounds(const ContactBoundary<dim> &lip, const Space<dim> &space)
   {
     UnilateralBounds bounds;
     for (const LipNode<dim> &node : lip.nodes())
@@ -216,6 +227,14 @@ namespace Crevasse
         bounds.dofs.push_back(node.dof);
         bounds.sign.push_back(node.sign);
         bounds.gap.push_back(node.gap);
+      }
+    if (space.singular_shapes() != nullptr &&
+        space.locally_owned_unknowns().is_element(space.singular_unknown(0)))
+      {
+        bounds.dofs.push_back(space.singular_unknown(0));
+        bounds.sign.push_back(1.);
+        bounds.gap.push_back(0.);
+        bounds.n_global = 1;
       }
     return bounds;
   }
@@ -225,9 +244,9 @@ namespace Crevasse
   template struct Body<2>;
   template struct Body<3>;
   template UnilateralBounds
-  unilateral_bounds<2>(const ContactBoundary<2> &);
+  unilateral_bounds<2>(const ContactBoundary<2> &, const Space<2> &);
   template UnilateralBounds
-  unilateral_bounds<3>(const ContactBoundary<3> &);
+  unilateral_bounds<3>(const ContactBoundary<3> &, const Space<3> &);
   template std::vector<FixedPoint<2>>
   fixed_points<2>(const Scene &);
   template std::vector<FixedPoint<3>>

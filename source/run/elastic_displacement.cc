@@ -55,18 +55,21 @@ namespace Crevasse
     BoundaryRoles roles = body.space.roles();
     roles.symmetry.insert(roles.contact.begin(), roles.contact.end());
     roles.contact.clear();
-    const Space<dim>       closed_space(body.space.shared_mesh(),
+    const SingularShapes *const shapes = body.space.singular_shapes();
+    const Space<dim>            closed_space(body.space.shared_mesh(),
                                   body.space.finite_element().degree,
                                   roles,
                                   fixed_points<dim>(scene),
-                                  body.space.volumetric_strain());
-    const UnilateralBounds none;
-    ContactSystem<dim>     closed(solvers.settings(),
+                                  body.space.volumetric_strain(),
+                                  shapes != nullptr ? shapes->functions()
+                                                               : SingularFunctions());
+    const UnilateralBounds      none;
+    ContactSystem<dim>          closed(solvers.settings(),
                               closed_space,
                               body.points,
                               *body.material.at(0.).stiffness,
                               none);
-    Vector                 closed_loads(loads);
+    Vector                      closed_loads(loads);
     closed_space.constraints().set_zero(closed_loads);
     Vector              displacement;
     std::vector<double> no_forces;

@@ -243,7 +243,7 @@ namespace Crevasse
                                     : TimeRule::trapezoid;
     dealii::TimerOutput &phases = solvers.settings().phases;
     const Harmonics harmonics(steps.period(), steps.n_steps(), result.rule);
-    const UnilateralBounds bounds = unilateral_bounds(body.lip);
+    const UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
     solvers.at(0.);
     const Fourier<dim> fourier({body.space,
                                 body.points,

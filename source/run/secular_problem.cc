@@ -268,7 +268,7 @@ namespace Crevasse
                                   contact_solver);
     };
 
-    UnilateralBounds bounds = unilateral_bounds(body.lip);
+    UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
     const bool       has_gap =
       std::any_of(bounds.gap.begin(), bounds.gap.end(), [](const double gap) {
         return gap != 0.;

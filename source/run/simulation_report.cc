@@ -178,7 +178,7 @@ namespace Crevasse
     mean.contact_forces     = secular_flow->contact_forces;
     secular["largest_rate"] = mean.displacement.linfty_norm();
     double force            = 0.;
-    for (std::size_t k = 0; k < mean.contact_forces.size(); ++k)
+    for (std::size_t k = 0; k < body.lip.nodes().size(); ++k)
       force += body.lip.nodes()[k].force(mean.contact_forces[k]);
     secular["contact_force"] = Utilities::MPI::sum(force, communicator);
     for (const auto &probe : probes)

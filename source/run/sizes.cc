@@ -192,7 +192,7 @@ namespace Crevasse
   template <int dim>
   Sizes::Sizes(const Body<dim> &body)
     : cells(body.space.mesh().n_global_active_cells())
-    , unknowns(body.space.dof_handler().n_dofs())
+    , unknowns(body.space.n_unknowns())
     , quadrature_points(body.points.n_points())
     , contact_nodes(
         Utilities::MPI::sum(body.lip.nodes().size(), body.space.communicator()))

@@ -34,7 +34,7 @@ namespace Crevasse
       const LinearSolverChoice linear =
         choose_linear_solver(scene.linear_solver,
                              dim,
-                             body.space.dof_handler().n_dofs(),
+                             body.space.n_unknowns(),
                              Utilities::MPI::n_mpi_processes(communicator));
       const std::size_t n_bounds =
         Utilities::MPI::sum(body.lip.nodes().size(), communicator);
@@ -98,7 +98,7 @@ namespace Crevasse
     : scene(scene)
     , body(body)
     , log(log)
-    , bounds(unilateral_bounds(body.lip))
+    , bounds(unilateral_bounds(body.lip, body.space))
     , solver_settings(make_settings(scene, body, phases))
     , memory(body.space.communicator(),
              1024. * 1024. * scene.linear_solver.memory_for_instants,

@@ -9,13 +9,13 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/cell_values.h>
 #include <crevasse/run/stress_record.h>
 #include <crevasse/run/stress_samples.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/cell_id.h>
 
 #include <algorithm>
@@ -65,46 +65,54 @@ namespace Crevasse
 
 
   template <int dim>
-  std::vector<std::size_t>
-  StressSamples<dim>::order_of_cells() const
+  std::vector<typename StressSamples<dim>::PointsOfCell>
+  StressSamples<dim>::cells_in_order() const
   {
-    std::vector<CellId::binary_type> mine;
+    std::vector<std::pair<CellId::binary_type, std::size_t>> mine;
     for (const auto &cell : body.space.mesh().active_cell_iterators())
       if (cell->is_locally_owned())
-        mine.push_back(cell->id().template to_binary<dim>());
+        mine.emplace_back(cell->id().template to_binary<dim>(),
+                          body.space.quadrature(cell).size());
 
-    std::vector<CellId> ids;
+    std::vector<std::pair<CellId, PointsOfCell>> cells;
+    std::size_t                                  first = 0;
     for (const auto &theirs :
          Utilities::MPI::gather(body.space.communicator(), mine))
-      ids.insert(ids.end(), theirs.begin(), theirs.end());
-    std::vector<std::size_t> order(ids.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(),
-              order.end(),
-              [&ids](const std::size_t a, const std::size_t b) {
-                return ids[a] < ids[b];
-              });
-    return order;
+      for (const auto &[id, n_points] : theirs)
+        {
+          cells.push_back({CellId(id), {first, n_points}});
+          first += n_points;
+        }
+    std::sort(cells.begin(), cells.end(), [](const auto &a, const auto &b) {
+      return a.first < b.first;
+    });
+    std::vector<PointsOfCell> points;
+    for (const auto &[id, of_cell] : cells)
+      points.push_back(of_cell);
+    return points;
   }
 
 
 
   template <int dim>
   std::vector<double>
-  StressSamples<dim>::gather(const std::vector<double>      &values,
-                             const std::vector<std::size_t> &order) const
+  StressSamples<dim>::gather(const std::vector<double>       &values,
+                             const std::vector<PointsOfCell> &cells) const
   {
     std::vector<double> all;
     for (const auto &theirs :
          Utilities::MPI::gather(body.space.communicator(), values))
       all.insert(all.end(), theirs.begin(), theirs.end());
-    if (order.empty())
+    if (cells.empty())
       return all;
 
-    std::vector<double> sorted(all.size());
-    const std::size_t   n = all.size() / order.size(); // of a cell
-    for (std::size_t i = 0; i < order.size(); ++i)
-      std::copy_n(all.begin() + order[i] * n, n, sorted.begin() + i * n);
+    const std::size_t   n = all.size() / body.points.n_points(); // of a point
+    std::vector<double> sorted;
+    sorted.reserve(all.size());
+    for (const PointsOfCell &cell : cells)
+      sorted.insert(sorted.end(),
+                    all.begin() + cell.first * n,
+                    all.begin() + (cell.first + cell.n_points) * n);
     return sorted;
   }
 
@@ -114,18 +122,13 @@ namespace Crevasse
   std::vector<double>
   StressSamples<dim>::coordinates() const
   {
-    FEValues<dim>       values(body.space.mapping(),
-                         body.space.finite_element(),
-                         body.space.quadrature(),
-                         update_quadrature_points);
+    CellValues<dim>     cell_values(body.space, update_quadrature_points);
     std::vector<double> all;
-    for (const auto &cell : body.space.mesh().active_cell_iterators())
+    for (const auto &cell : body.space.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
-        {
-          values.reinit(cell);
-          for (const Point<dim> &point : values.get_quadrature_points())
-            all.insert(all.end(), point.begin_raw(), point.end_raw());
-        }
+        for (const Point<dim> &point :
+             cell_values.reinit(cell).get_quadrature_points())
+          all.insert(all.end(), point.begin_raw(), point.end_raw());
     return all;
   }
 
@@ -155,10 +158,10 @@ namespace Crevasse
         write_numbers(file, instants);
       }
     // All ranks go on together, whatever becomes of the file.
-    const std::vector<std::size_t> order = order_of_cells();
-    write_numbers(file, gather(coordinates(), order));
+    const std::vector<PointsOfCell> cells = cells_in_order();
+    write_numbers(file, gather(coordinates(), cells));
     for (std::size_t k = 0; k < instants.size(); ++k)
-      write_numbers(file, gather(samples[k], order));
+      write_numbers(file, gather(samples[k], cells));
     file.close();
     collectively(communicator, [&]() {
       if (writes &&

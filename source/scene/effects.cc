@@ -120,6 +120,18 @@ namespace Crevasse
                                              ? "is not set"
                                              : "= " + scene.loads.body_force)};
 
+    const unsigned int n_singular = scene.discretisation.singular_functions;
+    singular_functions            = {"singular functions",
+                                     n_singular > 0,
+                                     "[Discretisation] Singular functions = " +
+                                       std::to_string(n_singular)};
+
+    stress_intensity = {"stress intensity",
+                        scene.crack_tip.stress_intensity,
+                        std::string("[Crack tip] Stress intensity = ") +
+                          (scene.crack_tip.stress_intensity ? "true"
+                                                            : "false")};
+
     secular_flow = {"secular flow", false, "not looked for"};
 
     field_output.name = "field output";
@@ -140,6 +152,8 @@ namespace Crevasse
             varying_stiffness,
             varying_viscosity,
             body_force,
+            singular_functions,
+            stress_intensity,
             field_output};
   }
 } // namespace Crevasse

@@ -216,7 +216,7 @@ namespace
     const Complex          kappa(0., -3.);
     const ComplexModuli<2> moduli(material, kappa, n_points);
 
-    const auto           bounds = unilateral_bounds(body.lip);
+    const auto           bounds = unilateral_bounds(body.lip, body.space);
     const LipPart        lip(MPI_COMM_SELF,
                       bounds,
                       std::vector<bool>(bounds.dofs.size(), true));

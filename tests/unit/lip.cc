@@ -159,7 +159,7 @@ namespace
     strain_operator.initialize(q);
     ExternalLoads<dim>(space, strain_operator, parameters).evaluate(0., b);
 
-    const UnilateralBounds bounds = unilateral_bounds(lip);
+    const UnilateralBounds bounds = unilateral_bounds(lip, space);
     const SignoriniProblem problem(matrix, bounds);
     Mumps                  mumps(matrix);
     CondensedActiveSet     solver(problem, mumps, 1e-12);

@@ -51,7 +51,7 @@ namespace
       });
     dealii::FEValues<dim> values(space.mapping(),
                                  space.finite_element(),
-                                 space.quadrature(),
+                                 space.quadratures()[0],
                                  dealii::update_JxW_values);
     double                sum = 0.;
     for (const auto &cell : space.dof_handler().active_cell_iterators())
@@ -169,7 +169,7 @@ namespace
     points.initialize(field);
     dealii::FEValues<dim> values(space.mapping(),
                                  space.finite_element(),
-                                 space.quadrature(),
+                                 space.quadratures()[0],
                                  dealii::update_quadrature_points);
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       {

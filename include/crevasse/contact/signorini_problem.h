@@ -33,6 +33,10 @@ namespace Crevasse
     std::vector<dealii::types::global_dof_index> dofs;
     std::vector<double>                          sign;
     std::vector<double>                          gap;
+
+    /** The last ones that are of no place on the lip: their unknowns couple
+     * with all others. */
+    unsigned int n_global = 0;
   };
 
   /**

@@ -12,6 +12,7 @@
 #ifndef crevasse_discretisation_space_h
 #define crevasse_discretisation_space_h
 
+#include <crevasse/discretisation/singular_shapes.h>
 #include <crevasse/scene/boundary_roles.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -19,9 +20,11 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q1.h>
+#include <deal.II/hp/q_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -49,6 +52,10 @@ namespace Crevasse
    * linear constraints of hanging nodes, clamped parts, symmetry planes and
    * fixed points. Displacement vectors hold zeros in their constrained
    * entries; constraints().distribute() fills these for output.
+   *
+   * Where there are singular functions at the crack tip, displacement vectors
+   * end with their coefficients, which the last rank owns; they are unknowns
+   * like the others.
    */
   template <int dim>
   class Space
@@ -59,12 +66,14 @@ namespace Crevasse
      * that no face has, or a fixed point is not a vertex.
      *
      * @param volumetric_strain mean with degree 1, and not in plane stress.
+     * @param singular_functions in the plane only; without fields: none.
      */
     Space(std::shared_ptr<const Mesh<dim>>    mesh,
           const unsigned int                  degree,
           const BoundaryRoles                &roles,
           const std::vector<FixedPoint<dim>> &fixed_points,
-          const VolumetricStrain volumetric_strain = VolumetricStrain::full);
+          const VolumetricStrain   volumetric_strain  = VolumetricStrain::full,
+          const SingularFunctions &singular_functions = {});
 
     const Mesh<dim> &
     mesh() const;
@@ -87,15 +96,68 @@ namespace Crevasse
     MPI_Comm
     communicator() const;
 
-    /** A vector of zeros for values at the degrees of freedom, with ghosts for
-     * those of the cells that this rank sees. */
+    /** The singular functions as shape functions; null: none. */
+    const SingularShapes *
+    singular_shapes() const;
+
+
+
+    /** The number of the coefficient of the k-th singular function in a
+     * displacement vector. */
+    dealii::types::global_dof_index
+    singular_unknown(const unsigned int k) const;
+
+    /** Degrees of freedom of the nodes and coefficients of singular functions.
+     */
+    dealii::types::global_dof_index
+    n_unknowns() const;
+
+    /** Those that belong to this rank, and those of the cells that it sees. */
+    const dealii::IndexSet &
+    locally_owned_unknowns() const;
+    const dealii::IndexSet &
+    locally_relevant_unknowns() const;
+
+    /** The degrees of freedom of a cell, followed by the unknowns of the
+     * singular functions, which reach everywhere. */
+    void
+    get_unknowns(
+      const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
+      std::vector<dealii::types::global_dof_index> &indices) const;
+
+    /** A vector of zeros for values at the unknowns, with ghosts for those of
+     * the cells that this rank sees. */
     Vector
     ghosted_vector() const;
 
-    /** The rule that integrates the stiffness, and at whose points the viscous
-     * strain lives: Gauss with degree + 1 points a direction. */
+    /** The same without the coefficients of singular functions: for output by
+     * means of dof_handler(). */
+    Vector
+    nodal_vector() const;
+
+    /** What a displacement is at all nodes, constraints resolved, with ghost
+     * values set. */
+    Vector
+    nodal_values(const Vector &displacement) const;
+
+    /** The rules that integrate the stiffness, and at whose points the viscous
+     * strain lives. The first is that of most cells: Gauss with degree + 1
+     * points a direction, with singular functions one more. Only with these
+     * there are others: Gauss with 5 points near the tip and, for each of its
+     * vertices, one for a cell that has the tip there (Duffy's
+     * transformation). */
+    const dealii::hp::QCollection<dim> &
+    quadratures() const;
+
+    /** Which of these a cell has. */
+    unsigned int
+    rule(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
+      const;
+
+    /** That rule. */
     const dealii::Quadrature<dim> &
-    quadrature() const;
+    quadrature(const typename dealii::Triangulation<dim>::active_cell_iterator
+                 &cell) const;
     const dealii::Quadrature<dim - 1> &
     face_quadrature() const;
 
@@ -104,6 +166,10 @@ namespace Crevasse
     check_roles() const;
     void
     make_constraints(const std::vector<FixedPoint<dim>> &fixed_points);
+    void
+    number_unknowns();
+    void
+    choose_rules();
     void
     constrain(const FixedPoint<dim> &fixed_point);
     void
@@ -114,12 +180,16 @@ namespace Crevasse
     const std::shared_ptr<const Mesh<dim>> triangulation;
     const dealii::MappingQ1<dim>           q1_mapping;
     const dealii::FESystem<dim>            fe;
-    const dealii::QGauss<dim>              cell_rule;
     const dealii::QGauss<dim - 1>          face_rule;
     const BoundaryRoles                    boundary_roles;
     const VolumetricStrain                 volumetric;
     dealii::DoFHandler<dim>                dofs;
     dealii::AffineConstraints<double>      affine_constraints;
+
+    std::unique_ptr<const SingularShapes> shapes; ///< of singular functions
+    dealii::IndexSet                      owned_unknowns, relevant_unknowns;
+    dealii::hp::QCollection<dim>          rules;
+    std::vector<std::uint8_t> rule_of_cell; ///< empty: all have the first
   };
 } // namespace Crevasse
 

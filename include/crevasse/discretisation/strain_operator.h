@@ -12,6 +12,7 @@
 #ifndef crevasse_discretisation_strain_operator_h
 #define crevasse_discretisation_strain_operator_h
 
+#include <crevasse/discretisation/enrichment.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/space.h>
 
@@ -32,6 +33,10 @@ namespace Crevasse
    * mean over its cell, and a third of the difference goes to each of the
    * components 11, 22 and 33. The transpose gives a point the mean pressure of
    * the cell instead of its own.
+   *
+   * With singular functions, displacements carry their coefficients, and the
+   * cells near the tip are not MatrixFree's: see Enrichment. Its work space
+   * makes an operator one that only one thread at a time can apply.
    */
   template <int dim>
   class StrainOperator
@@ -60,9 +65,23 @@ namespace Crevasse
   private:
     using Number = dealii::VectorizedArray<double>;
 
+    /** Degree and rule are known when the program is compiled, but not with
+     * singular functions. */
+    static constexpr int run_time = -1;
     template <int degree>
-    using Evaluation =
-      dealii::FEEvaluation<dim, degree, degree + 1, dim, double>;
+    using Evaluation = dealii::FEEvaluation<dim,
+                                            degree,
+                                            degree == run_time ? 0 : degree + 1,
+                                            dim,
+                                            double>;
+
+    /** Points of a cell at most: degree 2 with singular functions. */
+    template <int degree>
+    static constexpr unsigned int
+    most_points()
+    {
+      return dealii::Utilities::pow(degree == run_time ? 4 : degree + 1, dim);
+    }
 
     template <int degree, bool mean_volume, typename Function>
     void
@@ -77,10 +96,15 @@ namespace Crevasse
     Number
     cell_mean(const CellEvaluation &evaluation, const Function &f) const;
 
+    /** Whether the cells of a batch are MatrixFree's. */
+    bool
+    has_batch(const unsigned int batch) const;
+
     const unsigned int              degree;
     const unsigned int              n_cell_points;
     const bool                      mean_volume;
     dealii::MatrixFree<dim, double> matrix_free;
+    std::unique_ptr<Enrichment>     enrichment; ///< by singular functions
 
     /** Where the points of each lane of each cell batch begin. */
     std::vector<std::array<std::size_t, Number::size()>> batch_offsets;
@@ -95,6 +119,19 @@ namespace Crevasse
                                        const Function &f) const
   {
     displacement.update_ghost_values();
+    if constexpr (dim == 2)
+      if (enrichment != nullptr)
+        {
+          enrichment->read(displacement);
+          const auto enriched = [&](const std::size_t       offset,
+                                    const VoigtVector<dim> &strain) {
+            f(offset, strain + enrichment->strain(offset));
+          };
+          strain_sweep<run_time, false>(enrichment->nodal_part(), enriched);
+          enrichment->for_each_special_strain(enriched);
+          displacement.zero_out_ghost_values();
+          return;
+        }
     if (mean_volume)
       strain_sweep<1, true>(displacement, f);
     else if (degree == 1)
@@ -112,6 +149,20 @@ namespace Crevasse
   StrainOperator<dim>::add_transpose(Vector         &force,
                                      const Function &stress_at) const
   {
+    if constexpr (dim == 2)
+      if (enrichment != nullptr)
+        {
+          enrichment->begin_transpose();
+          const auto enriched = [&](const std::size_t offset) {
+            const VoigtVector<dim> stress = stress_at(offset);
+            enrichment->add_stress(offset, stress);
+            return stress;
+          };
+          transpose_sweep<run_time, false>(enrichment->nodal_part(), enriched);
+          enrichment->add_special_transpose(enriched);
+          enrichment->end_transpose(force);
+          return;
+        }
     if (mean_volume)
       transpose_sweep<1, true>(force, stress_at);
     else if (degree == 1)
@@ -149,6 +200,8 @@ namespace Crevasse
     Evaluation<degree> evaluation(matrix_free);
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
+        if (!has_batch(batch))
+          continue;
         evaluation.reinit(batch);
         evaluation.gather_evaluate(displacement,
                                    dealii::EvaluationFlags::gradients);
@@ -190,13 +243,16 @@ namespace Crevasse
   StrainOperator<dim>::transpose_sweep(Vector         &force,
                                        const Function &stress_at) const
   {
-    constexpr unsigned int n_points = Evaluation<degree>::static_n_q_points;
-    std::array<dealii::SymmetricTensor<2, dim, Number>, n_points> stress{};
-    std::array<Number, n_points>                                  pressure{};
+    const unsigned int n_points = n_cell_points;
+    std::array<dealii::SymmetricTensor<2, dim, Number>, most_points<degree>()>
+                                              stress{};
+    std::array<Number, most_points<degree>()> pressure{};
 
     Evaluation<degree> evaluation(matrix_free);
     for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
       {
+        if (!has_batch(batch))
+          continue;
         evaluation.reinit(batch);
         for (unsigned int q = 0; q < n_points; ++q)
           for (unsigned int lane = 0;

@@ -24,8 +24,9 @@ namespace Crevasse
 {
   /**
    * Fields at quadrature points seen at nodes: on each cell the polynomial
-   * through the values at the points, at each node the mean over the cells
-   * that meet there, between nodes the shape functions.
+   * through the values at the points (the nearest one, where there are more),
+   * at each node the mean over the cells that meet there, between nodes the
+   * shape functions.
    */
   template <int dim>
   class StressRecovery
@@ -71,8 +72,9 @@ namespace Crevasse
     dealii::DoFHandler<dim>           nodal_dofs;
     dealii::AffineConstraints<double> hanging_nodes;
 
-    /** From the values at the points of a cell to those at its nodes. */
-    dealii::FullMatrix<double> extrapolation;
+    /** From the values at the points of a cell to those at its nodes, for each
+     * rule. */
+    std::vector<dealii::FullMatrix<double>> extrapolations;
 
     /** 1 / number of cells at each node. */
     Vector inverse_count;

@@ -52,6 +52,18 @@ namespace Crevasse
     return names[component];
   }
 
+  /** The strain of a displacement gradient, with engineering shears. */
+  template <int dim>
+  VoigtVector<dim>
+  voigt_strain(const dealii::Tensor<2, dim> &gradient)
+  {
+    VoigtVector<dim> strain;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        strain[voigt_index<dim>(i, j)] += gradient[i][j];
+    return strain;
+  }
+
   /** The stress as a 3 × 3 tensor (zero where dim = 2 has no component). */
   template <int dim>
   dealii::SymmetricTensor<2, 3>

@@ -88,6 +88,11 @@ namespace Crevasse
 
     void
     find_displacement_weights(const Place &place, const Space<dim> &space);
+    /** What singular functions have at the place. */
+    static void
+    add_singular_values(const Place         &place,
+                        const Space<dim>    &space,
+                        std::vector<Vector> &weights);
     void
     find_stress_weights(const Place &place);
     void

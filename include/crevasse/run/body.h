@@ -44,6 +44,9 @@ namespace Crevasse
     /** @throw SceneError, or NumericalError if a rigid motion is left free. */
     Body(const Scene &scene, const MPI_Comm communicator);
 
+    /** The same on a mesh that is there already. */
+    Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh);
+
     const Temperature<dim>     temperature;
     const Effects              effects;
     const MaxwellLaw<dim>      law;
@@ -55,10 +58,13 @@ namespace Crevasse
     const ExternalLoads<dim>   loads;
   };
 
-  /** The bounds of the discrete cone C at the nodes of a lip. */
+  /** The bounds of the discrete cone C: at the nodes of a lip, in their order,
+   * and after them that of the singular function which opens it. Its
+   * coefficient is K_I but for a factor: without the bound the lip would
+   * penetrate between the nodes. */
   template <int dim>
   UnilateralBounds
-  unilateral_bounds(const ContactBoundary<dim> &lip);
+  unilateral_bounds(const ContactBoundary<dim> &lip, const Space<dim> &space);
 
   /** The scene's supports: its own list, or what the built-in shape needs. */
   template <int dim>

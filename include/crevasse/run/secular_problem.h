@@ -27,10 +27,10 @@ namespace Crevasse
   /** Whether a scene is computed in the split form, u = βt + q. */
   struct SecularSplit
   {
-    Effects::Effect effect; ///< on: there is a flow, found on its own
+    Effects::Effect effect;           ///< on: there is a flow, found on its own
     bool            is_split = false; ///< whether q is computed, and not u
-    Vector          mean_load; ///< f̄, where it was needed
-    std::string     warning;   ///< empty: none
+    Vector          mean_load;        ///< f̄, where it was needed
+    std::string     warning;          ///< empty: none
   };
 
   /** Why no secular flow can be split off; empty if it can. Collective. */

@@ -38,15 +38,20 @@ namespace Crevasse
     write(const std::string &file_name) const;
 
   private:
-    /** Where the points of each cell come from among those of all ranks one
-     * after the other; on the first rank. */
-    std::vector<std::size_t>
-    order_of_cells() const;
+    /** Among those of all ranks one after the other. */
+    struct PointsOfCell
+    {
+      std::size_t first, n_points;
+    };
+
+    /** All cells, on the first rank. */
+    std::vector<PointsOfCell>
+    cells_in_order() const;
 
     /** On the first rank, all ranks' values in that order. */
     std::vector<double>
-    gather(const std::vector<double>      &values,
-           const std::vector<std::size_t> &order) const;
+    gather(const std::vector<double>       &values,
+           const std::vector<PointsOfCell> &cells) const;
 
     std::vector<double>
     coordinates() const;

@@ -39,6 +39,8 @@ namespace Crevasse
     Effect varying_stiffness; ///< by a factor or freely
     Effect varying_viscosity;
     Effect body_force;
+    Effect singular_functions;
+    Effect stress_intensity;
     Effect field_output;
 
     /** @param temperature_varies whether [Loads] Temperature does in time. */

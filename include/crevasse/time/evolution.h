@@ -26,9 +26,10 @@ namespace Crevasse
   /** The body at one instant. */
   struct State
   {
-    Vector              displacement;   ///< q; zero in constrained entries
-    Vector              stress;         ///< s at quadrature points
-    std::vector<double> contact_forces; ///< g for each local lip node
+    Vector displacement; ///< q; zero in constrained entries
+    Vector stress;       ///< s at quadrature points
+    /** g of each local bound, the nodes of the lip first. */
+    std::vector<double> contact_forces;
     double              stiffness_factor = 1.; ///< k(t)
   };
 

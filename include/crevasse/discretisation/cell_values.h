@@ -1,0 +1,51 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_discretisation_cell_values_h
+#define crevasse_discretisation_cell_values_h
+
+#include <crevasse/discretisation/space.h>
+
+#include <deal.II/hp/fe_values.h>
+
+namespace Crevasse
+{
+  /** Shape functions at the points of each cell's own quadrature rule. */
+  template <int dim>
+  class CellValues
+  {
+  public:
+    /** @param space must outlive this object. */
+    CellValues(const Space<dim> &space, const dealii::UpdateFlags flags)
+      : space(space)
+      , mapping(space.mapping())
+      , finite_element(space.finite_element())
+      , values(mapping, finite_element, space.quadratures(), flags)
+    {
+    }
+
+    /** Valid until the next call. */
+    const dealii::FEValues<dim> &
+    reinit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell)
+    {
+      values.reinit(cell, space.rule(cell), 0, 0);
+      return values.get_present_fe_values();
+    }
+
+  private:
+    const Space<dim>                        &space;
+    const dealii::hp::MappingCollection<dim> mapping;
+    const dealii::hp::FECollection<dim>      finite_element;
+    dealii::hp::FEValues<dim>                values;
+  };
+} // namespace Crevasse
+
+#endif

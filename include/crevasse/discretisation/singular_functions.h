@@ -1,0 +1,68 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_discretisation_singular_functions_h
+#define crevasse_discretisation_singular_functions_h
+
+#include <crevasse/discretisation/crack_tip.h>
+#include <crevasse/discretisation/polar_field.h>
+#include <crevasse/material/voigt.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /** The two constants of an isotropic body in the plane. */
+  struct PlaneElasticity
+  {
+    double shear_modulus; ///< μ
+    double kappa;         ///< 3 − 4ν, or (3 − ν)/(1 + ν) in plane stress
+
+    /** E' = 8μ/(κ + 1): E in plane stress, E/(1 − ν²) in plane strain. */
+    double
+    plane_modulus() const;
+  };
+
+  /** What an isotropic stiffness is in the plane.
+   * @param[out] is_isotropic whether it is one; if not, nothing is said. */
+  PlaneElasticity
+  plane_elasticity(const VoigtMatrix<2> &stiffness, bool &is_isotropic);
+
+  /**
+   * Displacements ψ of mode I with the singularities of a crack tip, to be
+   * added to the finite elements (Strang and Fix 1973, §8.2; the end of §7 of
+   * the paper): w₁, the field of K_I; D, which with w₁ spans all displacements
+   * with √r whatever Poisson's ratio; w₃, the term with r^{3/2} of Williams'
+   * series.
+   *
+   * They are scaled by a length h, the size of the cells at the tip, and to an
+   * opening of 1 there, so that a coefficient is a displacement as those of the
+   * nodes are, in any units.
+   */
+  struct SingularFunctions
+  {
+    CrackTip                tip;
+    std::vector<PolarField> fields; ///< none: they are off
+
+    /** K_I of a unit coefficient of w₁ (stress √length / length). */
+    double unit_stress_intensity = 0.;
+  };
+
+  /** @param n from 1 to 3.
+   * @param length h */
+  SingularFunctions
+  make_singular_functions(const unsigned int     n,
+                          const CrackTip        &tip,
+                          const PlaneElasticity &elasticity,
+                          const double           length);
+} // namespace Crevasse
+
+#endif
