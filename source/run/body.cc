@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/refinement.h>
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/run/body.h>
 #include <crevasse/scene/built_in_boundary.h>
@@ -27,18 +28,6 @@ namespace Crevasse
 
   namespace
   {
-    template <int dim>
-    std::shared_ptr<const Mesh<dim>>
-    make_distributed_mesh(const GeometryParameters &parameters,
-                          const MPI_Comm            communicator)
-    {
-      auto mesh = std::make_shared<Mesh<dim>>(communicator);
-      make_mesh(parameters, *mesh);
-      return mesh;
-    }
-
-
-
     /** Everything else builds on a body that cannot move away. */
     template <int dim>
     const Space<dim> &
@@ -175,11 +164,38 @@ namespace Crevasse
 
 
   template <int dim>
+  std::shared_ptr<Mesh<dim>>
+  make_scene_mesh(const Scene &scene, const MPI_Comm communicator)
+  {
+    const auto unrefined = [&scene, communicator]() {
+      auto mesh = std::make_shared<Mesh<dim>>(communicator);
+      make_mesh(scene.geometry, *mesh);
+      return mesh;
+    };
+    return scene.refinement.strategy == "tip"
+             ? graded_mesh<dim>(unrefined,
+                                boundary_roles(scene),
+                                scene.refinement,
+                                scene.discretisation.degree)
+             : unrefined();
+  }
+
+
+
+  template <int dim>
   Body<dim>::Body(const Scene &scene, const MPI_Comm communicator)
-    : temperature(read_temperature<dim>(scene.loads, communicator))
+    : Body(scene, make_scene_mesh<dim>(scene, communicator))
+  {
+  }
+
+
+
+  template <int dim>
+  Body<dim>::Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh)
+    : temperature(read_temperature<dim>(scene.loads, mesh->get_communicator()))
     , effects(scene, boundary_roles(scene), temperature.depends_on_time())
     , law(scene.material)
-    , space(make_distributed_mesh<dim>(scene.geometry, communicator),
+    , space(std::move(mesh),
             scene.discretisation.degree,
             boundary_roles(scene),
             fixed_points<dim>(scene),
@@ -228,6 +244,10 @@ namespace Crevasse
   unilateral_bounds<2>(const ContactBoundary<2> &);
   template UnilateralBounds
   unilateral_bounds<3>(const ContactBoundary<3> &);
+  template std::shared_ptr<Mesh<2>>
+  make_scene_mesh<2>(const Scene &, const MPI_Comm);
+  template std::shared_ptr<Mesh<3>>
+  make_scene_mesh<3>(const Scene &, const MPI_Comm);
   template std::vector<FixedPoint<2>>
   fixed_points<2>(const Scene &);
   template std::vector<FixedPoint<3>>
