@@ -57,19 +57,19 @@ def test_grading():
 
 
 def test_target():
-    for degree in (1, 2):
+    for degree, target in ((1, 300), (2, 900)):
         settings = ELASTIC + [f"Discretisation/Degree={degree}", TIP]
         code, text, error = execute(SCENE, "--check", *overrides(
-            settings + ["Refinement/Target unknowns=700"]))
+            settings + [f"Refinement/Target unknowns={target}"]))
         check(code == 0, error)
         n = run(SCENE, "target", settings
-                + ["Refinement/Target unknowns=700"]).summary
+                + [f"Refinement/Target unknowns={target}"]).summary
         check(f"{n['cells']} cells, {n['unknowns']} unknowns" in text,
               "--check knows the sizes")
         more = run(SCENE, "target_passed", settings
                    + [f"Refinement/Cycles={n['levels']}"]).summary
         print(f"Q{degree}: {n['unknowns']} unknowns, then {more['unknowns']}")
-        check(n["unknowns"] <= 700 < more["unknowns"], "the last that fits")
+        check(n["unknowns"] <= target < more["unknowns"], "the last that fits")
 
 
 def test_solvers_agree():
@@ -124,9 +124,10 @@ def rate(meshes, least):
 
 
 def test_energy_rates():
-    for degree, expected, target in ((1, -0.5, 60000), (2, -1., 12000)):
+    for degree, expected, target in ((1, -0.5, 60000), (2, -1., 60000)):
         results = run(SCENE, f"rates_{degree}", ELASTIC + [
             f"Discretisation/Degree={degree}", ADAPTIVE,
+            "Geometry/Subdivisions=2, 2",
             f"Refinement/Target unknowns={target}"])
         meshes = results.summary["refinement"]["meshes"]
         print(f"Q{degree}: cells, unknowns, relative error of the energy norm, "
@@ -136,7 +137,7 @@ def test_energy_rates():
             print(f"  {mesh['cells']:6} {mesh['unknowns']:7} {error:.3e} "
                   f"{mesh['estimated_error']:.3e} "
                   f"{mesh['estimated_error'] / error:.2f}")
-        check_close(rate(meshes, 300), expected, 0.15 * -expected,
+        check_close(rate(meshes, 1000), expected, 0.15 * -expected,
                     f"Q{degree}: rate of the energy norm")
         for mesh in meshes:
             error = math.sqrt(1 - mesh["energy"] / ENERGY)
@@ -144,7 +145,7 @@ def test_energy_rates():
                   "the estimate is about the error")
         if degree == 2:
             best = [m for m in meshes if m["unknowns"] <= 3000][-1]
-            check_below(1 - best["energy"] / ENERGY, 1e-4,
+            check_below(1 - best["energy"] / ENERGY, 2e-4,
                         f"energy with {best['unknowns']} unknowns")
 
 
