@@ -68,6 +68,21 @@ namespace Crevasse
 
 
 
+    /** The nodes of the lip that touch in this displacement. */
+    template <int dim>
+    std::vector<bool>
+    touching_nodes(const ContactBoundary<dim> &lip, const Vector &displacement)
+    {
+      const double      rounding = 1e-10 * displacement.linfty_norm();
+      std::vector<bool> touches;
+      for (const LipNode<dim> &node : lip.nodes())
+        touches.push_back(node.sign * displacement(node.dof) - node.gap <=
+                          rounding);
+      return touches;
+    }
+
+
+
     std::vector<Observer *>
     together(std::vector<Observer *>        some,
              const std::vector<Observer *> &others)
@@ -380,6 +395,9 @@ namespace Crevasse
     if (integrator != nullptr &&
         scene.time_integration.step_control == "adaptive")
       evolution.set_scales(instants_of_scale(body, steps));
+    if (state.displacement.size() > 0)
+      solvers.current().contact_solver().start_from(
+        touching_nodes(body.lip, state.displacement));
     state.result =
       PeriodicSearch<dim>(
         scene, body, periodic_choice, direct, relaxation_times.largest, log)

@@ -21,14 +21,22 @@ ADAPTIVE = "Refinement/Strategy=adaptive"
 ENERGY = 9.71931251e-3
 
 
+LENGTHS = ("u_1", "u_2", "opening")
+
+
 def largest_difference(one, other, table):
-    """Of two tables, each column relative to its largest value."""
+    """Of the columns of two tables of probes, relative to the largest length or
+    stress, that of the load included."""
     mine, theirs = one.table(table), other.table(table)
     check(list(mine) == list(theirs), f"columns of {table}")
+    check(mine["t"] == theirs["t"], f"times of {table}")
     worst = 0.
-    for name in mine:
-        size = max(map(abs, mine[name])) or 1.
-        worst = max(worst, *(abs(a - b) / size for a, b in
+    for is_length in (True, False):
+        columns = [name for name in mine
+                   if name != "t" and (name in LENGTHS) == is_length]
+        size = max(abs(x) for name in columns for x in mine[name])
+        size = size if is_length else max(size, 10.)
+        worst = max(worst, *(abs(a - b) / size for name in columns for a, b in
                              zip(mine[name], theirs[name], strict=True)))
     return worst
 
@@ -78,7 +86,7 @@ def test_solvers_agree():
         settings = ONE_PERIOD + [f"Discretisation/Degree={degree}", TIP,
                                  "Refinement/Cycles=3", "Contact/Tolerance=1e-13",
                                  "Contact/Maximum iterations=100000",
-                                 "Output/Probes=C: 1, 0; near: 0.52, 0"]
+                                 "Output/Probes=C: 1, 0; near: 0.53, 0.02"]
         reference = run(SCENE, "condensed", settings
                         + ["Contact/Solver=condensed active set"])
         closed = reference.table("contact.csv")["closed_nodes"]
@@ -158,25 +166,33 @@ def test_tolerance():
 
 
 def test_readaptation():
+    # A mean load, so that the viscous strain has an integral.
     settings = ["Contact/Solver=automatic", "Discretisation/Degree=2",
+                "Geometry/Subdivisions=4, 4", "Geometry/Refinements=1",
+                "Loads/Traction=0; 3+10*sin(2*pi*t/600)",
                 "Periodic state/Maximum periods=4", "Periodic state/Tolerance=0",
                 "Output/Fields=none", "Output/Load work=true",
-                ADAPTIVE, "Refinement/Cycles=3",
-                "Refinement/Coarsen fraction=0.05",
-                "Refinement/Target unknowns=2500"]
-    results = run(SCENE, "readapted", settings + ["Refinement/Readapt every=2"])
+                ADAPTIVE, "Refinement/Cycles=6"]
+    results = run(SCENE, "readapted", settings + [
+        "Refinement/Readapt every=2", "Refinement/Coarsen fraction=0.03"])
     summary = results.summary
+    meshes = summary["refinement"]["meshes"]
     taken = summary["refinement"]["readaptations"]
     check([step["after_period"] for step in taken] == [2], "once, in the middle")
     for step in taken:
         before, after = (step[f"viscous_strain_{when}"]
                          for when in ("before", "after"))
+        print(f"cells {meshes[-1]['cells']} -> {step['cells']}, norm of r "
+              f"{before['norm']} -> {after['norm']}, integrals "
+              f"{before['integral']} -> {after['integral']}")
         size = max(map(abs, before["integral"]))
+        check(size > 0.1 * before["norm"], "there is an integral")
         check_below(max(abs(a - b) for a, b in zip(before["integral"],
                                                    after["integral"])) / size,
                     1e-12, "change of the integral of r")
-        check_below(abs(after["norm"] / before["norm"] - 1), 1e-3,
-                    "change of the norm of r")
+        change = 1 - after["norm"] / before["norm"]
+        check(change > 1e-14, "cells were joined, which takes from the norm")
+        check_below(change, 1e-3, "change of the norm of r")
     check(summary["periods"] == 4, "all periods")
     check(results.table("periods.csv")["period"] == [1, 2, 3, 4], "their table")
     for name in ("probe_C.csv", "contact.csv", "load_work.csv"):
@@ -187,10 +203,45 @@ def test_readaptation():
     opening, expected = (r.table("probe_C.csv")["opening"]
                          for r in (results, fixed))
     check_below(max(abs(a - b) for a, b in zip(opening, expected, strict=True))
-                / max(expected), 1e-3, "opening after another adaptation")
+                / max(expected), 1e-2, "opening after another adaptation")
     check(summary["counters"]["vi_solves"]
           == fixed.summary["counters"]["vi_solves"] + 1,
           "one more contact problem, for the displacement to take over")
+
+
+def test_five_periods():
+    """Against uniform meshes, whose own error falls like h: extrapolated."""
+    scene = SOURCE / "prm/studies/crack_tip_adaptive.prm"
+    coarse, fine = (
+        run(scene, f"uniform_{n}", ["Refinement/Strategy=none",
+                                    "Geometry/Subdivisions=14, 4",
+                                    f"Geometry/Refinements={n}"])
+        for n in (2, 3))
+    limit = [2 * b - a for a, b in zip(coarse.table("probe_C.csv")["opening"],
+                                       fine.table("probe_C.csv")["opening"],
+                                       strict=True)]
+    check(min(limit) < 1e-6 < max(limit), "opens and closes")
+
+    def error(results):
+        opening = results.table("probe_C.csv")["opening"]
+        return max(abs(a - b) for a, b in
+                   zip(opening, limit, strict=True)) / max(limit)
+
+    print(f"uniform, 64 times finer: {fine.summary['unknowns']} unknowns, "
+          f"error {error(fine):.2e}, {fine.summary['seconds']['total']:.2f} s")
+    for settings in ([], ["Refinement/Readapt every=4"]):
+        # What else the machine does counts less in the best of some runs.
+        all_runs = [run(scene, "five_periods", settings) for _ in range(3)]
+        adaptive = all_runs[-1]
+        check_below(error(adaptive), 1e-3, f"{settings}: opening with "
+                    f"{adaptive.summary['unknowns']} unknowns")
+        check(error(adaptive) < error(fine), "better than the finer mesh")
+        seconds = min(r.summary["seconds"]["total"]
+                      + sum(mesh["seconds"] for mesh in
+                            r.summary["refinement"]["meshes"])
+                      for r in all_runs)
+        check_below(seconds / fine.summary["seconds"]["total"], 0.05,
+                    f"{settings}: {seconds:.3f} s, of the time")
 
 
 def refused(settings, expected):
@@ -229,6 +280,6 @@ def test_refusals():
 
 for test in (test_grading, test_target, test_solvers_agree, test_ranks,
              test_energy_rates, test_tolerance, test_readaptation,
-             test_refusals):
+             test_five_periods, test_refusals):
     print(test.__name__)
     test()
