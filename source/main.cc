@@ -10,11 +10,11 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/output/log.h>
+#include <crevasse/run/adaptive_run.h>
 #include <crevasse/run/command_line.h>
 #include <crevasse/run/failure.h>
 #include <crevasse/run/output_choice.h>
 #include <crevasse/run/parameter_sweep.h>
-#include <crevasse/run/simulation.h>
 #include <crevasse/run/version.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
@@ -58,15 +58,18 @@ namespace
             const std::string &used,
             Log               &log)
   {
-    const MPI_Comm  communicator = MPI_COMM_WORLD;
-    Simulation<dim> simulation(scene, communicator, log);
-    simulation.describe();
+    const MPI_Comm   communicator = MPI_COMM_WORLD;
+    AdaptiveRun<dim> run(scene, communicator, log);
+    run.describe();
     const OutputChoice output(command, scene);
     if (command.check)
       {
         log.line("  output directory: " + output.directory());
         output.require_usable();
-        log.line("The scene is in order; nothing was computed.");
+        log.line(scene.refinement.strategy == "adaptive"
+                   ? "The scene is in order; nothing was computed but elastic "
+                     "states, for the mesh."
+                   : "The scene is in order; nothing was computed.");
         return;
       }
 
@@ -76,7 +79,7 @@ namespace
         prepare(output, used, log);
     });
     log.open_file(directory + "/log.txt");
-    simulation.run(directory);
+    run.run(directory);
     log.line("  results in " + directory);
   }
 

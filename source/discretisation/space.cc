@@ -19,6 +19,7 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -202,7 +203,10 @@ namespace Crevasse
                   nearest_distance = distance;
                   nearest          = cell->vertex(v);
                 }
-              if (distance > 1e-8 * cell->diameter())
+              // Coordinates are as exact as those of the coarse mesh.
+              if (distance >
+                  std::max(1e-8, 1e-10 * std::ldexp(1., cell->level())) *
+                    cell->diameter())
                 continue;
               found = true;
               for (unsigned int d = 0; d < dim; ++d)

@@ -18,14 +18,18 @@
 namespace Crevasse
 {
   CsvTable::CsvTable(const std::string              &file_name,
-                     const std::vector<std::string> &header)
+                     const std::vector<std::string> &header,
+                     const bool                      goes_on)
     : file_name(file_name)
     , n_columns(header.size())
-    , file(file_name)
+    , file(file_name, goes_on ? std::ios::app : std::ios::trunc)
   {
-    for (std::size_t i = 0; i < n_columns; ++i)
-      file << (i > 0 ? "," : "") << header[i];
-    file << std::endl;
+    if (!goes_on)
+      {
+        for (std::size_t i = 0; i < n_columns; ++i)
+          file << (i > 0 ? "," : "") << header[i];
+        file << std::endl;
+      }
     if (!file)
       throw FileError("Cannot write " + file_name + ".");
   }

@@ -16,13 +16,15 @@ namespace Crevasse
   template <int dim>
   LoadWork<dim>::LoadWork(const ExternalLoads<dim> &loads,
                           const StepList           &steps,
-                          const std::string        &file_name)
+                          const std::string        &file_name,
+                          const bool                goes_on)
     : loads(loads)
     , steps(steps)
     , table(file_name.empty() ? nullptr
                               : std::make_unique<CsvTable>(
                                   file_name,
-                                  std::vector<std::string>{"t", "load_work"}))
+                                  std::vector<std::string>{"t", "load_work"},
+                                  goes_on))
   {
   }
 

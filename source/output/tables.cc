@@ -19,10 +19,12 @@ namespace Crevasse
   {
     std::unique_ptr<CsvTable>
     open_table(const std::string              &file_name,
-               const std::vector<std::string> &header)
+               const std::vector<std::string> &header,
+               const bool                      goes_on)
     {
-      return file_name.empty() ? nullptr
-                               : std::make_unique<CsvTable>(file_name, header);
+      return file_name.empty()
+               ? nullptr
+               : std::make_unique<CsvTable>(file_name, header, goes_on);
     }
   } // namespace
 
@@ -30,7 +32,8 @@ namespace Crevasse
 
   template <int dim>
   ProbeTable<dim>::ProbeTable(const ProbeEvaluator<dim> &probe,
-                              const std::string         &file_name)
+                              const std::string         &file_name,
+                              const bool                 goes_on)
     : probe(probe)
   {
     std::vector<std::string> header = {"t"};
@@ -40,7 +43,7 @@ namespace Crevasse
       header.push_back(std::string("s_") + voigt_name<dim>(c));
     if (probe.on_lip())
       header.insert(header.end(), {"opening", "pressure"});
-    table = open_table(file_name, header);
+    table = open_table(file_name, header, goes_on);
   }
 
 
@@ -76,11 +79,13 @@ namespace Crevasse
   template <int dim>
   ContactTable<dim>::ContactTable(const ContactBoundary<dim> &lip,
                                   const std::string          &file_name,
-                                  const bool                  of_last_period)
+                                  const bool                  of_last_period,
+                                  const bool                  goes_on)
     : lip(lip)
     , of_last_period(of_last_period)
     , table(open_table(file_name,
-                       {"t", "closed_nodes", "force", "largest_pressure"}))
+                       {"t", "closed_nodes", "force", "largest_pressure"},
+                       goes_on))
   {
   }
 
@@ -112,14 +117,15 @@ namespace Crevasse
 
 
 
-  PeriodTable::PeriodTable(const std::string &file_name)
+  PeriodTable::PeriodTable(const std::string &file_name, const bool goes_on)
     : table(open_table(file_name,
                        {"period",
                         "t_end",
                         "stress_change",
                         "stress_error_estimate",
                         "vi_solves",
-                        "seconds"}))
+                        "seconds"},
+                       goes_on))
   {
   }
 

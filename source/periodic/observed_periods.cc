@@ -24,11 +24,13 @@ namespace Crevasse
     const SolveCount              &n_solves,
     const std::vector<Observer *> &observers,
     const unsigned int             maximum_periods,
-    const PeriodicResult          &before)
+    const PeriodicResult          &before,
+    const bool                     is_comparable)
     : period_map(period_map)
     , n_solves(n_solves)
     , observers(observers)
     , maximum_periods(maximum_periods)
+    , is_comparable(is_comparable)
     , history(period_map.steps().period())
     , so_far(before)
   {
@@ -78,8 +80,10 @@ namespace Crevasse
 
     double change       = history.take_change();
     so_far.steps_repeat = history.is_comparable();
-    if (!so_far.steps_repeat) // of a few instants: it says nothing
+    // Of a few instants it says nothing, and against none on this mesh either.
+    if (!so_far.steps_repeat || !is_comparable)
       change = std::numeric_limits<double>::quiet_NaN();
+    is_comparable = true;
     so_far.stress_change.push_back(change);
     last = {so_far.periods,
             so_far.periods * period_map.steps().period(),

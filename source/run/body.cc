@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/refinement.h>
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/run/body.h>
 #include <crevasse/run/tip_functions.h>
@@ -28,18 +29,6 @@ namespace Crevasse
 
   namespace
   {
-    template <int dim>
-    std::shared_ptr<const Mesh<dim>>
-    make_distributed_mesh(const GeometryParameters &parameters,
-                          const MPI_Comm            communicator)
-    {
-      auto mesh = std::make_shared<Mesh<dim>>(communicator);
-      make_mesh(parameters, *mesh);
-      return mesh;
-    }
-
-
-
     /** Everything else builds on a body that cannot move away. */
     template <int dim>
     const Space<dim> &
@@ -176,8 +165,27 @@ namespace Crevasse
 
 
   template <int dim>
+  std::shared_ptr<Mesh<dim>>
+  make_scene_mesh(const Scene &scene, const MPI_Comm communicator)
+  {
+    const auto unrefined = [&scene, communicator]() {
+      auto mesh = std::make_shared<Mesh<dim>>(communicator);
+      make_mesh(scene.geometry, *mesh);
+      return mesh;
+    };
+    return scene.refinement.strategy == "tip"
+             ? graded_mesh<dim>(unrefined,
+                                boundary_roles(scene),
+                                scene.refinement,
+                                scene.discretisation.degree)
+             : unrefined();
+  }
+
+
+
+  template <int dim>
   Body<dim>::Body(const Scene &scene, const MPI_Comm communicator)
-    : Body(scene, make_distributed_mesh<dim>(scene.geometry, communicator))
+    : Body(scene, make_scene_mesh<dim>(scene, communicator))
   {
   }
 
@@ -247,6 +255,10 @@ namespace Crevasse
   unilateral_bounds<2>(const ContactBoundary<2> &, const Space<2> &);
   template UnilateralBounds
   unilateral_bounds<3>(const ContactBoundary<3> &, const Space<3> &);
+  template std::shared_ptr<Mesh<2>>
+  make_scene_mesh<2>(const Scene &, const MPI_Comm);
+  template std::shared_ptr<Mesh<3>>
+  make_scene_mesh<3>(const Scene &, const MPI_Comm);
   template std::vector<FixedPoint<2>>
   fixed_points<2>(const Scene &);
   template std::vector<FixedPoint<3>>

@@ -41,13 +41,14 @@ namespace Crevasse
                              : std::max(value, report.largest_stress);
     }
 
-    explicit LargestStress(const bool of_last_period)
+    LargestStress(const bool of_last_period, const double before)
       : of_last_period(of_last_period)
+      , value(before)
     {
     }
 
     const bool of_last_period;
-    double     value          = 0.;
+    double     value;
     double     viscous_strain = 0.; ///< largest component
   };
 
@@ -78,12 +79,14 @@ namespace Crevasse
                         const Integrator                       *integrator,
                         const SecularFlow                      *flow,
                         const bool         periods_are_iterates,
+                        const RunState    &start,
                         Log               &log,
                         const std::string &directory)
     : body(body)
     , steps(steps)
     , log(log)
     , directory(directory)
+    , opening_before(start.largest_opening)
     , probes(probes)
   {
     const bool writes =
@@ -92,13 +95,18 @@ namespace Crevasse
       return writes ? directory + '/' + name : std::string();
     };
 
+    const bool goes_on = start.has_begun();
     for (const ProbeEvaluator<dim> &probe : probes)
-      add<ProbeTable<dim>>(probe, file("probe_" + probe.name() + ".csv"));
+      add<ProbeTable<dim>>(probe,
+                           file("probe_" + probe.name() + ".csv"),
+                           goes_on);
     if (body.effects.contact.on)
       contact_table = add<ContactTable<dim>>(body.lip,
                                              file("contact.csv"),
-                                             periods_are_iterates);
-    if (body.effects.contact.on && flow != nullptr)
+                                             periods_are_iterates,
+                                             goes_on);
+    // The lip's nodes before were others.
+    if (body.effects.contact.on && flow != nullptr && !goes_on)
       onset = add<ContactOnset<dim>>(body.lip, *flow);
     if (body.effects.viscosity.on)
       drift = add<Drift>(steps);
@@ -116,7 +124,7 @@ namespace Crevasse
                                      scene.output.field_times,
                                      directory);
     if (scene.output.load_work)
-      add<LoadWork<dim>>(body.loads, steps, file("load_work.csv"));
+      add<LoadWork<dim>>(body.loads, steps, file("load_work.csv"), goes_on);
     const RecordedSteps problems =
       parse_recorded_steps(scene.output.contact_problems);
     if (!problems.empty())
@@ -127,8 +135,9 @@ namespace Crevasse
         problems,
         log,
         directory);
-    largest_stress = add<LargestStress>(periods_are_iterates);
-    add<PeriodTable>(file("periods.csv"));
+    largest_stress =
+      add<LargestStress>(periods_are_iterates, start.largest_stress);
+    add<PeriodTable>(file("periods.csv"), goes_on);
     add<Progress<dim>>(log,
                        body.lip,
                        steps.period(),
@@ -172,7 +181,8 @@ namespace Crevasse
       problem_export->report_missing();
     summary["extremes"]["stress"] = largest_stress->value;
     if (contact_table != nullptr)
-      summary["extremes"]["opening"] = contact_table->largest_opening();
+      summary["extremes"]["opening"] =
+        std::max(opening_before, contact_table->largest_opening());
     if (drift != nullptr)
       finish_drift(summary);
     if (onset != nullptr)
@@ -186,6 +196,18 @@ namespace Crevasse
                  (n == 1 ? " instant in " : " instants in ") + directory +
                  "/solution.pvd");
       }
+  }
+
+
+
+  template <int dim>
+  void
+  Outputs<dim>::hand_over(RunState &state) const
+  {
+    state.largest_stress = largest_stress->value;
+    if (contact_table != nullptr)
+      state.largest_opening =
+        std::max(opening_before, contact_table->largest_opening());
   }
 
 

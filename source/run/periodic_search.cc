@@ -51,9 +51,12 @@ namespace Crevasse
     PeriodMap<dim>                                  &period_map,
     StepList                                        &steps,
     const typename ObservedPeriods<dim>::SolveCount &n_solves,
-    const std::vector<Observer *>                   &observers) const
+    const std::vector<Observer *>                   &observers,
+    RunState                                        &state,
+    Leg                                             &leg) const
   {
-    PeriodicResult shown;
+    PeriodicResult shown = state.result;
+    leg.ends_run         = true;
     if (choice.method == "fourier" && direct != nullptr)
       {
         shown = show(evolution, steps, n_solves, observers);
@@ -62,16 +65,18 @@ namespace Crevasse
         log.line("  anderson takes over");
       }
 
-    Vector viscous_strain;
+    Vector &viscous_strain = state.viscous_strain;
     if (direct != nullptr)
       viscous_strain = direct->motion.viscous_strain.front();
-    else if (body.effects.viscosity.on)
+    else if (body.effects.viscosity.on && !state.has_begun())
       body.points.initialize(viscous_strain, body.law.branches().size());
+    const unsigned int   last = scene.periodic_state.maximum_periods;
     ObservedPeriods<dim> periods(period_map,
                                  n_solves,
                                  observers,
-                                 scene.periodic_state.maximum_periods,
-                                 shown);
+                                 std::min(last, leg.last_period),
+                                 shown,
+                                 !state.has_begun());
     Ending               ending = choice.method == "march"
                                     ? march(periods, viscous_strain)
                                     : accelerate(periods, viscous_strain);
@@ -80,9 +85,19 @@ namespace Crevasse
         log.line("  anderson stagnates: march");
         ending = march(periods, viscous_strain);
       }
-    periods.finish(viscous_strain);
     PeriodicResult result = periods.result();
     result.converged      = ending == Ending::converged;
+    leg.ends_run = result.converged || result.periods < leg.last_period ||
+                   result.periods >= last;
+    if (leg.ends_run)
+      periods.finish(viscous_strain);
+    else
+      {
+        // Without the observers: the next leg shows it as its beginning.
+        period_map.finish(result.periods, viscous_strain, [](const Sample &) {
+        });
+        state.displacement = evolution.state().displacement;
+      }
     return result;
   }
 

@@ -68,6 +68,21 @@ namespace Crevasse
 
 
 
+    /** The nodes of the lip that touch in this displacement. */
+    template <int dim>
+    std::vector<bool>
+    touching_nodes(const ContactBoundary<dim> &lip, const Vector &displacement)
+    {
+      const double      rounding = 1e-10 * displacement.linfty_norm();
+      std::vector<bool> touches;
+      for (const LipNode<dim> &node : lip.nodes())
+        touches.push_back(node.sign * displacement(node.dof) - node.gap <=
+                          rounding);
+      return touches;
+    }
+
+
+
     std::vector<Observer *>
     together(std::vector<Observer *>        some,
              const std::vector<Observer *> &others)
@@ -80,16 +95,16 @@ namespace Crevasse
 
 
   template <int dim>
-  Simulation<dim>::Simulation(const Scene   &scene,
-                              const MPI_Comm communicator,
-                              Log           &log)
+  Simulation<dim>::Simulation(const Scene                     &scene,
+                              std::shared_ptr<const Mesh<dim>> mesh,
+                              Log                             &log)
     : scene(scene)
-    , communicator(communicator)
+    , communicator(mesh->get_communicator())
     , log(log)
     // Of this rank alone: with a communicator it would talk while an exception
     // is on its way.
     , phases(std::cout, TimerOutput::never, TimerOutput::wall_times)
-    , body(scene, communicator)
+    , body(scene, std::move(mesh))
     , recovery(body.space, body.points)
     , probes(make_probes(scene.output.probes, body.space, recovery, body.lip))
     , steps(scene.time_integration,
@@ -134,12 +149,19 @@ namespace Crevasse
   template <int dim>
   void
   Simulation<dim>::run(const std::string             &directory,
-                       const std::vector<Observer *> &others)
+                       RunState                      &state,
+                       Leg                           &leg,
+                       const std::vector<Observer *> &others,
+                       Summary                        summary)
   {
-    Timer                        timer;
-    Solvers<dim>                 solvers(scene, body, steps, log, phases);
+    Timer        timer;
+    Solvers<dim> solvers(scene, body, steps, log, phases);
+    solvers.add(state.solvers);
+    rate_evaluations = state.rate_evaluations;
+
+    const bool any_periods = scene.periodic_state.maximum_periods > 0;
     std::optional<FourierResult> direct;
-    if (scene.periodic_state.maximum_periods > 0)
+    if (any_periods)
       {
         direct = solve_directly(solvers);
         if (direct && periodic_choice.method == "fourier")
@@ -147,54 +169,95 @@ namespace Crevasse
         else if (secular_split.effect.on)
           find_secular_flow(solvers);
       }
-    if (!scene.contact.relaxation_table.empty())
+    if (!scene.contact.relaxation_table.empty() && !state.has_begun())
       write_relaxation_table(scene, body, solvers, steps, log, directory);
-
     // Where nothing is marched, no tables are begun either.
-    Summary              summary;
-    const PeriodicResult result = [&]() {
-      if (scene.periodic_state.maximum_periods == 0)
-        {
-          summarise(summary, solvers);
-          return PeriodicResult();
-        }
-      Outputs<dim>         outputs(scene,
-                           body,
-                           recovery,
-                           probes,
-                           solvers,
-                           steps,
-                           integrator.get(),
-                           secular_flow ? &*secular_flow : nullptr,
-                           periodic_choice.periods_are_iterates(),
-                           log,
-                           directory);
-      const PeriodicResult result =
-        search(solvers,
-               direct ? &*direct : nullptr,
-               together(outputs.observers(), others));
-      summarise(summary, solvers);
-      outputs.finish(summary);
-      if (body.effects.viscosity.on)
-        {
-          stress_rounding                           = outputs.stress_rounding();
-          summary["certificate"]["stress_rounding"] = stress_rounding;
-        }
-      summarise_secular_flow(summary);
-      return result;
-    }();
-
+    if (any_periods)
+      compute_periods(solvers,
+                      direct ? &*direct : nullptr,
+                      others,
+                      directory,
+                      state,
+                      leg,
+                      summary);
+    else
+      {
+        leg.ends_run = true;
+        summarise(summary, solvers);
+      }
+    state.solvers          = solvers.statistics();
+    state.rate_evaluations = rate_evaluations;
+    for (const auto &[name, seconds] :
+         phases.get_summary_data(TimerOutput::total_wall_time))
+      state.seconds[name] += seconds;
+    state.seconds["total"] += timer.wall_time();
+    if (!leg.ends_run)
+      return;
     if (direct)
       direct->add_to(summary);
+    write(summary, state, directory);
+    conclude(state.result);
+    if (state.result.converged)
+      require_contact_forces(summary);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::compute_periods(Solvers<dim>                  &solvers,
+                                   const FourierResult           *direct,
+                                   const std::vector<Observer *> &others,
+                                   const std::string             &directory,
+                                   RunState                      &state,
+                                   Leg                           &leg,
+                                   Summary                       &summary)
+  {
+    Outputs<dim> outputs(scene,
+                         body,
+                         recovery,
+                         probes,
+                         solvers,
+                         steps,
+                         integrator.get(),
+                         secular_flow ? &*secular_flow : nullptr,
+                         periodic_choice.periods_are_iterates(),
+                         state,
+                         log,
+                         directory);
+    search(solvers, direct, together(outputs.observers(), others), state, leg);
+    outputs.hand_over(state);
+    if (!leg.ends_run)
+      return;
+    summarise(summary, solvers);
+    outputs.finish(summary);
+    if (body.effects.viscosity.on)
+      {
+        stress_rounding                           = outputs.stress_rounding();
+        summary["certificate"]["stress_rounding"] = stress_rounding;
+      }
+    summarise_secular_flow(summary);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write(Summary           &summary,
+                         RunState          &state,
+                         const std::string &directory) const
+  {
+    const PeriodicResult &result     = state.result;
     summary["stress_change"]         = result.stress_change;
     summary["stress_error_estimate"] = result.stress_error_estimate;
     summary["periods"]               = result.periods;
     summary["converged"]             = // null: nothing was marched
       result.periods > 0 ? Summary(result.converged) : Summary();
-    for (const auto &[name, seconds] :
-         phases.get_summary_data(TimerOutput::total_wall_time))
-      summary["seconds"][name] = seconds;
-    summary["seconds"]["total"] = timer.wall_time();
+    const double total = state.seconds["total"];
+    for (const auto &[name, seconds] : state.seconds)
+      if (name != "total")
+        summary["seconds"][name] = seconds;
+    summary["seconds"]["total"] = total;
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);
     summary["peak_memory_bytes"] = 1024 * memory.VmHWM;
@@ -202,11 +265,8 @@ namespace Crevasse
       write_summary(summary, directory + "/summary.json");
 
     char text[80];
-    std::snprintf(text, sizeof(text), "  Time = %.2f s", timer.wall_time());
+    std::snprintf(text, sizeof(text), "  Time = %.2f s", total);
     log.line(text);
-    conclude(result);
-    if (result.converged)
-      require_contact_forces(summary);
   }
 
 
@@ -314,10 +374,12 @@ namespace Crevasse
 
 
   template <int dim>
-  PeriodicResult
+  void
   Simulation<dim>::search(Solvers<dim>                  &solvers,
                           const FourierResult           *direct,
-                          const std::vector<Observer *> &observers)
+                          const std::vector<Observer *> &observers,
+                          RunState                      &state,
+                          Leg                           &leg)
   {
     TimerOutput::Scope phase(phases, "time stepping");
     Evolution<dim>     evolution(body.strain_operator,
@@ -333,7 +395,10 @@ namespace Crevasse
     if (integrator != nullptr &&
         scene.time_integration.step_control == "adaptive")
       evolution.set_scales(instants_of_scale(body, steps));
-    const PeriodicResult result =
+    if (state.displacement.size() > 0)
+      solvers.current().contact_solver().start_from(
+        touching_nodes(body.lip, state.displacement));
+    state.result =
       PeriodicSearch<dim>(
         scene, body, periodic_choice, direct, relaxation_times.largest, log)
         .run(
@@ -341,9 +406,10 @@ namespace Crevasse
           period_map,
           steps,
           [&solvers]() { return solvers.statistics().vi_solves; },
-          observers);
-    rate_evaluations = evolution.n_rate_evaluations();
-    return result;
+          observers,
+          state,
+          leg);
+    rate_evaluations += evolution.n_rate_evaluations();
   }
 
 

@@ -13,6 +13,7 @@
 #include <crevasse/run/sizes.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -196,6 +197,9 @@ namespace Crevasse
     , quadrature_points(body.points.n_points())
     , contact_nodes(
         Utilities::MPI::sum(body.lip.nodes().size(), body.space.communicator()))
+    , levels(body.space.mesh().n_global_levels())
+    , smallest_cell(GridTools::minimal_cell_diameter(body.space.mesh()))
+    , largest_cell(GridTools::maximal_cell_diameter(body.space.mesh()))
   {
   }
 
@@ -208,6 +212,9 @@ namespace Crevasse
     summary["unknowns"]          = unknowns;
     summary["quadrature_points"] = quadrature_points;
     summary["contact_nodes"]     = contact_nodes;
+    summary["levels"]            = levels;
+    summary["smallest_cell"]     = smallest_cell;
+    summary["largest_cell"]      = largest_cell;
   }
 
 
@@ -225,7 +232,18 @@ namespace Crevasse
              std::to_string(sizes.unknowns) + " unknowns, " +
              std::to_string(sizes.quadrature_points) + " quadrature points, " +
              std::to_string(sizes.contact_nodes) + " contact nodes");
-    char text[80];
+    char text[120];
+    if (scene.refinement.strategy != "none")
+      {
+        std::snprintf(text,
+                      sizeof(text),
+                      "  refinement: %s, %u levels, cells from %.3g to %.3g",
+                      scene.refinement.strategy.c_str(),
+                      sizes.levels,
+                      sizes.smallest_cell,
+                      sizes.largest_cell);
+        log.line(text);
+      }
     std::snprintf(text,
                   sizeof(text),
                   "  memory: about %.0f MB",

@@ -9,8 +9,8 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/run/adaptive_run.h>
 #include <crevasse/run/failure.h>
-#include <crevasse/run/simulation.h>
 #include <crevasse/run/stress_samples.h>
 #include <crevasse/run/sweep_run.h>
 #include <crevasse/run/version.h>
@@ -18,6 +18,7 @@
 #include <crevasse/scene/problems.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace Crevasse
 {
@@ -35,24 +36,36 @@ namespace Crevasse
             Log               &log,
             std::string       &status)
     {
-      Simulation<dim> simulation(scene, MPI_COMM_WORLD, log);
-      simulation.describe();
+      if (keep_stress && scene.refinement.readapt_every > 0)
+        throw SceneError("[Refinement] Readapt every = " +
+                         std::to_string(scene.refinement.readapt_every) +
+                         ": stresses on changing meshes cannot be compared; "
+                         "set it to 0, or let the sweep vary nothing that "
+                         "needs them.");
+      AdaptiveRun<dim> run(scene, MPI_COMM_WORLD, log);
+      run.describe();
       status = "failed";
 
-      StressSamples<dim>      samples(simulation.discretised_body(),
-                                 scene.loads.period);
-      std::vector<Observer *> observers;
+      std::optional<StressSamples<dim>> samples;
+      std::vector<Observer *>           observers;
       if (keep_stress)
-        observers.push_back(&samples);
+        {
+          samples.emplace(run.discretised_body(), scene.loads.period);
+          observers.push_back(&*samples);
+        }
+      const auto write_samples = [&]() {
+        if (samples)
+          samples->write(folder.file(SweepFolder::stress_file));
+      };
       try
         {
-          simulation.run(folder.path(), observers);
-          samples.write(folder.file(SweepFolder::stress_file));
+          run.run(folder.path(), observers);
+          write_samples();
           status = "done";
         }
       catch (const NotPeriodicError &)
         {
-          samples.write(folder.file(SweepFolder::stress_file));
+          write_samples();
           status = "not converged";
           throw;
         }

@@ -215,6 +215,39 @@ namespace Crevasse
 
 
 
+    /** The mesh can change only where nothing but the viscous strain goes on
+     * from one period to the next. */
+    void
+    check_readaptation(const Scene &scene, Problems &problems)
+    {
+      const unsigned int n = scene.refinement.readapt_every;
+      if (n == 0)
+        return;
+      const auto demand = [&](const bool fulfilled, const std::string &reason) {
+        Checker(RefinementParameters::section, problems)
+          .demand(fulfilled,
+                  "Readapt every",
+                  std::to_string(n),
+                  "must be 0 " + reason);
+      };
+      demand(scene.periodic_state.method == "march",
+             "unless [Periodic state] Method = march: other methods compare "
+             "states on one mesh");
+      demand(scene.periodic_state.start_from == "rest",
+             "with [Periodic state] Start from = " +
+               scene.periodic_state.start_from +
+               ": a march that begins anew goes on from its own state");
+      demand(scene.periodic_state.secular_split != "on",
+             "with [Periodic state] Secular split = on: each mesh has its own "
+             "flow");
+      demand(scene.material.viscosity != "none",
+             "with [Material] Viscosity = none: there is only one period");
+      demand(scene.output.contact_problems.empty(),
+             "with [Output] Contact problems, which are those of one mesh");
+    }
+
+
+
     void
     check_instants(const Scene &scene, Problems &problems)
     {
@@ -306,6 +339,7 @@ namespace Crevasse
     check_instants(*this, problems);
     check_fixed_steps(*this, problems);
     check_secular_split(*this, problems);
+    check_readaptation(*this, problems);
     check_recorded_steps(*this, problems);
   }
 } // namespace Crevasse

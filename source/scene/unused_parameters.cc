@@ -246,6 +246,27 @@ namespace Crevasse
 
 
 
+    Rules
+    rules_of_refinement(const Scene &scene)
+    {
+      const RefinementParameters &refinement = scene.refinement;
+      const char                 *here       = RefinementParameters::section;
+      const bool                  none       = refinement.strategy == "none";
+      const bool                  adaptive = refinement.strategy == "adaptive";
+      const std::string           why   = "Strategy = " + refinement.strategy;
+      Rules                       rules = {{here, "Target unknowns", none, why},
+                                           {here, "Cycles", none, why}};
+      for (const char *name : {"Marking",
+                               "Refine fraction",
+                               "Coarsen fraction",
+                               "Tolerance",
+                               "Instants"})
+        rules.push_back({here, name, !adaptive, why});
+      return rules;
+    }
+
+
+
     /** The values of all parameters as a scene file has them. */
     std::map<std::pair<std::string, std::string>, std::string>
     values_of(Scene scene, const Rules &rules)
@@ -269,7 +290,8 @@ namespace Crevasse
                               rules_of_material(scene),
                               rules_of_solvers(scene),
                               rules_of_time(scene),
-                              rules_of_periodic_state(scene)})
+                              rules_of_periodic_state(scene),
+                              rules_of_refinement(scene)})
       rules.insert(rules.end(), part.begin(), part.end());
 
     auto                     values   = values_of(scene, rules);

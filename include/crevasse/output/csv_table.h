@@ -24,9 +24,11 @@ namespace Crevasse
   class CsvTable
   {
   public:
-    /** @throw FileError if the file cannot be written. */
+    /** @param goes_on Whether there are rows already, which stay.
+     * @throw FileError if the file cannot be written. */
     CsvTable(const std::string              &file_name,
-             const std::vector<std::string> &header);
+             const std::vector<std::string> &header,
+             const bool                      goes_on = false);
 
     /** @throw FileError if the row cannot be written. */
     void

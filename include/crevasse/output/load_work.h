@@ -32,10 +32,12 @@ namespace Crevasse
   class LoadWork : public Observer
   {
   public:
-    /** @param file_name empty on ranks that do not write. */
+    /** @param file_name empty on ranks that do not write.
+     * @param goes_on see CsvTable. */
     LoadWork(const ExternalLoads<dim> &loads,
              const StepList           &steps,
-             const std::string        &file_name);
+             const std::string        &file_name,
+             const bool                goes_on = false);
 
     void
     observe(const Sample &sample) override;

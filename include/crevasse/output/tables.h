@@ -28,8 +28,11 @@ namespace Crevasse
   class ProbeTable : public Observer
   {
   public:
-    /** @param file_name empty on ranks that do not write. */
-    ProbeTable(const ProbeEvaluator<dim> &probe, const std::string &file_name);
+    /** @param file_name empty on ranks that do not write.
+     * @param goes_on see CsvTable. */
+    ProbeTable(const ProbeEvaluator<dim> &probe,
+               const std::string         &file_name,
+               const bool                 goes_on = false);
 
     void
     observe(const Sample &sample) override;
@@ -44,10 +47,12 @@ namespace Crevasse
   class ContactTable : public Observer
   {
   public:
-    /** @param of_last_period what the largest opening is that of. */
+    /** @param of_last_period what the largest opening is that of.
+     * @param goes_on see CsvTable. */
     ContactTable(const ContactBoundary<dim> &lip,
                  const std::string          &file_name,
-                 const bool                  of_last_period);
+                 const bool                  of_last_period,
+                 const bool                  goes_on = false);
 
     void
     observe(const Sample &sample) override;
@@ -67,7 +72,8 @@ namespace Crevasse
   class PeriodTable : public Observer
   {
   public:
-    explicit PeriodTable(const std::string &file_name);
+    explicit PeriodTable(const std::string &file_name,
+                         const bool         goes_on = false);
 
     void
     observe(const Sample &) override

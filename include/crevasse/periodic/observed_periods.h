@@ -49,12 +49,15 @@ namespace Crevasse
 
     /** All arguments but the numbers must outlive this object.
      *
-     * @param before what was computed, and shown, already. */
+     * @param before what was computed, and shown, already.
+     * @param is_comparable whether the stress of the first period is compared
+     * with none at all; that of another mesh it cannot be compared with. */
     ObservedPeriods(PeriodMap<dim>                &period_map,
                     const SolveCount              &n_solves,
                     const std::vector<Observer *> &observers,
                     const unsigned int             maximum_periods,
-                    const PeriodicResult          &before = PeriodicResult());
+                    const PeriodicResult          &before = PeriodicResult(),
+                    const bool                     is_comparable = true);
 
     /** Whether another period is allowed. */
     bool
@@ -88,6 +91,7 @@ namespace Crevasse
     const SolveCount               n_solves;
     const std::vector<Observer *> &observers;
     const unsigned int             maximum_periods;
+    bool                           is_comparable;
 
     void
     show(const Sample &sample);

@@ -34,6 +34,12 @@ namespace Crevasse
   BoundaryRoles
   boundary_roles(const Scene &scene);
 
+  /** The scene's geometry with the refinement that needs no solution: uniform
+   * and towards the crack tip. Collective. @throw SceneError */
+  template <int dim>
+  std::shared_ptr<Mesh<dim>>
+  make_scene_mesh(const Scene &scene, const MPI_Comm communicator);
+
   /**
    * The discretised body: mesh, spaces, lip and loads, but nothing assembled
    * or solved yet. Building it finds every error of mesh and boundaries.
@@ -44,7 +50,8 @@ namespace Crevasse
     /** @throw SceneError, or NumericalError if a rigid motion is left free. */
     Body(const Scene &scene, const MPI_Comm communicator);
 
-    /** The same on a mesh that is there already. */
+
+    /** The same on another mesh than make_scene_mesh() has. */
     Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh);
 
     const Temperature<dim>     temperature;

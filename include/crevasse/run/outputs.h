@@ -23,6 +23,7 @@
 #include <crevasse/output/summary.h>
 #include <crevasse/output/tables.h>
 #include <crevasse/run/body.h>
+#include <crevasse/run/run_state.h>
 #include <crevasse/run/solvers.h>
 #include <crevasse/time/integrator.h>
 
@@ -41,6 +42,7 @@ namespace Crevasse
     /** All arguments must outlive this object.
      * @param flow that the mean load causes; null: none, or it is not known.
      * @param periods_are_iterates Extremes are those of the last period then.
+     * @param start after whose periods tables go on.
      */
     Outputs(const Scene                            &scene,
             const Body<dim>                        &body,
@@ -51,6 +53,7 @@ namespace Crevasse
             const Integrator                       *integrator,
             const SecularFlow                      *flow,
             const bool                              periods_are_iterates,
+            const RunState                         &start,
             Log                                    &log,
             const std::string                      &directory);
 
@@ -61,6 +64,10 @@ namespace Crevasse
      * extremes, drift, elastic_comparison. */
     void
     finish(Summary &summary);
+
+    /** Tells the rest of the run what this part of it has seen. */
+    void
+    hand_over(RunState &state) const;
 
     /** What rounding leaves of the stress at most, relative to its maximum: it
      * is K times the small difference of strains that may be large. */
@@ -93,6 +100,7 @@ namespace Crevasse
     const StepList   &steps;
     Log              &log;
     const std::string directory;
+    const double      opening_before; ///< the largest
 
     const std::vector<ProbeEvaluator<dim>> &probes;
     std::vector<std::unique_ptr<Observer>>  owned;

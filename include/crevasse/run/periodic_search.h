@@ -19,6 +19,7 @@
 #include <crevasse/run/body.h>
 #include <crevasse/run/fourier_problem.h>
 #include <crevasse/run/periodic_choice.h>
+#include <crevasse/run/run_state.h>
 #include <crevasse/scene/scene.h>
 
 #include <functional>
@@ -44,8 +45,11 @@ namespace Crevasse
                    Log                  &log);
 
     /**
-     * Searches from rest, or from what was found directly.
+     * Searches from the start, or from what was found directly; a march goes on
+     * to the end of the leg.
      *
+     * @param state The start; in the end its strain, and its displacement
+     * unless the leg ends the run, are those after the last period.
      * @param evolution of q, if the choice needs a periodic strain.
      * @param period_map of the scene's steps and scheme, for that evolution.
      * @throw NumericalError if what was found directly is not a solution.
@@ -55,7 +59,9 @@ namespace Crevasse
         PeriodMap<dim>                                  &period_map,
         StepList                                        &steps,
         const typename ObservedPeriods<dim>::SolveCount &n_solves,
-        const std::vector<Observer *>                   &observers) const;
+        const std::vector<Observer *>                   &observers,
+        RunState                                        &state,
+        Leg                                             &leg) const;
 
   private:
     /** Shows the period that was found, and compares it with its states: not

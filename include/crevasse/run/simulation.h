@@ -20,6 +20,7 @@
 #include <crevasse/run/body.h>
 #include <crevasse/run/fourier_problem.h>
 #include <crevasse/run/periodic_choice.h>
+#include <crevasse/run/run_state.h>
 #include <crevasse/run/secular_problem.h>
 #include <crevasse/run/solvers.h>
 #include <crevasse/scene/problems.h>
@@ -54,19 +55,27 @@ namespace Crevasse
   public:
     /** Builds the discretised body, and so finds what is wrong with mesh,
      * boundaries and step sizes; computes nothing. */
-    Simulation(const Scene &scene, const MPI_Comm communicator, Log &log);
+    Simulation(const Scene                     &scene,
+               std::shared_ptr<const Mesh<dim>> mesh,
+               Log                             &log);
 
     /** Prints effects, sizes and predicted memory. */
     void
     describe() const;
 
-    /** Computes, and writes everything to @p directory, which must exist.
+    /** Computes, and writes everything to @p directory, which must exist; what
+     * is not known before the end of the run only if this is it.
      * @throw NumericalError; after all that was computed has been written if
      * the periodic state was not reached.
-     * @param others see what the tables see. */
+     * @param state The start, then the end.
+     * @param others see what the tables see.
+     * @param summary that more is added to, and which is written. */
     void
     run(const std::string             &directory,
-        const std::vector<Observer *> &others = {});
+        RunState                      &state,
+        Leg                           &leg,
+        const std::vector<Observer *> &others,
+        Summary                        summary);
 
     const Body<dim> &
     discretised_body() const;
@@ -98,10 +107,28 @@ namespace Crevasse
     std::optional<FourierResult>
     solve_directly(Solvers<dim> &solvers);
 
-    PeriodicResult
+    void
     search(Solvers<dim>                  &solvers,
            const FourierResult           *direct,
-           const std::vector<Observer *> &observers);
+           const std::vector<Observer *> &observers,
+           RunState                      &state,
+           Leg                           &leg);
+
+    /** Marches, or whatever the method is, and tells the summary about it. */
+    void
+    compute_periods(Solvers<dim>                  &solvers,
+                    const FourierResult           *direct,
+                    const std::vector<Observer *> &others,
+                    const std::string             &directory,
+                    RunState                      &state,
+                    Leg                           &leg,
+                    Summary                       &summary);
+
+    /** What the run has come to, and what it took. */
+    void
+    write(Summary           &summary,
+          RunState          &state,
+          const std::string &directory) const;
 
     /** What integrator and step control have to say. */
     void

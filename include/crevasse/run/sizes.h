@@ -28,6 +28,8 @@ namespace Crevasse
     dealii::types::global_dof_index unknowns;
     std::size_t                     quadrature_points;
     std::size_t                     contact_nodes;
+    unsigned int                    levels; ///< of cells, the coarse included
+    double smallest_cell, largest_cell;     ///< their longest diagonals
 
     template <int dim>
     explicit Sizes(const Body<dim> &body);

@@ -1,0 +1,88 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_discretisation_refinement_h
+#define crevasse_discretisation_refinement_h
+
+#include <crevasse/discretisation/space.h>
+#include <crevasse/scene/boundary_roles.h>
+#include <crevasse/scene/refinement_parameters.h>
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace Crevasse
+{
+  /** The finest level of a mesh: beyond it the coordinates of the cells, and of
+   * p4est's quadrants, are not told apart. */
+  template <int dim>
+  constexpr unsigned int finest_level = dim == 2 ? 26 : 16;
+
+  /** How many unknowns a space on this mesh will have. Collective. */
+  template <int dim>
+  dealii::types::global_dof_index
+  count_unknowns(const Mesh<dim> &mesh, const unsigned int degree);
+
+  /** @throw SceneError if a mesh has more than Target unknowns before anything
+   * is refined. Collective. */
+  template <int dim>
+  void
+  require_affordable(const Mesh<dim>            &mesh,
+                     const RefinementParameters &parameters,
+                     const unsigned int          degree);
+
+  /** The ends of cracks as the coarse mesh has them: points in the plane,
+   * straight edges in space. */
+  template <int dim>
+  class CrackFront
+  {
+  public:
+    CrackFront(const Mesh<dim> &mesh, const BoundaryRoles &roles);
+
+    bool
+    empty() const;
+
+    /** Whether a vertex of the cell lies on the front. */
+    bool
+    touches(const typename Mesh<dim>::cell_iterator &cell) const;
+
+  private:
+    using Point = dealii::Point<dim>;
+
+    /** Both ends of each edge; in the plane twice the same point. */
+    std::vector<std::pair<Point, Point>> edges;
+  };
+
+  /** Divides the cells at the crack front once. Collective. */
+  template <int dim>
+  void
+  refine_front(Mesh<dim> &mesh, const CrackFront<dim> &front);
+
+  /**
+   * The mesh of Strategy = tip: the cells that touch the front are divided
+   * Cycles times, or as long as there are no more unknowns than wished for.
+   * Collective.
+   *
+   * @param make_mesh the mesh to begin with, anew with each call.
+   * @throw SceneError if there is no front, or if the mesh cannot be as fine,
+   * or is as large from the beginning.
+   */
+  template <int dim>
+  std::shared_ptr<Mesh<dim>>
+  graded_mesh(const std::function<std::shared_ptr<Mesh<dim>>()> &make_mesh,
+              const BoundaryRoles                               &roles,
+              const RefinementParameters                        &parameters,
+              const unsigned int                                 degree);
+} // namespace Crevasse
+
+#endif

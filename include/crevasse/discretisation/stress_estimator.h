@@ -1,0 +1,121 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_discretisation_stress_estimator_h
+#define crevasse_discretisation_stress_estimator_h
+
+#include <crevasse/discretisation/cell_polynomials.h>
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/material_field.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/space.h>
+#include <crevasse/discretisation/traction_residual.h>
+#include <crevasse/scene/expression.h>
+#include <crevasse/scene/parameters.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * How far stresses are from equilibrium, cell by cell, in the norm of their
+   * elastic energy: with the compliance c (1/stress) of the cell
+   *
+   *     η² = c h²/p² ‖div s + φ₁‖² + c h/p (½ ‖[s n]‖² + ‖s n − φ₂‖² + …)
+   *
+   * over the cell, its inner faces and its faces at the boundary, where "…"
+   * stands for tangential tractions on planes of symmetry and lips, and for
+   * the normal one of the lip plus the contact pressure: that must vanish
+   * where the lip is open, and bear the contact force where it is closed. The
+   * stress is what the points have, not what the displacement alone would
+   * cause, so that it contains the viscous strain.
+   *
+   * Looks at as many states as wanted; what counts for a cell is the largest
+   * of its estimates.
+   */
+  template <int dim>
+  class StressEstimator
+  {
+  public:
+    /** All arguments must outlive this object. */
+    StressEstimator(const Space<dim>           &space,
+                    const QuadratureField<dim> &points,
+                    const ContactBoundary<dim> &lip,
+                    const LoadParameters       &loads);
+
+    /** Collective.
+     *
+     * @param t Instant within the period.
+     * @param contact_forces of the nodes of the lip on this rank. */
+    void
+    look_at(const double               t,
+            const Vector              &stress,
+            const std::vector<double> &contact_forces,
+            const MaterialState<dim>  &material);
+
+    /** The squares of the largest estimates so far, by active cell index. */
+    const dealii::Vector<float> &
+    squares() const;
+
+    /** ∫ s·K⁻¹s of the state where it is largest; 0 without stress. */
+    double
+    largest_energy() const;
+
+    /** The root of their sum over that of the largest energy norm of the
+     * stress so far; 0 without stress. Collective. */
+    double
+    relative_error() const;
+
+  private:
+    struct Workspace;
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    /** The compliance of the cells that this rank sees. */
+    std::vector<double>
+    compliances(const MaterialState<dim> &material) const;
+
+    /** ∫ s·K⁻¹s over all ranks. */
+    double
+    energy(const Vector &stress, const MaterialState<dim> &material) const;
+
+    /** ∫ ‖div s + φ₁‖² */
+    double
+    volume_residual(const Cell  &cell,
+                    const double t,
+                    Workspace   &workspace) const;
+
+    /** Σ h ∫ c ‖[s n]‖² over a face to other cells, with the compliance of the
+     * stiffer one. */
+    double
+    jump(const Cell                &cell,
+         const unsigned int         face,
+         const std::vector<double> &compliance,
+         Workspace                 &workspace) const;
+
+    /** h ∫ ‖what is left of the traction‖² on a face of the boundary. */
+    double
+    boundary_residual(const Cell        &cell,
+                      const unsigned int face,
+                      Workspace         &workspace);
+
+    const Space<dim>             &space;
+    const QuadratureField<dim>   &points;
+    const std::vector<Expression> body_force;
+    TractionResidual<dim>         traction_residual;
+    const CellPolynomials<dim>    polynomials;
+    dealii::Vector<float>         largest; ///< of the squares
+    double                        most_energy = 0.;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,263 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/discretisation/refinement.h>
+#include <crevasse/run/adapted_mesh.h>
+#include <crevasse/run/largest_load.h>
+#include <crevasse/run/solvers.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/time/evolution.h>
+
+#include <deal.II/base/timer.h>
+
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** How contact is solved for is of no importance here, but how fast. */
+    Scene
+    with_fast_solvers(Scene scene)
+    {
+      scene.contact.solver = "automatic";
+      scene.contact.relaxation_table.clear();
+      return scene;
+    }
+
+
+
+    template <int dim>
+    void
+    clear_flags(const Mesh<dim> &mesh)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          cell->clear_refine_flag();
+          cell->clear_coarsen_flag();
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<double>
+  instants_of_estimate(const Scene     &scene,
+                       const Body<dim> &body,
+                       const StepList  &steps)
+  {
+    std::vector<double> instants;
+    for (const double t : scene.refinement.instants)
+      instants.push_back(steps.within_period(t));
+    if (!instants.empty())
+      return instants;
+    if (body.effects.thermal_strain.on)
+      return instants_of_scale(body, steps);
+    return {steps.instant(step_of_largest_load(body, steps))};
+  }
+
+
+
+  template <int dim>
+  AdaptedMesh<dim>::AdaptedMesh(const Scene   &scene,
+                                const MPI_Comm communicator,
+                                Log           &log)
+    : scene(with_fast_solvers(scene))
+    , history([this, communicator]() {
+      return make_scene_mesh<dim>(this->scene, communicator);
+    })
+    , current(history.make())
+  {
+    const RefinementParameters &refinement = scene.refinement;
+    if (refinement.strategy != "adaptive")
+      return;
+    require_affordable(*current, refinement, scene.discretisation.degree);
+    Log quiet(communicator, true);
+    while (true)
+      {
+        const dealii::Vector<float> squares = estimate(quiet);
+        report(log);
+        const bool is_good =
+          refinement.tolerance > 0. && all.back().error <= refinement.tolerance;
+        const bool is_last =
+          refinement.cycles > 0 && all.size() > refinement.cycles;
+        if (is_good || is_last || !advance(squares))
+          break;
+      }
+  }
+
+
+
+  template <int dim>
+  dealii::Vector<float>
+  AdaptedMesh<dim>::estimate(Log &quiet)
+  {
+    Timer       timer;
+    TimerOutput phases(std::cout, TimerOutput::never, TimerOutput::wall_times);
+    const Body<dim> body(scene, current);
+    const StepList  steps(scene.time_integration,
+                         scene.loads.period,
+                         scene.output.field_times);
+    body.loads.survey(steps.survey_instants({}), body.space.communicator());
+    body.material.survey(steps.survey_instants({}));
+
+    Solvers<dim>         solvers(scene, body, steps, quiet, phases);
+    Evolution<dim>       evolution(body.strain_operator,
+                             body.points,
+                             body.loads,
+                             solvers);
+    StressEstimator<dim> estimator(body.space,
+                                   body.points,
+                                   body.lip,
+                                   scene.loads);
+    for (const double t : instants_of_estimate(scene, body, steps))
+      {
+        evolution.elastic_state(t);
+        estimator.look_at(t,
+                          evolution.state().stress,
+                          evolution.state().contact_forces,
+                          solvers.at(t).material);
+      }
+    if (estimator.largest_energy() == 0.)
+      throw SceneError(
+        "[Refinement] Instants: there is no stress at the instants that "
+        "adaptive refinement looks at; name some at which the body is loaded.");
+    all.push_back({body.space.mesh().n_global_active_cells(),
+                   body.space.n_unknowns(),
+                   estimator.relative_error(),
+                   0.5 * estimator.largest_energy(),
+                   timer.wall_time()});
+    return estimator.squares();
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptedMesh<dim>::report(Log &log) const
+  {
+    const MeshEstimate &last = all.back();
+    char                text[160];
+    std::snprintf(text,
+                  sizeof(text),
+                  "  adaptive mesh %u: %lu cells, %lu unknowns, estimated "
+                  "error %.2e, %.2f s",
+                  static_cast<unsigned int>(all.size() - 1),
+                  static_cast<unsigned long>(last.cells),
+                  static_cast<unsigned long>(last.unknowns),
+                  last.error,
+                  last.seconds);
+    log.line(text);
+  }
+
+
+
+  template <int dim>
+  bool
+  AdaptedMesh<dim>::advance(const dealii::Vector<float> &squares)
+  {
+    set_flags(*current, squares, scene.refinement);
+    const Marks marks = flagged_cells(*current);
+    if (marks.refined.empty())
+      return false;
+    const std::shared_ptr<Mesh<dim>> next = history.make_with(marks);
+    if (!is_affordable(*next))
+      {
+        clear_flags(*current);
+        return false;
+      }
+    history.add(marks);
+    current = next;
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  AdaptedMesh<dim>::is_affordable(const Mesh<dim> &mesh) const
+  {
+    return scene.refinement.target_unknowns == 0 ||
+           count_unknowns(mesh, scene.discretisation.degree) <=
+             scene.refinement.target_unknowns;
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptedMesh<dim>::flag(const dealii::Vector<float> &squares)
+  {
+    constexpr unsigned int most_attempts = 6;
+    for (unsigned int attempt = 0; attempt < most_attempts; ++attempt)
+      {
+        clear_flags(*current);
+        set_flags(*current, squares, scene.refinement, std::pow(0.5, attempt));
+        const Marks marks = flagged_cells(*current);
+        if (is_affordable(*history.make_with(marks)))
+          {
+            history.add(marks);
+            return;
+          }
+      }
+    clear_flags(*current);
+    history.add(Marks());
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<Mesh<dim>>
+  AdaptedMesh<dim>::mesh() const
+  {
+    return current;
+  }
+
+
+
+  template <int dim>
+  const std::vector<MeshEstimate> &
+  AdaptedMesh<dim>::estimates() const
+  {
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptedMesh<dim>::add_to(Summary &summary) const
+  {
+    for (const MeshEstimate &estimate : all)
+      summary["refinement"]["meshes"].push_back(
+        {{"cells", estimate.cells},
+         {"unknowns", estimate.unknowns},
+         {"estimated_error", estimate.error},
+         {"energy", estimate.energy},
+         {"seconds", estimate.seconds}});
+  }
+
+
+
+#define INSTANTIATE(dim)                                                    \
+  template std::vector<double> instants_of_estimate<dim>(const Scene &,     \
+                                                         const Body<dim> &, \
+                                                         const StepList &); \
+  template class AdaptedMesh<dim>
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+} // namespace Crevasse

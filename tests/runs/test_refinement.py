@@ -1,0 +1,285 @@
+"""Meshes refined towards the crack tip and adapted to the stress: their sizes,
+the same results whatever solves on them and on however many ranks, the rates of
+the energy error, what goes over from mesh to mesh, and what is refused."""
+
+import math
+
+from crevasse_run import (SOURCE, check, check_below, check_close, execute,
+                          execute_on, overrides, run, run_on)
+
+SCENE = SOURCE / "prm/raous1980.prm"
+ONE_PERIOD = ["Contact/Solver=automatic", "Time integration/Steps per period=20",
+              "Periodic state/Maximum periods=1", "Periodic state/Tolerance=0",
+              "Output/Fields=none"]
+ELASTIC = ["Contact/Solver=automatic", "Material/Viscosity=none",
+           "Time integration/Steps per period=4",
+           "Periodic state/Maximum periods=1", "Output/Fields=none"]
+TIP = "Refinement/Strategy=tip"
+ADAPTIVE = "Refinement/Strategy=adaptive"
+
+# Of the half model at F = 10, elastic and open, converged.
+ENERGY = 9.71931251e-3
+
+
+LENGTHS = ("u_1", "u_2", "opening")
+
+
+def largest_difference(one, other, table):
+    """Of the columns of two tables of probes, relative to the largest length or
+    stress, that of the load included."""
+    mine, theirs = one.table(table), other.table(table)
+    check(list(mine) == list(theirs), f"columns of {table}")
+    check(mine["t"] == theirs["t"], f"times of {table}")
+    worst = 0.
+    for is_length in (True, False):
+        columns = [name for name in mine
+                   if name != "t" and (name in LENGTHS) == is_length]
+        size = max(abs(x) for name in columns for x in mine[name])
+        size = size if is_length else max(size, 10.)
+        worst = max(worst, *(abs(a - b) / size for name in columns for a, b in
+                             zip(mine[name], theirs[name], strict=True)))
+    return worst
+
+
+def test_grading():
+    width, height = 1 / 14, 1 / 4
+    for n in (1, 4, 12):
+        results = run(SCENE, "graded", ELASTIC + [TIP, f"Refinement/Cycles={n}"])
+        summary = results.summary
+        # Two cells touch the tip, on every level.
+        check(summary["cells"] == 56 + 6 * n, f"cells with {n} levels")
+        check(summary["levels"] == n + 1, "levels")
+        check_close(summary["smallest_cell"],
+                    math.hypot(width, height) / 2**n, 1e-12, "smallest cell")
+    # In space four cells touch each of the two edges of the front, and the
+    # front grows by a cell with every division.
+    box = run(SOURCE / "prm/cracked_box.prm", "graded_box",
+              ["Refinement/Strategy=tip", "Refinement/Cycles=1",
+               "Material/Viscosity=none", "Output/Fields=none",
+               "Periodic state/Maximum periods=1"]).summary
+    plain = run(SOURCE / "prm/cracked_box.prm", "plain_box",
+                ["Material/Viscosity=none", "Output/Fields=none",
+                 "Periodic state/Maximum periods=1"]).summary
+    check(box["cells"] > plain["cells"], "the front is refined")
+    check((box["cells"] - plain["cells"]) % 7 == 0, "by eight cells for one")
+
+
+def test_target():
+    for degree, target in ((1, 300), (2, 900)):
+        settings = ELASTIC + [f"Discretisation/Degree={degree}", TIP]
+        code, text, error = execute(SCENE, "--check", *overrides(
+            settings + [f"Refinement/Target unknowns={target}"]))
+        check(code == 0, error)
+        n = run(SCENE, "target", settings
+                + [f"Refinement/Target unknowns={target}"]).summary
+        check(f"{n['cells']} cells, {n['unknowns']} unknowns" in text,
+              "--check knows the sizes")
+        more = run(SCENE, "target_passed", settings
+                   + [f"Refinement/Cycles={n['levels']}"]).summary
+        print(f"Q{degree}: {n['unknowns']} unknowns, then {more['unknowns']}")
+        check(n["unknowns"] <= target < more["unknowns"], "the last that fits")
+
+
+def test_solvers_agree():
+    # Opens and closes; the lip's nodes crowd at the tip.
+    for degree in (1, 2):
+        settings = ONE_PERIOD + [f"Discretisation/Degree={degree}", TIP,
+                                 "Refinement/Cycles=3", "Contact/Tolerance=1e-13",
+                                 "Contact/Maximum iterations=100000",
+                                 "Output/Probes=C: 1, 0; near: 0.53, 0.02"]
+        reference = run(SCENE, "condensed", settings
+                        + ["Contact/Solver=condensed active set"])
+        closed = reference.table("contact.csv")["closed_nodes"]
+        check(min(closed) == 0 and max(closed) > 3, f"opens, closes: {closed}")
+        for solver in ("active set", "projected sor"):
+            other = run(SCENE, solver.replace(" ", "_"), settings
+                        + [f"Contact/Solver={solver}"])
+            for table in ("probe_C.csv", "probe_near.csv"):
+                check_below(largest_difference(reference, other, table), 1e-10,
+                            f"Q{degree}, {solver}: {table}")
+
+
+def test_ranks():
+    for name, refinement in {
+            "tip": [TIP, "Refinement/Cycles=4"],
+            "adaptive": [ADAPTIVE, "Refinement/Cycles=4"],
+            "readapted": [ADAPTIVE, "Refinement/Cycles=2",
+                          "Refinement/Readapt every=1",
+                          "Refinement/Coarsen fraction=0.02",
+                          "Periodic state/Maximum periods=2"]}.items():
+        settings = ONE_PERIOD + ["Discretisation/Degree=2",
+                                 "Linear solver/Type=mumps"] + refinement
+        reference = run(SCENE, name, settings)
+        for n_ranks in (2, 3):
+            other = run_on(n_ranks, SCENE, f"{name}_{n_ranks}", settings)
+            for key in ("cells", "unknowns", "smallest_cell"):
+                check(reference.summary[key] == other.summary[key],
+                      f"{name} on {n_ranks} ranks: {key}")
+            check_below(largest_difference(reference, other, "probe_C.csv"),
+                        1e-9, f"{name} on {n_ranks} ranks: probe_C.csv")
+
+
+def rate(meshes, least):
+    """Slope of the norm of the error against unknowns, by least squares."""
+    points = [(math.log(mesh["unknowns"]),
+               0.5 * math.log(1 - mesh["energy"] / ENERGY))
+              for mesh in meshes if mesh["unknowns"] >= least]
+    check(len(points) >= 4, "enough meshes")
+    mean_x = sum(x for x, _ in points) / len(points)
+    mean_y = sum(y for _, y in points) / len(points)
+    return (sum((x - mean_x) * (y - mean_y) for x, y in points)
+            / sum((x - mean_x)**2 for x, _ in points))
+
+
+def test_energy_rates():
+    for degree, expected, target in ((1, -0.5, 60000), (2, -1., 60000)):
+        results = run(SCENE, f"rates_{degree}", ELASTIC + [
+            f"Discretisation/Degree={degree}", ADAPTIVE,
+            "Geometry/Subdivisions=2, 2",
+            f"Refinement/Target unknowns={target}"])
+        meshes = results.summary["refinement"]["meshes"]
+        print(f"Q{degree}: cells, unknowns, relative error of the energy norm, "
+              "estimated one")
+        for mesh in meshes:
+            error = math.sqrt(1 - mesh["energy"] / ENERGY)
+            print(f"  {mesh['cells']:6} {mesh['unknowns']:7} {error:.3e} "
+                  f"{mesh['estimated_error']:.3e} "
+                  f"{mesh['estimated_error'] / error:.2f}")
+        check_close(rate(meshes, 1000), expected, 0.15 * -expected,
+                    f"Q{degree}: rate of the energy norm")
+        for mesh in meshes:
+            error = math.sqrt(1 - mesh["energy"] / ENERGY)
+            check(0.5 < mesh["estimated_error"] / error < 2.,
+                  "the estimate is about the error")
+        if degree == 2:
+            best = [m for m in meshes if m["unknowns"] <= 3000][-1]
+            check_below(1 - best["energy"] / ENERGY, 2e-4,
+                        f"energy with {best['unknowns']} unknowns")
+
+
+def test_tolerance():
+    results = run(SCENE, "tolerance", ELASTIC + [
+        ADAPTIVE, "Discretisation/Degree=2", "Refinement/Tolerance=0.02"])
+    errors = [mesh["estimated_error"]
+              for mesh in results.summary["refinement"]["meshes"]]
+    check(errors[-1] <= 0.02 < errors[-2], f"ends at the tolerance: {errors}")
+
+
+def test_readaptation():
+    # A mean load, so that the viscous strain has an integral.
+    settings = ["Contact/Solver=automatic", "Discretisation/Degree=2",
+                "Geometry/Subdivisions=4, 4", "Geometry/Refinements=1",
+                "Loads/Traction=0; 3+10*sin(2*pi*t/600)",
+                "Periodic state/Maximum periods=4", "Periodic state/Tolerance=0",
+                "Output/Fields=none", "Output/Load work=true",
+                ADAPTIVE, "Refinement/Cycles=6"]
+    results = run(SCENE, "readapted", settings + [
+        "Refinement/Readapt every=2", "Refinement/Coarsen fraction=0.03"])
+    summary = results.summary
+    meshes = summary["refinement"]["meshes"]
+    taken = summary["refinement"]["readaptations"]
+    check([step["after_period"] for step in taken] == [2], "once, in the middle")
+    for step in taken:
+        before, after = (step[f"viscous_strain_{when}"]
+                         for when in ("before", "after"))
+        print(f"cells {meshes[-1]['cells']} -> {step['cells']}, norm of r "
+              f"{before['norm']} -> {after['norm']}, integrals "
+              f"{before['integral']} -> {after['integral']}")
+        size = max(map(abs, before["integral"]))
+        check(size > 0.1 * before["norm"], "there is an integral")
+        check_below(max(abs(a - b) for a, b in zip(before["integral"],
+                                                   after["integral"])) / size,
+                    1e-12, "change of the integral of r")
+        change = 1 - after["norm"] / before["norm"]
+        check(change > 1e-14, "cells were joined, which takes from the norm")
+        check_below(change, 1e-3, "change of the norm of r")
+    check(summary["periods"] == 4, "all periods")
+    check(results.table("periods.csv")["period"] == [1, 2, 3, 4], "their table")
+    for name in ("probe_C.csv", "contact.csv", "load_work.csv"):
+        times = results.table(name)["t"]
+        check(times == [15. * k for k in range(161)], f"{name} goes on")
+    # The same as on a mesh that stays.
+    fixed = run(SCENE, "not_readapted", settings)
+    opening, expected = (r.table("probe_C.csv")["opening"]
+                         for r in (results, fixed))
+    check_below(max(abs(a - b) for a, b in zip(opening, expected, strict=True))
+                / max(expected), 1e-2, "opening after another adaptation")
+    check(summary["counters"]["vi_solves"]
+          == fixed.summary["counters"]["vi_solves"] + 1,
+          "one more contact problem, for the displacement to take over")
+
+
+def test_five_periods():
+    """Against uniform meshes, whose own error falls like h: extrapolated."""
+    scene = SOURCE / "prm/studies/crack_tip_adaptive.prm"
+    coarse, fine = (
+        run(scene, f"uniform_{n}", ["Refinement/Strategy=none",
+                                    "Geometry/Subdivisions=14, 4",
+                                    f"Geometry/Refinements={n}"])
+        for n in (2, 3))
+    limit = [2 * b - a for a, b in zip(coarse.table("probe_C.csv")["opening"],
+                                       fine.table("probe_C.csv")["opening"],
+                                       strict=True)]
+    check(min(limit) < 1e-6 < max(limit), "opens and closes")
+
+    def error(results):
+        opening = results.table("probe_C.csv")["opening"]
+        return max(abs(a - b) for a, b in
+                   zip(opening, limit, strict=True)) / max(limit)
+
+    print(f"uniform, 64 times finer: {fine.summary['unknowns']} unknowns, "
+          f"error {error(fine):.2e}, {fine.summary['seconds']['total']:.2f} s")
+    for settings in ([], ["Refinement/Readapt every=4"]):
+        # What else the machine does counts less in the best of some runs.
+        all_runs = [run(scene, "five_periods", settings) for _ in range(3)]
+        adaptive = all_runs[-1]
+        check_below(error(adaptive), 1e-3, f"{settings}: opening with "
+                    f"{adaptive.summary['unknowns']} unknowns")
+        check(error(adaptive) < error(fine), "better than the finer mesh")
+        seconds = min(r.summary["seconds"]["total"]
+                      + sum(mesh["seconds"] for mesh in
+                            r.summary["refinement"]["meshes"])
+                      for r in all_runs)
+        check_below(seconds / fine.summary["seconds"]["total"], 0.05,
+                    f"{settings}: {seconds:.3f} s, of the time")
+
+
+def refused(settings, expected):
+    code, _, error = execute(SCENE, "--check", *overrides(settings))
+    print(error.strip())
+    check(code == 2 and expected in error, f"{settings}: {code}, {error}")
+
+
+def test_refusals():
+    refused([TIP, "Refinement/Cycles=2", "Geometry/Shape=rectangle"],
+            "the mesh has no crack tip")
+    refused([TIP, "Refinement/Cycles=2", "Boundary/Contact=none"],
+            "the mesh has no crack tip")
+    refused([TIP, "Refinement/Cycles=30"], "must be at most 26")
+    refused([TIP, "Refinement/Target unknowns=100"],
+            "[Refinement] Target unknowns = 100: the mesh has 150")
+    refused([ADAPTIVE, "Refinement/Target unknowns=100"],
+            "[Refinement] Target unknowns = 100: the mesh has 150")
+    refused([ADAPTIVE, "Refinement/Cycles=2", "Loads/Traction=0; 0"],
+            "there is no stress")
+    again = [ADAPTIVE, "Refinement/Cycles=1", "Refinement/Readapt every=1"]
+    refused(again + ["Periodic state/Method=anderson"],
+            "unless [Periodic state] Method = march")
+    refused(again + ["Periodic state/Secular split=on"],
+            "with [Periodic state] Secular split = on")
+    refused(again + ["Material/Viscosity=none"],
+            "with [Material] Viscosity = none")
+    refused(again + ["Output/Contact problems=1: 1"],
+            "with [Output] Contact problems")
+    # On all ranks alike.
+    code, _, error = execute_on(3, SCENE, "--check", "--set", TIP, "--set",
+                                "Refinement/Target unknowns=100", "--set",
+                                "Contact/Solver=automatic")
+    check(code == 2 and "the mesh has 150" in error, f"3 ranks: {error}")
+
+
+for test in (test_grading, test_target, test_solvers_agree, test_ranks,
+             test_energy_rates, test_tolerance, test_readaptation,
+             test_five_periods, test_refusals):
+    print(test.__name__)
+    test()
