@@ -1,0 +1,82 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_crack_tip_williams_fit_h
+#define crevasse_crack_tip_williams_fit_h
+
+#include <crevasse/crack_tip/tip_region.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * The stress intensity factor K_I as a linear function of the stress at the
+   * quadrature points: Williams' series with n = 1 … N is fitted, by least
+   * squares over area, to the stress in the half discs r ≤ R and r ≤ 2R, and
+   *
+   *     K_I = 2 K(R) − K(2R).
+   *
+   * The extrapolation takes away what grows with R, as the stress between parts
+   * that creep differently does. Nothing needs to be elastic.
+   */
+  class WilliamsFit
+  {
+  public:
+    /** Collective.
+     *
+     * @param radius 2R, of the larger disc. */
+    WilliamsFit(const PointGeometry &points,
+                const TipRegion     &region,
+                const double         radius,
+                const MPI_Comm       communicator);
+
+    /** K_I. Collective. */
+    double
+    value(const Vector &stress) const;
+
+    /** K(R) − K(2R): what the extrapolation adds. Collective. */
+    double
+    correction(const Vector &stress) const;
+
+    /** The least radius whose half disc has enough points for all terms.
+     * Collective. */
+    static double
+    least_radius(const PointGeometry &points,
+                 const TipRegion     &region,
+                 const MPI_Comm       communicator);
+
+    /** N of the smaller disc. */
+    unsigned int
+    n_terms() const;
+
+  private:
+    /** What the stress at a point, at this local index, contributes. */
+    using Row = std::pair<std::size_t, VoigtVector<2>>;
+
+    /** Those of K of one disc. */
+    std::vector<Row>
+    fit(const PointGeometry &points,
+        const TipRegion     &region,
+        const double         radius);
+
+    double
+    apply(const std::vector<Row> &rows, const Vector &stress) const;
+
+    const MPI_Comm   communicator;
+    unsigned int     terms = 0;
+    std::vector<Row> small, large;
+  };
+} // namespace Crevasse
+
+#endif
