@@ -105,14 +105,15 @@ namespace Crevasse
 
 
 
-  WilliamsFit::WilliamsFit(const PointGeometry &points,
-                           const TipRegion     &region,
-                           const double         radius,
-                           const MPI_Comm       communicator)
+  WilliamsFit::WilliamsFit(const PointGeometry      &points,
+                           const ContactBoundary<2> &lip,
+                           const TipRegion          &region,
+                           const double              radius,
+                           const MPI_Comm            communicator)
     : communicator(communicator)
-    , large(fit(points, region, radius))
+    , large(fit(points, lip, region, radius))
   {
-    small = fit(points, region, 0.5 * radius); // and its number of terms
+    small = fit(points, lip, region, 0.5 * radius); // and its number of terms
   }
 
 
@@ -138,10 +139,11 @@ namespace Crevasse
 
 
 
-  std::vector<WilliamsFit::Row>
-  WilliamsFit::fit(const PointGeometry &points,
-                   const TipRegion     &region,
-                   const double         radius)
+  WilliamsFit::Disc
+  WilliamsFit::fit(const PointGeometry      &points,
+                   const ContactBoundary<2> &lip,
+                   const TipRegion          &region,
+                   const double              radius)
   {
     const std::vector<PolarField> series = williams_series();
     const CrackTip               &tip    = region.tip();
@@ -166,8 +168,8 @@ namespace Crevasse
 
     const std::vector<double> row = first_row_of_inverse(gram, terms);
     // The first term has K_I = √(2π), and was scaled by √R.
-    const double     scale = std::sqrt(2. * numbers::PI * radius);
-    std::vector<Row> rows;
+    const double scale = std::sqrt(2. * numbers::PI * radius);
+    Disc         disc{radius, {}, {}};
     for (const std::size_t p : inside)
       {
         const Terms at_point =
@@ -176,37 +178,98 @@ namespace Crevasse
         for (unsigned int i = 0; i < terms; ++i)
           sum += row[i] * at_point[i];
         sum[3] *= 2.; // s₁₂ and s₂₁
-        rows.emplace_back(p * QuadratureField<2>::n_components,
-                          scale * points.weight[p] * sum);
+        disc.of_stress.emplace_back(p * QuadratureField<2>::n_components,
+                                    scale * points.weight[p] * sum);
       }
-    return rows;
+    fit_pressure(points, lip, tip, disc);
+    return disc;
+  }
+
+
+
+  Tensor<1, 2>
+  WilliamsFit::of_pressure(const PointGeometry &points,
+                           const CrackTip      &tip,
+                           const Disc          &disc) const
+  {
+    // −e₂ ⊗ e₂, e₂ being one of the axes of the mesh.
+    VoigtVector<2> pressed;
+    pressed[std::abs(tip.inward[0]) > 0.5 ? 0 : 1] = -1.;
+    Tensor<1, 2> sums;
+    for (const auto &[offset, row] : disc.of_stress)
+      {
+        const Point<2> &point =
+          points.location[offset / QuadratureField<2>::n_components];
+        sums[0] += row * pressed;
+        sums[1] -= row * pressed * tip.local(point)[0] / disc.radius;
+      }
+    return Utilities::MPI::sum(sums, communicator);
+  }
+
+
+
+  void
+  WilliamsFit::fit_pressure(const PointGeometry      &points,
+                            const ContactBoundary<2> &lip,
+                            const CrackTip           &tip,
+                            Disc                     &disc) const
+  {
+    const Tensor<1, 2> sums = of_pressure(points, tip, disc);
+    // (p₀, p₁R) = M⁻¹ Σ (1, r/R) g, M = Σ weight (1, r/R) ⊗ (1, r/R)
+    SymmetricTensor<2, 2>     M;
+    std::vector<Tensor<1, 2>> lines;
+    for (const LipNode<2> &node : lip.nodes())
+      {
+        const double r         = tip.local(node.point).norm() / disc.radius;
+        const bool   is_inside = tip.local(node.point)[0] < 0. && r <= 1.;
+        lines.push_back(is_inside ? Tensor<1, 2>({1., r}) : Tensor<1, 2>());
+        M +=
+          node.weight * symmetrize(outer_product(lines.back(), lines.back()));
+      }
+    M                         = Utilities::MPI::sum(M, communicator);
+    constexpr double rounding = 1e-10;
+    Tensor<1, 2>     solution; // M⁻¹ applied to the sums
+    if (determinant(M) > rounding * M[0][0] * M[0][0])
+      solution = invert(M) * sums;
+    else if (M[0][0] > 0.) // one node: a constant pressure
+      solution[0] = sums[0] / M[0][0];
+    for (const Tensor<1, 2> &line : lines)
+      disc.of_contact_forces.push_back(-(solution * line));
   }
 
 
 
   double
-  WilliamsFit::apply(const std::vector<Row> &rows, const Vector &stress) const
+  WilliamsFit::apply(const Disc                &disc,
+                     const Vector              &stress,
+                     const std::vector<double> &contact_forces) const
   {
     double sum = 0.;
-    for (const auto &[offset, row] : rows)
+    for (const auto &[offset, row] : disc.of_stress)
       sum += row * QuadratureField<2>::get(stress, offset);
+    for (std::size_t k = 0; k < contact_forces.size(); ++k)
+      sum += disc.of_contact_forces[k] * contact_forces[k];
     return Utilities::MPI::sum(sum, communicator);
   }
 
 
 
   double
-  WilliamsFit::value(const Vector &stress) const
+  WilliamsFit::value(const Vector              &stress,
+                     const std::vector<double> &contact_forces) const
   {
-    return 2. * apply(small, stress) - apply(large, stress);
+    return 2. * apply(small, stress, contact_forces) -
+           apply(large, stress, contact_forces);
   }
 
 
 
   double
-  WilliamsFit::correction(const Vector &stress) const
+  WilliamsFit::correction(const Vector              &stress,
+                          const std::vector<double> &contact_forces) const
   {
-    return apply(small, stress) - apply(large, stress);
+    return apply(small, stress, contact_forces) -
+           apply(large, stress, contact_forces);
   }
 
 

@@ -48,20 +48,22 @@ namespace Crevasse
   {
     const double t = steps.within_period(sample.instant);
     Values       values;
-    values.of_stress = fit.value(sample.state.stress);
+    const auto  &g   = sample.state.contact_forces;
+    values.of_stress = fit.value(sample.state.stress, g);
     if (integrals)
       {
         nodal_forces.reinit(sample.state.displacement, true);
         loads.evaluate(t, nodal_forces);
-        const auto &g    = sample.state.contact_forces;
         values.intensity = integrals->large.value(nodal_forces, g);
         values.error =
-          std::abs(values.intensity - integrals->small.value(nodal_forces, g));
+          std::max(std::abs(values.intensity -
+                            integrals->small.value(nodal_forces, g)),
+                   std::abs(values.intensity - values.of_stress));
       }
     else
       {
         values.intensity = values.of_stress;
-        values.error     = std::abs(fit.correction(sample.state.stress));
+        values.error     = std::abs(fit.correction(sample.state.stress, g));
       }
     values.release_rate = values.intensity * values.intensity / modulus(t);
     values.energy = energy.value(t, sample.state.stress, sample.viscous_strain);

@@ -13,8 +13,8 @@
 #define crevasse_crack_tip_williams_fit_h
 
 #include <crevasse/crack_tip/tip_region.h>
+#include <crevasse/discretisation/contact_boundary.h>
 
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -29,6 +29,11 @@ namespace Crevasse
    *
    * The extrapolation takes away what grows with R, as the stress between parts
    * that creep differently does. Nothing needs to be elastic.
+   *
+   * The series knows no pressure on the lip: a straight line p₀ + p₁r is fitted
+   * to that of the contact forces, and the stress −(p₀ − p₁X) e₂ ⊗ e₂, which
+   * has it, is taken from the stress before. (As unknowns of the fit such terms
+   * would ruin it: that an open lip bears nothing is most of what is known.)
    */
   class WilliamsFit
   {
@@ -36,18 +41,21 @@ namespace Crevasse
     /** Collective.
      *
      * @param radius 2R, of the larger disc. */
-    WilliamsFit(const PointGeometry &points,
-                const TipRegion     &region,
-                const double         radius,
-                const MPI_Comm       communicator);
+    WilliamsFit(const PointGeometry      &points,
+                const ContactBoundary<2> &lip,
+                const TipRegion          &region,
+                const double              radius,
+                const MPI_Comm            communicator);
 
     /** K_I. Collective. */
     double
-    value(const Vector &stress) const;
+    value(const Vector              &stress,
+          const std::vector<double> &contact_forces) const;
 
     /** K(R) − K(2R): what the extrapolation adds. Collective. */
     double
-    correction(const Vector &stress) const;
+    correction(const Vector              &stress,
+               const std::vector<double> &contact_forces) const;
 
     /** The least radius whose half disc has enough points for all terms.
      * Collective. */
@@ -64,18 +72,41 @@ namespace Crevasse
     /** What the stress at a point, at this local index, contributes. */
     using Row = std::pair<std::size_t, VoigtVector<2>>;
 
-    /** Those of K of one disc. */
-    std::vector<Row>
-    fit(const PointGeometry &points,
-        const TipRegion     &region,
-        const double         radius);
+    /** K as a linear function. */
+    struct Disc
+    {
+      double              radius;
+      std::vector<Row>    of_stress;
+      std::vector<double> of_contact_forces; ///< for each local lip node
+    };
+
+    Disc
+    fit(const PointGeometry      &points,
+        const ContactBoundary<2> &lip,
+        const TipRegion          &region,
+        const double              radius);
+
+    /** What the rows of a disc make of the stress of p₀ = 1, and of p₁ = 1/R.
+     */
+    dealii::Tensor<1, 2>
+    of_pressure(const PointGeometry &points,
+                const CrackTip      &tip,
+                const Disc          &disc) const;
+
+    void
+    fit_pressure(const PointGeometry      &points,
+                 const ContactBoundary<2> &lip,
+                 const CrackTip           &tip,
+                 Disc                     &disc) const;
 
     double
-    apply(const std::vector<Row> &rows, const Vector &stress) const;
+    apply(const Disc                &disc,
+          const Vector              &stress,
+          const std::vector<double> &contact_forces) const;
 
-    const MPI_Comm   communicator;
-    unsigned int     terms = 0;
-    std::vector<Row> small, large;
+    const MPI_Comm communicator;
+    unsigned int   terms = 0;
+    Disc           small, large;
   };
 } // namespace Crevasse
 
