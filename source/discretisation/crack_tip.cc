@@ -10,6 +10,8 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/discretisation/crack_tip.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 #include <cmath>
 #include <map>
@@ -134,6 +136,34 @@ namespace Crevasse
     for (const auto &[vertex, tip] : tips)
       list.push_back(tip);
     return list;
+  }
+
+
+
+  CrackTip
+  only_crack_tip(const Triangulation<2> &mesh,
+                 const BoundaryRoles    &roles,
+                 const std::string      &wanted_by)
+  {
+    const std::vector<CrackTip> tips = find_crack_tips(mesh, roles);
+    if (tips.empty())
+      throw SceneError(wanted_by +
+                       ": the mesh has no crack tip, a vertex where a face of "
+                       "the lip ([Boundary] Contact) goes straight on as one "
+                       "of the plane of symmetry ([Boundary] Symmetry). Give "
+                       "the body a crack, or turn this off.");
+    if (tips.size() > 1)
+      {
+        std::vector<std::string> places;
+        for (const CrackTip &tip : tips)
+          places.push_back(Text::from_point(tip.position));
+        throw SceneError(wanted_by + ": the mesh has " +
+                         std::to_string(tips.size()) + " crack tips, at " +
+                         Text::join(places, " and ") +
+                         ", where one is allowed. Model a part with one of "
+                         "them, using symmetry, or turn this off.");
+      }
+    return tips.front();
   }
 
 

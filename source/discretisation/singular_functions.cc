@@ -20,30 +20,6 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  double
-  PlaneElasticity::plane_modulus() const
-  {
-    return 8. * shear_modulus / (kappa + 1.);
-  }
-
-
-
-  PlaneElasticity
-  plane_elasticity(const VoigtMatrix<2> &K, bool &is_isotropic)
-  {
-    // In the plane, 11 and 22 are the first two components and 12 the last.
-    const double rounding = 1e-8 * K[0][0];
-    const auto   agree    = [rounding](const double a, const double b) {
-      return std::abs(a - b) <= rounding;
-    };
-    is_isotropic = agree(K[0][0], K[1][1]) && agree(K[0][3], 0.) &&
-                   agree(K[1][3], 0.) && agree(2. * K[3][3], K[0][0] - K[0][1]);
-    const double ratio = K[0][1] / K[0][0]; // ν, or ν/(1 − ν)
-    return {K[3][3], (3. - ratio) / (1. + ratio)};
-  }
-
-
-
   SingularFunctions
   make_singular_functions(const unsigned int     n,
                           const CrackTip        &tip,
@@ -52,7 +28,7 @@ namespace Crevasse
   {
     Assert(n >= 1 && n <= 3, ExcInternalError());
     SingularFunctions functions{tip, {}, 0.};
-    const double      kappa = elasticity.kappa;
+    const double      kappa = elasticity.kappa();
     // The n-th term opens the lip by (κ + 1) r^{n/2}, up to its sign.
     const auto scaled = [&](PolarField field, const double power) {
       return field *= std::pow(length, -power) / (kappa + 1.);
@@ -64,7 +40,7 @@ namespace Crevasse
       functions.fields.push_back(scaled(williams_term(3, kappa), 1.5));
 
     // 2μu = williams_term(1) has √(2π).
-    functions.unit_stress_intensity = 2. * elasticity.shear_modulus *
+    functions.unit_stress_intensity = 2. * elasticity.shear_modulus() *
                                       std::sqrt(2. * numbers::PI / length) /
                                       (kappa + 1.);
     return functions;

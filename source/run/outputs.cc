@@ -77,6 +77,7 @@ namespace Crevasse
                         Solvers<dim>                           &solvers,
                         const StepList                         &steps,
                         const Integrator                       *integrator,
+                        const CrackTipAnalysis                 *crack_tip,
                         const SecularFlow                      *flow,
                         const bool         periods_are_iterates,
                         const RunState    &start,
@@ -84,6 +85,8 @@ namespace Crevasse
                         const std::string &directory)
     : body(body)
     , steps(steps)
+    , crack_tip(crack_tip)
+    , flow(flow)
     , log(log)
     , directory(directory)
     , opening_before(start.largest_opening)
@@ -116,6 +119,14 @@ namespace Crevasse
           elastic_reference(scene, body, solvers, steps, integrator);
         comparison = add<ElasticComparison>(std::move(reference));
       }
+    if constexpr (dim == 2)
+      if (crack_tip != nullptr)
+        {
+          owned.push_back(crack_tip->make_table(
+            solvers, steps, file("crack_tip.csv"), goes_on));
+          crack_tip_table = static_cast<CrackTipTable *>(owned.back().get());
+          all.push_back(crack_tip_table);
+        }
     if (body.effects.field_output.on)
       fields = add<FieldWriter<dim>>(body.space,
                                      recovery,
@@ -189,6 +200,8 @@ namespace Crevasse
       finish_onset(summary);
     if (comparison != nullptr)
       finish_comparison(summary);
+    if (crack_tip_table != nullptr)
+      crack_tip->summarise(*crack_tip_table, flow, summary, log);
     if (fields != nullptr)
       {
         const unsigned int n = fields->write();

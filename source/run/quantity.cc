@@ -80,6 +80,12 @@ namespace Crevasse
         return {"stress_change"};
       if (table == "load_work")
         return {"load_work"};
+      if (table == "crack_tip")
+        return {"K_I",
+                "K_I_stress",
+                "K_I_error",
+                "energy_release_rate",
+                "strain_energy"};
       return {};
     }
 
@@ -99,7 +105,10 @@ namespace Crevasse
                  ? "has no column \"" + Text::shorten(column) +
                      "\"; columns are: " + Text::join(columns, ", ")
                  : "";
-      std::vector<std::string> tables = {"contact", "periods", "load_work"};
+      std::vector<std::string> tables = {"contact",
+                                         "periods",
+                                         "load_work",
+                                         "crack_tip"};
       for (const std::string &probe : probes)
         tables.push_back("probe_" + probe);
       return "is no quantity; allowed are \"stress\" and \"TABLE/COLUMN\" "

@@ -83,6 +83,21 @@ namespace Crevasse
 
 
 
+    /** Nothing unless the scene asks for it, which in space it cannot. */
+    template <int dim>
+    std::unique_ptr<const CrackTipAnalysis>
+    make_crack_tip_analysis(const Scene        &scene,
+                            const Body<dim>    &body,
+                            const SecularSplit &split)
+    {
+      if constexpr (dim == 2)
+        if (scene.crack_tip.stress_intensity)
+          return std::make_unique<const CrackTipAnalysis>(scene, body, split);
+      return nullptr;
+    }
+
+
+
     std::vector<Observer *>
     together(std::vector<Observer *>        some,
              const std::vector<Observer *> &others)
@@ -125,6 +140,7 @@ namespace Crevasse
                              steps,
                              integrator.get(),
                              periodic_choice.needs_periodic_strain()))
+    , crack_tip(make_crack_tip_analysis<dim>(this->scene, body, secular_split))
   {
     if (scene.output.elastic_comparison != "none")
       // Throws if there is nothing to compare with.
@@ -220,6 +236,7 @@ namespace Crevasse
                          solvers,
                          steps,
                          integrator.get(),
+                         crack_tip.get(),
                          secular_flow ? &*secular_flow : nullptr,
                          periodic_choice.periods_are_iterates(),
                          state,

@@ -64,6 +64,8 @@ namespace Crevasse
       }
     log.line(time.str());
     log.line("  periodic state: " + periodic_choice.describe());
+    if (crack_tip != nullptr)
+      log.line(crack_tip->describe());
     describe_decay();
     for (const std::string &warning : warnings())
       log.line("  warning: " + warning);

@@ -42,35 +42,6 @@ namespace Crevasse
 
 
 
-  CrackTip
-  the_crack_tip(const Triangulation<2> &mesh,
-                const BoundaryRoles    &roles,
-                const std::string      &wanted_by)
-  {
-    const std::vector<CrackTip> tips = find_crack_tips(mesh, roles);
-    if (tips.empty())
-      throw SceneError(
-        wanted_by +
-        ": there is no crack tip of mode I: no boundary with the "
-        "role Contact goes straight on as one with the role "
-        "Symmetry. Model half of the body, with the crack as "
-        "Contact and the plane ahead of it as Symmetry.");
-    if (tips.size() > 1)
-      {
-        std::vector<std::string> places;
-        for (const CrackTip &tip : tips)
-          places.push_back(Text::from_point(tip.position));
-        throw SceneError(wanted_by + ": the mesh has " +
-                         std::to_string(tips.size()) + " crack tips, at " +
-                         Text::join(places, "; ") +
-                         ", and only one is allowed. Use a plane of symmetry "
-                         "between them, or [Refinement] Strategy = adaptive.");
-      }
-    return tips.front();
-  }
-
-
-
   PlaneElasticity
   elasticity_at(const CrackTip         &tip,
                 const Triangulation<2> &mesh,
@@ -98,15 +69,12 @@ namespace Crevasse
           stiffness = here;
         }
     AssertThrow(stiffness, ExcInternalError());
-    bool                  is_isotropic = false;
-    const PlaneElasticity elasticity =
-      plane_elasticity(*stiffness, is_isotropic);
-    if (!is_isotropic)
+    if (!PlaneElasticity::is_isotropic(*stiffness))
       throw SceneError(where +
                        " is not isotropic, but the fields around a tip "
                        "are known to this program for isotropic "
                        "bodies only.");
-    return elasticity;
+    return PlaneElasticity(*stiffness);
   }
 
 
@@ -125,7 +93,7 @@ namespace Crevasse
         {
           const std::string wanted_by =
             "[Discretisation] Singular functions = " + std::to_string(n);
-          const CrackTip tip = the_crack_tip(mesh, roles, wanted_by);
+          const CrackTip tip = only_crack_tip(mesh, roles, wanted_by);
           return make_singular_functions(
             n,
             tip,

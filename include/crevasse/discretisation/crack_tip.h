@@ -17,6 +17,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
+#include <string>
 #include <vector>
 
 namespace Crevasse
@@ -46,6 +47,14 @@ namespace Crevasse
   std::vector<CrackTip>
   find_crack_tips(const dealii::Triangulation<2> &mesh,
                   const BoundaryRoles            &roles);
+
+  /** The one tip there must be.
+   * @param wanted_by the parameter that asks for it, "[Section] Name = value".
+   * @throw SceneError if there is none, or more than one. */
+  CrackTip
+  only_crack_tip(const dealii::Triangulation<2> &mesh,
+                 const BoundaryRoles            &roles,
+                 const std::string              &wanted_by);
 
   /** The vertices of the coarse mesh where faces of the lip go straight on as
    * faces of the plane of symmetry: tips in the plane, crack fronts in space.

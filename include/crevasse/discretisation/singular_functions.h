@@ -14,27 +14,13 @@
 
 #include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/polar_field.h>
-#include <crevasse/material/voigt.h>
+#include <crevasse/material/plane_elasticity.h>
 
 #include <vector>
 
 namespace Crevasse
 {
-  /** The two constants of an isotropic body in the plane. */
-  struct PlaneElasticity
-  {
-    double shear_modulus; ///< μ
-    double kappa;         ///< 3 − 4ν, or (3 − ν)/(1 + ν) in plane stress
 
-    /** E' = 8μ/(κ + 1): E in plane stress, E/(1 − ν²) in plane strain. */
-    double
-    plane_modulus() const;
-  };
-
-  /** What an isotropic stiffness is in the plane.
-   * @param[out] is_isotropic whether it is one; if not, nothing is said. */
-  PlaneElasticity
-  plane_elasticity(const VoigtMatrix<2> &stiffness, bool &is_isotropic);
 
   /**
    * Displacements ψ of mode I with the singularities of a crack tip, to be

@@ -23,6 +23,7 @@
 #include <crevasse/output/summary.h>
 #include <crevasse/output/tables.h>
 #include <crevasse/run/body.h>
+#include <crevasse/run/crack_tip_analysis.h>
 #include <crevasse/run/run_state.h>
 #include <crevasse/run/solvers.h>
 #include <crevasse/time/integrator.h>
@@ -40,6 +41,7 @@ namespace Crevasse
   {
   public:
     /** All arguments must outlive this object.
+     * @param crack_tip what is to be read off there; null: nothing.
      * @param flow that the mean load causes; null: none, or it is not known.
      * @param periods_are_iterates Extremes are those of the last period then.
      * @param start after whose periods tables go on.
@@ -51,6 +53,7 @@ namespace Crevasse
             Solvers<dim>                           &solvers,
             const StepList                         &steps,
             const Integrator                       *integrator,
+            const CrackTipAnalysis                 *crack_tip,
             const SecularFlow                      *flow,
             const bool                              periods_are_iterates,
             const RunState                         &start,
@@ -96,24 +99,27 @@ namespace Crevasse
     void
     finish_onset(Summary &summary) const;
 
-    const Body<dim>  &body;
-    const StepList   &steps;
-    Log              &log;
-    const std::string directory;
-    const double      opening_before; ///< the largest
+    const Body<dim>        &body;
+    const StepList         &steps;
+    const CrackTipAnalysis *crack_tip;
+    const SecularFlow      *flow;
+    Log                    &log;
+    const std::string       directory;
+    const double            opening_before; ///< the largest
 
     const std::vector<ProbeEvaluator<dim>> &probes;
     std::vector<std::unique_ptr<Observer>>  owned;
     std::vector<Observer *>                 all;
 
     // Some of the above, where they are on.
-    ContactTable<dim> *contact_table  = nullptr;
-    ContactOnset<dim> *onset          = nullptr;
-    Drift             *drift          = nullptr;
-    ElasticComparison *comparison     = nullptr;
-    FieldWriter<dim>  *fields         = nullptr;
-    LargestStress     *largest_stress = nullptr;
-    ProblemExport     *problem_export = nullptr;
+    ContactTable<dim> *contact_table   = nullptr;
+    ContactOnset<dim> *onset           = nullptr;
+    Drift             *drift           = nullptr;
+    ElasticComparison *comparison      = nullptr;
+    CrackTipTable     *crack_tip_table = nullptr;
+    FieldWriter<dim>  *fields          = nullptr;
+    LargestStress     *largest_stress  = nullptr;
+    ProblemExport     *problem_export  = nullptr;
   };
 } // namespace Crevasse
 

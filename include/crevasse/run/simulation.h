@@ -18,6 +18,7 @@
 #include <crevasse/output/summary.h>
 #include <crevasse/periodic/observed_periods.h>
 #include <crevasse/run/body.h>
+#include <crevasse/run/crack_tip_analysis.h>
 #include <crevasse/run/fourier_problem.h>
 #include <crevasse/run/periodic_choice.h>
 #include <crevasse/run/run_state.h>
@@ -174,10 +175,11 @@ namespace Crevasse
     const double                           largest_thermal_strain;
     PeriodicChoice                         periodic_choice;
     SecularSplit                           secular_split;
-    std::optional<SecularFlow>             secular_flow;
-    std::size_t                            rate_evaluations = 0;
-    double                                 stress_rounding  = 0.;
-    std::vector<std::string>               direct_warnings;
+    const std::unique_ptr<const CrackTipAnalysis> crack_tip; ///< or null
+    std::optional<SecularFlow>                    secular_flow;
+    std::size_t                                   rate_evaluations = 0;
+    double                                        stress_rounding  = 0.;
+    std::vector<std::string>                      direct_warnings;
   };
 } // namespace Crevasse
 

@@ -20,13 +20,7 @@
 
 namespace Crevasse
 {
-  /** The tip of the one crack of a scene.
-   * @param wanted_by the parameter that asks for it, "[Section] Name = value".
-   * @throw SceneError if there is none, or more than one. */
-  CrackTip
-  the_crack_tip(const dealii::Triangulation<2> &mesh,
-                const BoundaryRoles            &roles,
-                const std::string              &wanted_by);
+
 
   /** The elastic body around a tip, at t = 0.
    * @throw SceneError if it is not isotropic, or not the same in all cells

@@ -1,0 +1,88 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_crack_tip_interaction_integral_h
+#define crevasse_crack_tip_interaction_integral_h
+
+#include <crevasse/crack_tip/tip_region.h>
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/strain_operator.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * The stress intensity factor K_I as a linear function of an elastic
+   * displacement u and of the contact forces g, by the interaction integral
+   * (Yau, Wang, Corten, J. Appl. Mech. 47, 1980) of the half body above the
+   * crack,
+   *
+   *     I = ∫ [σ_ij ∂u^a_i/∂X + σ^a_ij ∂u_i/∂X − σ_kl ε^a_kl δ_1j] ∂q/∂x_j dA
+   *         − ∫_lip t_i ∂u^a_i/∂X q ds,              K_I = E'/2 · 2 I.
+   *
+   * u^a is the first term of Williams' series with K_I = 1. The factor 2 is the
+   * other half of the body: the energy that a crack releases is that of both.
+   * The weight is q = (1 − X²/R²)² (1 − Y²/R²)² in the square |X| ≤ R, 0 ≤ Y ≤
+   * R, and its gradient vanishes at the tip and where q ends. On the lip the
+   * contact pressure p leaves the term ∫ 2 p q / √(2πr) ds.
+   *
+   * q is not interpolated: it is smooth on any mesh, hanging nodes or not, and
+   * so the functional differs from that of the continuous body by nothing but
+   * the quadrature. By Betti's theorem its error is then the square of that of
+   * the energy norm's.
+   *
+   * u must be an elastic displacement under tractions; what creeps has
+   * gradients of its own.
+   */
+  class InteractionIntegral
+  {
+  public:
+    /** Collective. @param radius R, with nothing but lip and plane of symmetry
+     * in the square: see TipRegion::largest_radius(). */
+    InteractionIntegral(const Space<2>           &space,
+                        const StrainOperator<2>  &strain_operator,
+                        const ContactBoundary<2> &lip,
+                        const TipRegion          &region,
+                        const double              radius);
+
+    /** k of K_I = k·u + l·g. */
+    const Vector &
+    of_displacement() const;
+
+    /** l for each local lip node. */
+    const std::vector<double> &
+    of_contact_forces() const;
+
+    /** K_I. Collective. */
+    double
+    value(const Vector              &displacement,
+          const std::vector<double> &contact_forces) const;
+
+  private:
+    void
+    integrate_over_cells(const Space<2> &space, const TipRegion &region);
+    void
+    add_singular_functions(const Space<2>            &space,
+                           const TipRegion           &region,
+                           const dealii::FEValues<2> &values);
+    void
+    integrate_over_lip(const Space<2>           &space,
+                       const ContactBoundary<2> &lip,
+                       const CrackTip           &tip);
+
+    const double        radius;
+    Vector              functional;
+    std::vector<double> lip_functional;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,63 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_crack_tip_strain_energy_h
+#define crevasse_crack_tip_strain_energy_h
+
+#include <crevasse/crack_tip/point_geometry.h>
+#include <crevasse/discretisation/material_field.h>
+
+#include <memory>
+
+namespace Crevasse
+{
+  /**
+   * The energy that the springs of the material have stored in the modelled
+   * part of the body (in half of it above a crack), per thickness:
+   *
+   *     ½ ∫ s:(kK)⁻¹s  for one Maxwell body or an elastic one,
+   *     ½ ∫ Σ wᵢ εᵢ:kK εᵢ,   εᵢ = (kK)⁻¹s + Σ wⱼrⱼ − rᵢ  for a chain,
+   *
+   * the spring of a chain being a branch with r = 0. It is less than what was
+   * put in by what was dissipated.
+   */
+  class StrainEnergy
+  {
+  public:
+    /** Collective. Both must outlive this object. */
+    StrainEnergy(const MaterialField<2> &material, const PointGeometry &points);
+
+    /** Collective. @param t within the period. */
+    double
+    value(const double  t,
+          const Vector &stress,
+          const Vector &viscous_strain) const;
+
+  private:
+    using Matrices = PointValues<VoigtMatrix<2>>;
+
+    double
+    density(const MaterialState<2> &state,
+            const Matrices         &compliance,
+            const std::size_t       point,
+            const Vector           &stress,
+            const Vector           &viscous_strain) const;
+
+    Matrices
+    compliance_of(const Matrices &stiffness) const;
+
+    const MaterialField<2>         &material;
+    const PointGeometry            &points;
+    std::unique_ptr<const Matrices> constant_compliance; ///< if it is constant
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,98 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_crack_tip_tip_region_h
+#define crevasse_crack_tip_tip_region_h
+
+#include <crevasse/crack_tip/point_geometry.h>
+#include <crevasse/discretisation/crack_tip.h>
+#include <crevasse/discretisation/point_values.h>
+#include <crevasse/material/plane_elasticity.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace Crevasse
+{
+
+
+  /**
+   * The surroundings of a crack tip in which the body is the same everywhere
+   * and ends nowhere but at the lip and the plane of symmetry. Distances are
+   * max(|X|, |Y|): they belong to squares |X| ≤ R, 0 ≤ Y ≤ R.
+   */
+  class TipRegion
+  {
+  public:
+    /**
+     * Collective.
+     *
+     * @param stiffness at the quadrature points, or the viscosity.
+     * @param name of it, for messages.
+     * @throw SceneError if it is not isotropic at the tip, or not the same in
+     * all cells at the tip.
+     */
+    TipRegion(const Space<2>                    &space,
+              const PointGeometry               &points,
+              const PointValues<VoigtMatrix<2>> &stiffness,
+              const char                        *name);
+
+    const CrackTip &
+    tip() const;
+
+    /** Of the stiffness at the tip. */
+    const PlaneElasticity &
+    elasticity() const;
+
+    /** Where another boundary or another stiffness begins. */
+    double
+    largest_radius() const;
+
+    /** Of the cells that have the tip as a vertex. */
+    double
+    cell_radius() const;
+
+    /** The largest square that cuts no cell, half to once this size; this
+     * size if each of those cuts one. */
+    double
+    aligned_radius(const double at_most) const;
+
+    /** From where on a cell of this rank reaches outwards, by its active cell
+     * index; 0 at the tip. */
+    double
+    distance(const unsigned int cell) const;
+
+  private:
+    /** From where to where a cell reaches. */
+    using Interval = std::pair<double, double>;
+
+    void
+    measure_cells(const Space<2> &space);
+    void
+    find_boundaries(const Space<2> &space);
+    std::optional<VoigtMatrix<2>>
+    stiffness_at_tip(const PointGeometry               &points,
+                     const PointValues<VoigtMatrix<2>> &stiffness) const;
+    void
+    find_other_stiffness(const PointGeometry               &points,
+                         const PointValues<VoigtMatrix<2>> &stiffness,
+                         const VoigtMatrix<2>              &own);
+
+    const MPI_Comm                 communicator;
+    const CrackTip                 crack_tip;
+    std::vector<Interval>          cells; ///< by active cell index
+    std::optional<PlaneElasticity> plane_elasticity;
+    double                         end = 0., end_of_tip_cells = 0.;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,99 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_crack_tip_analysis_h
+#define crevasse_run_crack_tip_analysis_h
+
+#include <crevasse/output/crack_tip_table.h>
+#include <crevasse/output/log.h>
+#include <crevasse/output/summary.h>
+#include <crevasse/run/crack_tip_choice.h>
+#include <crevasse/run/secular_problem.h>
+#include <crevasse/run/solvers.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace Crevasse
+{
+  /** All that is read off at the crack tip of one run. */
+  class CrackTipAnalysis
+  {
+  public:
+    /** Finds what is wrong with the tip, before anything is computed.
+     * Collective. Arguments must outlive this object.
+     * @throw SceneError */
+    CrackTipAnalysis(const Scene        &scene,
+                     const Body<2>      &body,
+                     const SecularSplit &split);
+
+    /** One line for the log. */
+    std::string
+    describe() const;
+
+    /** The observer of a run. Solves for the weight functions.
+     * @param goes_on whether the table has rows already. */
+    std::unique_ptr<CrackTipTable>
+    make_table(Solvers<2>        &solvers,
+               const StepList    &steps,
+               const std::string &file_name,
+               const bool         goes_on) const;
+
+    /** summary.json "crack_tip", and a few lines for the log.
+     *
+     * @param flow null: none was found. */
+    void
+    summarise(const CrackTipTable &table,
+              const SecularFlow   *flow,
+              Summary             &summary,
+              Log                 &log) const;
+
+  private:
+    double
+    choose_radius() const;
+    double
+    choose_fit_radius() const;
+    /** Of the square where the body creeps everywhere alike: there the stress
+     * is Williams' series whatever the rest of the body does; 0: none. */
+    double
+    homogeneous_radius() const;
+
+    /** What hinders C* from being known; empty: nothing. Makes the region of
+     * the viscosity. */
+    std::string
+    find_viscous_region(const SecularSplit &split);
+
+    /** C* = K²/E'_η with the K of the mean stress, which is η times the strain
+     * rate of the flow. */
+    std::optional<double>
+    c_star(const SecularFlow *flow) const;
+
+    /** 8μ/(κ + 1) at an instant within the period. */
+    double
+    modulus(const double t) const;
+
+    const Scene                           &scene;
+    const Body<2>                         &body;
+    const PointGeometry                    points;
+    const CrackTipChoice                   choice;
+    const TipRegion                        region;
+    const double                           radius; ///< of the integral
+    const WilliamsFit                      fit;
+    const StrainEnergy                     energy;
+    const std::unique_ptr<const GrowthLaw> growth_law;
+    std::unique_ptr<const TipRegion>       viscous_region;
+    const std::string                      no_c_star; ///< why; empty: known
+    const bool                             mean_load_vanishes;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,335 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/crack_tip/interaction_integral.h>
+#include <crevasse/discretisation/cell_values.h>
+#include <crevasse/discretisation/polar_field.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <cmath>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** q and its gradient, in the coordinates of the tip. */
+    class Weight
+    {
+    public:
+      explicit Weight(const double radius)
+        : radius(radius)
+      {
+      }
+
+      double
+      value(const Point<2> &local) const
+      {
+        return factor(local[0]) * factor(local[1]);
+      }
+
+      Tensor<1, 2>
+      gradient(const Point<2> &local) const
+      {
+        return Tensor<1, 2>({slope(local[0]) * factor(local[1]),
+                             factor(local[0]) * slope(local[1])});
+      }
+
+    private:
+      double
+      factor(const double x) const
+      {
+        const double s = x / radius;
+        return std::abs(s) >= 1. ? 0. : (1. - s * s) * (1. - s * s);
+      }
+
+      double
+      slope(const double x) const
+      {
+        const double s = x / radius;
+        return std::abs(s) >= 1. ? 0. : -4. * s * (1. - s * s) / radius;
+      }
+
+      const double radius;
+    };
+
+
+
+    /** u^a: K_I = 1 */
+    PolarField
+    unit_field(const PlaneElasticity &elasticity)
+    {
+      PolarField field = williams_term(1, elasticity.kappa());
+      field *=
+        1. / (2. * elasticity.shear_modulus() * std::sqrt(2. * numbers::PI));
+      return field;
+    }
+
+
+
+    /** The integrand of 2 I at a point, times E'/2, for any gradient of u in
+     * the coordinates of the tip. */
+    class Integrand
+    {
+    public:
+      Integrand(const PlaneElasticity &elasticity,
+                const Tensor<2, 2>    &unit_gradient,
+                const Tensor<1, 2>    &weight_gradient)
+        : elasticity(elasticity)
+        , unit_gradient(unit_gradient)
+        , unit_stress(elasticity.stress(unit_gradient))
+        , weight_gradient(weight_gradient)
+      {
+      }
+
+      double
+      operator()(const Tensor<2, 2> &gradient, const double dilatation) const
+      {
+        const Tensor<2, 2> stress = elasticity.stress(gradient, dilatation);
+        double             sum    = 0.;
+        for (unsigned int i = 0; i < 2; ++i)
+          for (unsigned int j = 0; j < 2; ++j)
+            sum += (stress[i][j] * unit_gradient[i][0] +
+                    unit_stress[i][j] * gradient[i][0]) *
+                     weight_gradient[j] -
+                   stress[i][j] * unit_gradient[i][j] * weight_gradient[0];
+        return elasticity.modulus() * sum;
+      }
+
+    private:
+      const PlaneElasticity &elasticity;
+      const Tensor<2, 2>     unit_gradient, unit_stress;
+      const Tensor<1, 2>     weight_gradient;
+    };
+
+
+
+    /** A rule on a face of the lip, of the weight 1/√r, exact for polynomials
+     * as they occur: r = s² makes it smooth. */
+    Quadrature<1>
+    inverse_root_rule(const double r_0, const double r_1)
+    {
+      const QGauss<1>       gauss(8);
+      const double          s_0 = std::sqrt(r_0), s_1 = std::sqrt(r_1);
+      std::vector<Point<1>> nodes;
+      std::vector<double>   weights;
+      for (unsigned int k = 0; k < gauss.size(); ++k)
+        {
+          const double s = s_0 + gauss.point(k)[0] * (s_1 - s_0);
+          nodes.emplace_back((s * s - r_0) / (r_1 - r_0));
+          weights.push_back(gauss.weight(k) * 2. * (s_1 - s_0) / (r_1 - r_0));
+        }
+      return Quadrature<1>(nodes, weights);
+    }
+  } // namespace
+
+
+
+  InteractionIntegral::InteractionIntegral(
+    const Space<2>           &space,
+    const StrainOperator<2>  &strain_operator,
+    const ContactBoundary<2> &lip,
+    const TipRegion          &region,
+    const double              radius)
+    : radius(radius)
+  {
+    strain_operator.initialize(functional);
+    integrate_over_cells(space, region);
+    functional.compress(VectorOperation::add);
+    integrate_over_lip(space, lip, region.tip());
+  }
+
+
+
+  void
+  InteractionIntegral::integrate_over_cells(const Space<2>  &space,
+                                            const TipRegion &region)
+  {
+    const CrackTip        &tip        = region.tip();
+    const PlaneElasticity &elasticity = region.elasticity();
+    const PolarField       unit       = unit_field(elasticity);
+    const Weight           weight(radius);
+    const bool             mean_volume =
+      space.volumetric_strain() == VolumetricStrain::mean;
+
+    // Independent of the points where the stress is: u is known everywhere.
+    const FESystem<2> &fe = space.finite_element();
+    const UpdateFlags  flags =
+      update_gradients | update_quadrature_points | update_JxW_values;
+    FEValues<2>   regular(space.mapping(), fe, QGauss<2>(fe.degree + 4), flags);
+    CellValues<2> near_tip(space, flags);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    dealii::Vector<double>               cell_vector(fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          region.distance(cell->active_cell_index()) < radius)
+        {
+          if (space.rule(cell) == 0)
+            regular.reinit(cell);
+          const FEValues<2> &values =
+            space.rule(cell) == 0 ? regular : near_tip.reinit(cell);
+          cell->get_dof_indices(dofs);
+          cell_vector = 0.;
+          // A shape function has one component d: its gradient ∇φ is that of
+          // φ e_d, which is turned into the coordinates of the tip.
+          for (const unsigned int i : values.dof_indices())
+            {
+              const unsigned int d = fe.system_to_component_index(i).first;
+              const Tensor<1, 2> direction({tip.ahead[d], tip.inward[d]});
+              double             mean = 0.;
+              if (mean_volume)
+                {
+                  for (const unsigned int q : values.quadrature_point_indices())
+                    mean += values.shape_grad(i, q)[d] * values.JxW(q);
+                  mean /= cell->measure();
+                }
+              for (const unsigned int q : values.quadrature_point_indices())
+                {
+                  const Point<2> local = tip.local(values.quadrature_point(q));
+                  const Tensor<1, 2> slope = values.shape_grad(i, q);
+                  const Tensor<2, 2> gradient =
+                    outer_product(direction,
+                                  Tensor<1, 2>(
+                                    {slope * tip.ahead, slope * tip.inward}));
+                  cell_vector[i] +=
+                    Integrand(elasticity,
+                              unit.gradient(local),
+                              weight.gradient(local))(
+                      gradient, mean_volume ? mean : trace(gradient)) *
+                    values.JxW(q);
+                }
+            }
+          space.constraints().distribute_local_to_global(cell_vector,
+                                                         dofs,
+                                                         functional);
+          add_singular_functions(space, region, values);
+        }
+  }
+
+
+
+  void
+  InteractionIntegral::add_singular_functions(const Space<2>    &space,
+                                              const TipRegion   &region,
+                                              const FEValues<2> &values)
+  {
+    if (space.singular_shapes() == nullptr)
+      return;
+    const CrackTip    &tip  = region.tip();
+    const PolarField   unit = unit_field(region.elasticity());
+    const Weight       weight(radius);
+    const Tensor<2, 2> turn(
+      {{tip.ahead[0], tip.ahead[1]}, {tip.inward[0], tip.inward[1]}});
+    std::vector<Tensor<2, 2>> gradients;
+    for (unsigned int k = 0; k < space.singular_shapes()->size(); ++k)
+      {
+        space.singular_shapes()->gradients(k, values, gradients);
+        double sum = 0.;
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            const Point<2>     local    = tip.local(values.quadrature_point(q));
+            const Tensor<2, 2> gradient = turn * gradients[q] * transpose(turn);
+            sum +=
+              Integrand(region.elasticity(),
+                        unit.gradient(local),
+                        weight.gradient(local))(gradient, trace(gradient)) *
+              values.JxW(q);
+          }
+        functional(space.singular_unknown(k)) += sum;
+      }
+  }
+
+
+
+  void
+  InteractionIntegral::integrate_over_lip(const Space<2>           &space,
+                                          const ContactBoundary<2> &lip,
+                                          const CrackTip           &tip)
+  {
+    const Weight                         weight(radius);
+    const FESystem<2>                   &fe = space.finite_element();
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    Vector                               per_pressure = space.ghosted_vector();
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->at_boundary(f) ||
+                space.roles().contact.count(cell->face(f)->boundary_id()) == 0)
+              continue;
+            const Point<2> a   = tip.local(cell->face(f)->vertex(0));
+            const Point<2> b   = tip.local(cell->face(f)->vertex(1));
+            const double   r_a = -a[0], r_b = -b[0];
+            // Another lip may be anywhere.
+            if (std::abs(a[1]) + std::abs(b[1]) > 1e-8 * (b - a).norm() ||
+                r_a + r_b <= 0. || std::min(r_a, r_b) >= radius)
+              continue;
+            FEFaceValues<2> values(space.mapping(),
+                                   fe,
+                                   inverse_root_rule(std::max(r_a, 0.),
+                                                     std::max(r_b, 0.)),
+                                   update_values | update_quadrature_points |
+                                     update_JxW_values);
+            values.reinit(cell, f);
+            cell->get_dof_indices(dofs);
+            for (const unsigned int i : values.dof_indices())
+              {
+                const unsigned int d = fe.system_to_component_index(i).first;
+                if (!fe.has_support_on_face(i, f) ||
+                    std::abs(tip.inward[d]) < 0.5)
+                  continue;
+                for (const unsigned int q : values.quadrature_point_indices())
+                  per_pressure(dofs[i]) +=
+                    2. / std::sqrt(2. * numbers::PI) *
+                    values.shape_value(i, q) *
+                    weight.value(tip.local(values.quadrature_point(q))) *
+                    values.JxW(q);
+              }
+          }
+    per_pressure.compress(VectorOperation::add);
+    lip.gather_from_held_nodes(per_pressure);
+    for (const LipNode<2> &node : lip.nodes())
+      lip_functional.push_back(per_pressure(node.dof) / node.weight);
+  }
+
+
+
+  const Vector &
+  InteractionIntegral::of_displacement() const
+  {
+    return functional;
+  }
+
+
+
+  const std::vector<double> &
+  InteractionIntegral::of_contact_forces() const
+  {
+    return lip_functional;
+  }
+
+
+
+  double
+  InteractionIntegral::value(const Vector              &displacement,
+                             const std::vector<double> &contact_forces) const
+  {
+    double of_forces = 0.;
+    for (std::size_t k = 0; k < lip_functional.size(); ++k)
+      of_forces += lip_functional[k] * contact_forces[k];
+    return functional * displacement +
+           Utilities::MPI::sum(of_forces, functional.get_mpi_communicator());
+  }
+} // namespace Crevasse

@@ -1,0 +1,43 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/crack_tip/point_geometry.h>
+#include <crevasse/discretisation/cell_values.h>
+
+
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  PointGeometry::PointGeometry(const Space<2>           &space,
+                               const QuadratureField<2> &points)
+    : location(points.n_local_points())
+    , weight(points.n_local_points())
+    , cell(points.n_local_points())
+  {
+    CellValues<2> cell_values(space,
+                              update_quadrature_points | update_JxW_values);
+    for (const auto &active : space.dof_handler().active_cell_iterators())
+      if (active->is_locally_owned())
+        {
+          const FEValues<2> &values = cell_values.reinit(active);
+          const std::size_t  first =
+            points.offset(active) / QuadratureField<2>::n_components;
+          for (const unsigned int q : values.quadrature_point_indices())
+            {
+              location[first + q] = values.quadrature_point(q);
+              weight[first + q]   = values.JxW(q);
+              cell[first + q]     = active->active_cell_index();
+            }
+        }
+  }
+} // namespace Crevasse

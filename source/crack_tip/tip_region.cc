@@ -1,0 +1,280 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/crack_tip/tip_region.h>
+#include <crevasse/scene/crack_tip_parameters.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double rounding = 1e-10;
+
+    const std::string &
+    setting()
+    {
+      static const std::string text =
+        Text::parameter(CrackTipParameters::section, "Stress intensity") +
+        " = true";
+      return text;
+    }
+
+
+
+    double
+    square_norm(const Point<2> &local)
+    {
+      return std::max(std::abs(local[0]), std::abs(local[1]));
+    }
+
+
+
+    /** The least square norm on a segment: that norm is linear between these
+     * candidates. */
+    double
+    distance_of_segment(const Point<2> &a, const Point<2> &b)
+    {
+      double     least      = std::min(square_norm(a), square_norm(b));
+      const auto look_where = [&](const double at_a, const double at_b) {
+        if (at_a * at_b < 0.)
+          least =
+            std::min(least, square_norm(a + at_a / (at_a - at_b) * (b - a)));
+      };
+      look_where(a[0], b[0]);
+      look_where(a[1], b[1]);
+      look_where(a[0] - a[1], b[0] - b[1]);
+      look_where(a[0] + a[1], b[0] + b[1]);
+      return least;
+    }
+
+
+
+    bool
+    differ(const VoigtMatrix<2> &a, const VoigtMatrix<2> &b)
+    {
+      return (a - b).norm() > rounding * b.norm();
+    }
+  } // namespace
+
+
+
+  TipRegion::TipRegion(const Space<2>                    &space,
+                       const PointGeometry               &points,
+                       const PointValues<VoigtMatrix<2>> &stiffness,
+                       const char                        *name)
+    : communicator(space.communicator())
+    , crack_tip(only_crack_tip(space.mesh(), space.roles(), setting()))
+  {
+    measure_cells(space);
+    find_boundaries(space);
+    const auto at_tip = stiffness_at_tip(points, stiffness);
+    const bool is_isotropic =
+      Utilities::MPI::min(!at_tip || PlaneElasticity::is_isotropic(*at_tip) ? 1
+                                                                            : 0,
+                          communicator) == 1;
+    const std::string place = Text::from_point(crack_tip.position);
+    if (!is_isotropic)
+      throw SceneError(
+        setting() + ": the " + name + " at the crack tip " + place +
+        " is not isotropic in the plane, and K_I is known for isotropic "
+        "bodies only. Make it isotropic there, or set it to false.");
+
+    // Of one rank that has the tip, for all.
+    const unsigned int none = Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int root =
+      Utilities::MPI::min(at_tip
+                            ? Utilities::MPI::this_mpi_process(communicator)
+                            : none,
+                          communicator);
+    std::array<double, VoigtMatrix<2>::n_independent_components> entries = {};
+    if (at_tip)
+      std::copy(at_tip->begin_raw(), at_tip->end_raw(), entries.begin());
+    entries = Utilities::MPI::broadcast(communicator, entries, root);
+    VoigtMatrix<2> own;
+    std::copy(entries.begin(), entries.end(), own.begin_raw());
+
+    plane_elasticity.emplace(own);
+    find_other_stiffness(points, stiffness, own);
+    if (end < end_of_tip_cells * (1. - rounding))
+      throw SceneError(
+        setting() + ": the " + name +
+        " is not the same in all cells at the "
+        "crack tip " +
+        place +
+        ", or another boundary touches them. K_I is known where a body is "
+        "homogeneous around the tip: refine the mesh until one material fills "
+        "these cells, or set it to false.");
+  }
+
+
+
+  void
+  TipRegion::measure_cells(const Space<2> &space)
+  {
+    cells.assign(space.mesh().n_active_cells(),
+                 {std::numeric_limits<double>::max(), 0.});
+    const double tiny =
+      rounding *
+      GridTools::diameter(static_cast<const Triangulation<2> &>(space.mesh()));
+    for (const auto &cell : space.mesh().active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          Interval &reach = cells[cell->active_cell_index()];
+          for (const unsigned int f : cell->face_indices())
+            {
+              const Point<2> a = crack_tip.local(cell->face(f)->vertex(0));
+              const Point<2> b = crack_tip.local(cell->face(f)->vertex(1));
+              reach.first = std::min(reach.first, distance_of_segment(a, b));
+              reach.second =
+                std::max({reach.second, square_norm(a), square_norm(b)});
+            }
+          if (reach.first <= tiny)
+            {
+              reach.first      = 0.;
+              end_of_tip_cells = std::max(end_of_tip_cells, reach.second);
+            }
+        }
+    end_of_tip_cells = Utilities::MPI::max(end_of_tip_cells, communicator);
+  }
+
+
+
+  void
+  TipRegion::find_boundaries(const Space<2> &space)
+  {
+    end = std::numeric_limits<double>::max();
+    for (const auto &cell : space.mesh().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int f : cell->face_indices())
+          if (const auto face = cell->face(f); face->at_boundary())
+            {
+              const Point<2> a     = crack_tip.local(face->vertex(0));
+              const Point<2> b     = crack_tip.local(face->vertex(1));
+              const double   tiny  = rounding * (b - a).norm();
+              const bool     ahead = a[0] + b[0] > 0.;
+              const auto    &own =
+                ahead ? space.roles().symmetry : space.roles().contact;
+              if (std::abs(a[1]) > tiny || std::abs(b[1]) > tiny ||
+                  own.count(face->boundary_id()) == 0)
+                end = std::min(end, distance_of_segment(a, b));
+            }
+    end = Utilities::MPI::min(end, communicator);
+  }
+
+
+
+  std::optional<VoigtMatrix<2>>
+  TipRegion::stiffness_at_tip(
+    const PointGeometry               &points,
+    const PointValues<VoigtMatrix<2>> &stiffness) const
+  {
+    for (std::size_t p = 0; p < points.cell.size(); ++p)
+      if (distance(points.cell[p]) == 0.)
+        return stiffness[p];
+    return {};
+  }
+
+
+
+  void
+  TipRegion::find_other_stiffness(const PointGeometry               &points,
+                                  const PointValues<VoigtMatrix<2>> &stiffness,
+                                  const VoigtMatrix<2>              &own)
+  {
+    if (!stiffness.is_uniform())
+      for (std::size_t p = 0; p < points.cell.size(); ++p)
+        if (distance(points.cell[p]) < end && differ(stiffness[p], own))
+          end = distance(points.cell[p]);
+    end = Utilities::MPI::min(end, communicator);
+  }
+
+
+
+  const CrackTip &
+  TipRegion::tip() const
+  {
+    return crack_tip;
+  }
+
+
+
+  const PlaneElasticity &
+  TipRegion::elasticity() const
+  {
+    return *plane_elasticity;
+  }
+
+
+
+  double
+  TipRegion::largest_radius() const
+  {
+    return end;
+  }
+
+
+
+  double
+  TipRegion::cell_radius() const
+  {
+    return end_of_tip_cells;
+  }
+
+
+
+  double
+  TipRegion::aligned_radius(const double at_most) const
+  {
+    std::vector<Interval> near, all;
+    for (const Interval &cell : cells)
+      if (cell.first < at_most && cell.second > 0.5 * at_most)
+        near.push_back(cell);
+    for (const auto &of_rank : Utilities::MPI::all_gather(communicator, near))
+      all.insert(all.end(), of_rank.begin(), of_rank.end());
+    std::sort(all.begin(), all.end(), [](const Interval &a, const Interval &b) {
+      return a.second > b.second;
+    });
+
+    // A square cuts the cells that reach from its inside to its outside. The
+    // one that is left cuts none of those before, which are larger.
+    double radius = at_most;
+    for (const Interval &cell : all)
+      {
+        if (cell.second <= radius * (1. + rounding))
+          break;
+        radius = std::min(radius, cell.first);
+      }
+    return radius >= std::max(0.5 * at_most * (1. - rounding),
+                              end_of_tip_cells * (1. - rounding))
+             ? radius
+             : at_most;
+  }
+
+
+
+  double
+  TipRegion::distance(const unsigned int cell) const
+  {
+    return cells[cell].first;
+  }
+} // namespace Crevasse

@@ -1,0 +1,87 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/material/plane_elasticity.h>
+
+#include <cmath>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  PlaneElasticity::PlaneElasticity(const VoigtMatrix<2> &stiffness)
+    : lambda(stiffness[0][1])
+    , mu(stiffness[3][3])
+  {
+  }
+
+
+
+  bool
+  PlaneElasticity::is_isotropic(const VoigtMatrix<2> &stiffness)
+  {
+    constexpr double tolerance = 1e-10; // a viscosity is an inverse
+    const double     rounding  = tolerance * std::abs(stiffness[0][0]);
+    const auto       vanishes  = [rounding](const double difference) {
+      return std::abs(difference) <= rounding;
+    };
+    return vanishes(stiffness[0][0] - stiffness[1][1]) &&
+           vanishes(stiffness[0][3]) && vanishes(stiffness[1][3]) &&
+           vanishes(stiffness[0][0] - stiffness[0][1] - 2. * stiffness[3][3]);
+  }
+
+
+
+  double
+  PlaneElasticity::shear_modulus() const
+  {
+    return mu;
+  }
+
+
+
+  double
+  PlaneElasticity::kappa() const
+  {
+    return (lambda + 3. * mu) / (lambda + mu);
+  }
+
+
+
+  double
+  PlaneElasticity::modulus() const
+  {
+    return 8. * mu / (kappa() + 1.);
+  }
+
+
+
+  Tensor<2, 2>
+  PlaneElasticity::stress(const Tensor<2, 2> &gradient,
+                          const double        dilatation) const
+  {
+    // What the dilatation exceeds the trace by is a third in each direction.
+    const double normal =
+      lambda * dilatation + 2. / 3. * mu * (dilatation - trace(gradient));
+    Tensor<2, 2> sigma = mu * (gradient + transpose(gradient));
+    sigma[0][0] += normal;
+    sigma[1][1] += normal;
+    return sigma;
+  }
+
+
+
+  Tensor<2, 2>
+  PlaneElasticity::stress(const Tensor<2, 2> &gradient) const
+  {
+    return stress(gradient, trace(gradient));
+  }
+} // namespace Crevasse

@@ -1,0 +1,296 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/crack_tip/interaction_integral.h>
+#include <crevasse/periodic/secular.h>
+#include <crevasse/run/crack_tip_analysis.h>
+#include <crevasse/run/elastic_displacement.h>
+#include <crevasse/scene/collectively.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  CrackTipAnalysis::CrackTipAnalysis(const Scene        &scene,
+                                     const Body<2>      &body,
+                                     const SecularSplit &split)
+    : scene(scene)
+    , body(body)
+    , points(body.space, body.points)
+    , choice(choose_crack_tip_method(scene, body))
+    , region(body.space, points, *body.material.at(0.).stiffness, "stiffness")
+    , radius(choose_radius())
+    , fit(points,
+          body.lip,
+          region,
+          choose_fit_radius(),
+          body.space.communicator())
+    , energy(body.material, points)
+    , growth_law(make_growth_law(scene.crack_tip))
+    , no_c_star(find_viscous_region(split))
+    , mean_load_vanishes(split.mean_load.size() > 0 && !split.effect.on)
+  {
+    if (needs_c_star(scene.crack_tip) && !no_c_star.empty() &&
+        !mean_load_vanishes)
+      throw SceneError(
+        "[Crack tip] Creep growth parameter = C star: there is no C*, for " +
+        no_c_star + ". Set it to stress intensity.");
+  }
+
+
+
+  double
+  CrackTipAnalysis::choose_radius() const
+  {
+    const double wish = scene.crack_tip.radius;
+    if (wish == 0.)
+      return region.aligned_radius(region.largest_radius());
+    constexpr double rounding = 1e-10;
+    if (wish > region.largest_radius() * (1. + rounding) ||
+        wish < region.cell_radius() * (1. - rounding))
+      throw SceneError(
+        "[Crack tip] Radius = " + Text::from_number(wish) +
+        ": must be at most " + Text::from_number(region.largest_radius()) +
+        ", where another boundary or another stiffness begins, and at least " +
+        Text::from_number(region.cell_radius()) +
+        ", where the cells at the tip end; or 0.");
+    return wish;
+  }
+
+
+
+  double
+  CrackTipAnalysis::choose_fit_radius() const
+  {
+    if (scene.crack_tip.radius > 0.)
+      return scene.crack_tip.radius;
+    // The smaller disc, of half this radius, needs data.
+    const double least =
+      2. * WilliamsFit::least_radius(points, region, body.space.communicator());
+    constexpr double part = 0.5;
+    return std::min(region.largest_radius(),
+                    std::max(least, part * homogeneous_radius()));
+  }
+
+
+
+  double
+  CrackTipAnalysis::homogeneous_radius() const
+  {
+    double radius = region.largest_radius();
+    for (const auto &fluidity : body.material.at(0.).fluidity)
+      try
+        {
+          if (!fluidity->is_uniform())
+            radius =
+              std::min(radius,
+                       TipRegion(body.space, points, *fluidity, "fluidity")
+                         .largest_radius());
+        }
+      catch (const SceneError &)
+        {
+          return 0.; // It varies from the tip on.
+        }
+    return radius;
+  }
+
+
+
+  std::string
+  CrackTipAnalysis::find_viscous_region(const SecularSplit &split)
+  {
+    if (!split.effect.on)
+      return split.effect.why;
+    const MaterialState<2>      material = body.material.at(0.);
+    std::optional<Viscosity<2>> viscosity;
+    collectively(body.space.communicator(), [&]() {
+      viscosity = viscosity_of<2>(material, body.points.n_local_points());
+    });
+    try
+      {
+        viscous_region = std::make_unique<const TipRegion>(body.space,
+                                                           points,
+                                                           viscosity->sum,
+                                                           "viscosity");
+      }
+    catch (const SceneError &)
+      {
+        return "the viscosity is not isotropic and the same in all cells at "
+               "the crack tip";
+      }
+    return "";
+  }
+
+
+
+  std::string
+  CrackTipAnalysis::describe() const
+  {
+    std::string text =
+      "  crack tip: " + Text::from_point(region.tip().position) + ", K_I by " +
+      choice.name() + " (" + choice.why + ")";
+    if (growth_law != nullptr)
+      text += "; " + growth_law->description();
+    return text;
+  }
+
+
+
+  double
+  CrackTipAnalysis::modulus(const double t) const
+  {
+    const double k = body.law.stiffness_factor().value(Point<2>(), t);
+    if (!body.material.stiffness_varies())
+      return k * region.elasticity().modulus();
+    return k * TipRegion(body.space,
+                         points,
+                         *body.material.at(t).stiffness,
+                         "stiffness")
+                 .elasticity()
+                 .modulus();
+  }
+
+
+
+  std::unique_ptr<CrackTipTable>
+  CrackTipAnalysis::make_table(Solvers<2>        &solvers,
+                               const StepList    &steps,
+                               const std::string &file_name,
+                               const bool         goes_on) const
+  {
+    std::optional<CrackTipTable::Integrals> integrals;
+    if (choice.integral)
+      {
+        solvers.at(0.); // makes it the current system
+        const UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
+        const auto             influence_on = [&](const Vector &functional) {
+          return elastic_displacement<2>(
+            scene, body, solvers, functional, false);
+        };
+        const auto weight_function = [&](const double size) {
+          const InteractionIntegral integral(
+            body.space, body.strain_operator, body.lip, region, size);
+          return WeightFunction(influence_on(integral.of_displacement()),
+                                bounds,
+                                integral.of_contact_forces());
+        };
+        const double small =
+          std::max(region.aligned_radius(0.5 * radius), region.cell_radius());
+        integrals.emplace(CrackTipTable::Integrals{weight_function(radius),
+                                                   weight_function(small),
+                                                   {}});
+        if (const SingularShapes *shapes = body.space.singular_shapes())
+          {
+            const auto first = body.space.singular_unknown(0);
+            Vector     coefficient;
+            body.strain_operator.initialize(coefficient);
+            if (coefficient.in_local_range(first))
+              coefficient(first) = shapes->functions().unit_stress_intensity;
+            integrals->singular.emplace(influence_on(coefficient),
+                                        bounds,
+                                        std::vector<double>());
+          }
+      }
+    return std::make_unique<CrackTipTable>(
+      std::move(integrals),
+      fit,
+      energy,
+      [this](const double t) { return modulus(t); },
+      body.loads,
+      steps,
+      file_name,
+      goes_on);
+  }
+
+
+
+  std::optional<double>
+  CrackTipAnalysis::c_star(const SecularFlow *flow) const
+  {
+    if (mean_load_vanishes)
+      return 0.;
+    if (viscous_region == nullptr || flow == nullptr)
+      return {};
+    const InteractionIntegral integral(body.space,
+                                       body.strain_operator,
+                                       body.lip,
+                                       *viscous_region,
+                                       viscous_region->aligned_radius(
+                                         viscous_region->largest_radius()));
+    const double K = integral.value(flow->velocity, flow->contact_forces);
+    return K * K / viscous_region->elasticity().modulus();
+  }
+
+
+
+  void
+  CrackTipAnalysis::summarise(const CrackTipTable &table,
+                              const SecularFlow   *flow,
+                              Summary             &summary,
+                              Log                 &log) const
+  {
+    TipHistory history = table.last_period();
+    history.c_star     = c_star(flow);
+    if (history.instants.empty())
+      return;
+    double least_release = table.values().front().release_rate;
+    double most_release = least_release, error = 0., energy = 0.;
+    for (const CrackTipTable::Values &values : table.values())
+      {
+        least_release = std::min(least_release, values.release_rate);
+        most_release  = std::max(most_release, values.release_rate);
+        error         = std::max(error, values.error);
+        energy        = std::max(energy, values.energy);
+      }
+
+    auto &tip        = summary["crack_tip"];
+    tip["method"]    = choice.name();
+    tip["why"]       = choice.why;
+    tip["position"]  = {region.tip().position[0], region.tip().position[1]};
+    tip["radius"]    = choice.integral ? radius : choose_fit_radius();
+    tip["K_I"]       = {{"largest", history.largest()},
+                        {"smallest", history.least()}};
+    tip["K_I_error"] = error;
+    tip["energy_release_rate"] = {{"largest", most_release},
+                                  {"smallest", least_release}};
+    tip["strain_energy"]       = {{"largest", energy}};
+    tip["C_star"] = history.c_star ? Summary(*history.c_star) : Summary();
+    if (!history.c_star)
+      tip["no_C_star"] =
+        no_c_star.empty() ? "the flow was not found" : no_c_star;
+    char text[160];
+    std::snprintf(text,
+                  sizeof(text),
+                  "  crack tip: K_I from %.6g to %.6g in the last period, "
+                  "estimated error %.1e",
+                  history.least(),
+                  history.largest(),
+                  error);
+    log.line(text);
+    if (history.c_star && *history.c_star > 0.)
+      log.line("  crack tip: C* = " + Text::from_number(*history.c_star));
+    if (growth_law == nullptr)
+      return;
+
+    const double growth = growth_law->per_cycle(history);
+    tip["growth_law"]   = growth_law->description();
+    tip["da_dN"]        = growth; // null if it is nan
+    tip["da_dt"]        = growth / history.period();
+    log.line("  crack tip: grows by " + Text::from_number(growth) +
+             " a period (" + growth_law->description() + ")");
+  }
+} // namespace Crevasse
