@@ -201,14 +201,20 @@ def test_energy_release():
     model is a half: G = 2 dU/da at constant load. The steady creep alike: C* =
     2 d(P/2)/da with the power P of the load, also where creep and elasticity
     differ in their Poisson ratio."""
-    mesh = ["Geometry/Subdivisions=40, 20"]
+    differences = []
+    for cells in ("40, 20", "80, 40"):
+        mesh = [f"Geometry/Subdivisions={cells}"]
 
-    def energy(a):
-        return at_full_load(run(SCENE, "energy", mesh + [
-            f"Geometry/Crack length={a!r}"]))["strain_energy"]
-    row = at_full_load(run(SCENE, "release", mesh))
-    check_below(abs(2 * derivative(energy, 0.5) / row["energy_release_rate"]
-                    - 1), 2e-3, "G against 2 dU/da")
+        def energy(a):
+            return at_full_load(run(SCENE, "energy", mesh + [
+                f"Geometry/Crack length={a!r}"]))["strain_energy"]
+        row = at_full_load(run(SCENE, "release", mesh))
+        differences.append(abs(2 * derivative(energy, 0.5)
+                               / row["energy_release_rate"] - 1))
+        print(f"{cells}: G against 2 dU/da: {differences[-1]:.2e}")
+    check_below(differences[-1], 3e-3, "G against 2 dU/da")
+    check(differences[0] > 1.8 * differences[1], "of the order of h")
+    mesh = ["Geometry/Subdivisions=40, 20"]
 
     for name, settings, modulus in (
             ("stress", ["Material/Viscous Poisson ratio=0.5"], 1e5),
@@ -225,7 +231,7 @@ def test_energy_release():
             return (work[-1] - work[-41]) / 600
         results = run(SCENE, "c_star", settings)
         c_star = results.summary["crack_tip"]["C_star"]
-        check_below(abs(derivative(power, 0.5) / c_star - 1), 2e-3,
+        check_below(abs(derivative(power, 0.5) / c_star - 1), 6e-3,
                     f"C* against dP/da, plane {name}")
         K = results.summary["crack_tip"]["K_I"]["largest"]
         check_below(abs(K**2 / modulus / c_star - 1), 0.01,
@@ -250,7 +256,8 @@ def test_c_star():
 
 def test_viscoelastic():
     """eta = tau K: while the lip is open, K_I is F(t) times the elastic one;
-    once it is closed, K_I falls by the scheme's own factor each step."""
+    once it is closed, K_I falls by the scheme's own factor each step. (Creep
+    keeps the lip open for a while under compression, with a K_I below 0.)"""
     periods = ["Periodic state/Method=march", "Periodic state/Tolerance=0",
                "Periodic state/Maximum periods=2",
                "Time integration/Scheme=heun"]
@@ -265,7 +272,7 @@ def test_viscoelastic():
     x = 15. / TAU
     factor = 1 - x + x**2 / 2
     for k, (t, K) in enumerate(zip(table["t"], table["K_I"])):
-        if contact["closed_nodes"][k] == 0 and contact["force"][k] == 0:
+        if contact["closed_nodes"][k] == 0:
             n_open += 1
             check(abs(K - elastic * math.sin(2 * math.pi * t / 600))
                   <= 1e-10 * elastic, f"open, t = {t}: K_I = {K}")
@@ -333,7 +340,8 @@ def test_chain():
                     f"{column} of a chain that is one body")
     crept = run(SCENE, "crept", chain + [
         "Material/Chain=0.6: 60", "Loads/Traction=0; 10",
-        "Periodic state/Tolerance=1e-9", "Periodic state/Maximum periods=30"])
+        "Periodic state/Method=march", "Periodic state/Tolerance=0",
+        "Periodic state/Maximum periods=10"])
     elastic = at_full_load(run(SCENE, "elastic"))
     energy = crept.table("crack_tip.csv")["strain_energy"][-1]
     check_below(abs(energy / (elastic["strain_energy"] / 0.4) - 1), 1e-6,
