@@ -292,6 +292,41 @@ def test_viscoelastic():
                 1e-9, "stored energy while the lip is open")
 
 
+def test_partial_contact():
+    """Bending presses the mouth together and opens the tip: K_I does not
+    depend on whether the contact lies within the square of the integral."""
+    found = []
+    for radius in (0.5, 0.25, 0.125):
+        results = run(SCENE, "mouth", [
+            "Geometry/Subdivisions=28, 28", f"Crack tip/Radius={radius}",
+            "Loads/Traction=0; 13 - 20*x"])
+        found.append(at_full_load(results)["K_I"])
+    contact = results.table("contact.csv")["closed_nodes"][2]
+    print(f"K_I with {contact} nodes in contact: {found}")
+    # 28 nodes, and the tip: within 0.125 of it none is closed.
+    check(10 < contact < 21 and found[0] > 0.5, "closed at the mouth alone")
+    check_below(max(found) / min(found) - 1, 2e-3, "K_I of three squares")
+
+
+def test_two_viscosities():
+    """Where the integral is not right, the fit to the stress once it is steady
+    agrees with the integral over the flow, whose body is the viscous one."""
+    results = run(SCENE, "two", STEADY + [
+        "Geometry/Subdivisions=28, 28",
+        "Material/Relaxation time=if(y < 0.5, 60, 20)",
+        "Periodic state/Method=march", "Periodic state/Tolerance=0",
+        "Periodic state/Maximum periods=2",
+        "Time integration/Steps per period=80"])
+    tip = results.summary["crack_tip"]
+    check(tip["method"] == "williams fit", "two viscosities")
+    table = results.table("crack_tip.csv")
+    flow = math.sqrt(tip["C_star"] * MODULUS * TAU)
+    print(f"K_I at first {table['K_I'][0]}, at last {table['K_I'][-1]}, "
+          f"of the flow {flow}")
+    check_below(abs(table["K_I"][-1] / flow - 1), 0.01, "K_I of the flow")
+    check(table["K_I"][-1] > 1.02 * table["K_I"][0], "creep changes it")
+
+
 def test_methods():
     """Which method serves for which body, and that both agree."""
     def method(*settings):
@@ -434,7 +469,8 @@ def test_refusals():
 
 
 TESTS = [test_reference, test_linearity, test_units, test_mirrored,
-         test_energy_release, test_c_star, test_viscoelastic, test_methods,
+         test_energy_release, test_c_star, test_viscoelastic, test_partial_contact,
+         test_two_viscosities, test_methods,
          test_chain, test_growth, test_ranks, test_refusals]
 
 if __name__ == "__main__":
