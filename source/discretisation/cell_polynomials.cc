@@ -85,6 +85,7 @@ namespace Crevasse
   {
     const FullMatrix<double> matrix = fitting_matrix(space.quadrature());
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    coefficients.zero_out_ghost_values();
     coefficients = 0.;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())
