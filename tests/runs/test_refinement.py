@@ -239,7 +239,7 @@ def test_five_periods():
     for settings, part in (([], 1 / 20),
                            (["Refinement/Readapt every=4"], 1 / 12)):
         # What else the machine does counts less in the best of some runs.
-        all_runs = [run(scene, "five_periods", settings) for _ in range(3)]
+        all_runs = [run(scene, "five_periods", settings) for _ in range(5)]
         adaptive = all_runs[-1]
         check_below(error(adaptive), 1e-3, f"{settings}: opening with "
                     f"{adaptive.summary['unknowns']} unknowns")
