@@ -73,6 +73,7 @@ namespace Crevasse
     AffineConstraints<double> hanging_nodes(relevant);
     DoFTools::make_hanging_node_constraints(dof_handler, hanging_nodes);
     hanging_nodes.close();
+    interpolated.reserve(functions.fields.size()); // copies lose ghost values
     for (const PolarField &field : functions.fields)
       {
         interpolated.emplace_back(dof_handler.locally_owned_dofs(),

@@ -194,6 +194,8 @@ namespace
     hanging.close();
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       {
+        if (!cell->is_locally_owned())
+          continue;
         at_support_points.reinit(cell);
         cell->get_dof_indices(indices);
         for (unsigned int k = 0; k < 3; ++k)
@@ -209,11 +211,15 @@ namespace
       }
     check_below(name + ": singular functions at the nodes", at_nodes, 1e-12);
     check_below(name + ": sum of the weights of all rules - area",
-                std::abs(volume - 1.),
+                std::abs(dealii::Utilities::MPI::sum(volume, MPI_COMM_WORLD) -
+                         1.),
                 1e-13);
   }
   /** The condition number of A after diagonal scaling, with the first n
-   * singular functions: from the Lanczos process of conjugate gradients. */
+   * singular functions: from the Lanczos process of conjugate gradients. The
+   * body is held far from the tip: a single point held at the tip is a
+   * singularity of its own, which w₁ resolves better (a ratio of 1.3 on the
+   * coarsest mesh). */
   double
   condition_number(const GeometryParameters &geometry,
                    const unsigned int        n_levels,
@@ -230,7 +236,7 @@ namespace
       mesh,
       degree,
       roles,
-      built_in_fixed_points<2>(geometry, roles),
+      {{dealii::Point<2>(), {{true, false}}}},
       VolumetricStrain::full,
       n == 0 ? SingularFunctions()
              : make_singular_functions(n, tip, PlaneElasticity(K), size));
