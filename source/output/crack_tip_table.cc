@@ -69,8 +69,13 @@ namespace Crevasse
                             integrals->small.value(nodal_forces, g)),
                    std::abs(values.intensity - values.of_stress));
         if (has_singular_function())
-          values.of_singular_function =
-            integrals->singular->value(nodal_forces, g);
+          {
+            values.of_singular_function =
+              integrals->singular->value(nodal_forces, g);
+            values.error = std::max(values.error,
+                                    std::abs(values.intensity -
+                                             values.of_singular_function));
+          }
       }
     else
       {

@@ -384,6 +384,7 @@ namespace Crevasse
           throw;
         log.line("  warning: the direct method failed, anderson takes over: " +
                  std::string(error.what()));
+        periodic_choice.method = "anderson";
         return {};
       }
   }

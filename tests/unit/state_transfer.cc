@@ -84,7 +84,7 @@ namespace
     {
       dealii::FEValues<dim> values(space.mapping(),
                                    space.finite_element(),
-                                   space.quadrature(),
+                                   space.quadratures()[0],
                                    dealii::update_quadrature_points);
       for (const auto &cell : space.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())

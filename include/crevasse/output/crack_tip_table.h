@@ -32,12 +32,15 @@ namespace Crevasse
    * crack_tip.csv: what is read off at the crack tip at each accepted step.
    *
    * K_I is that of the interaction integral where there is one, or else of the
-   * fit, which K_I_stress is in any case. K_I_error is the larger of what the
-   * integrals over two squares and of what integral and fit differ by; without
-   * the integral, what the fits to two discs differ by. It is of the order of
-   * the error and no bound of it: on uniform meshes of linear and quadratic
-   * elements it was measured as a fifth to two thirds of the error, most of
-   * which all of these have in common, for it comes from the tip.
+   * fit, which K_I_stress is in any case. K_I_singular is the coefficient of
+   * the singular function that opens the crack, in the displacement of an
+   * elastic body under the same forces. K_I_error is the largest difference
+   * between the integrals over two squares, the fit and that coefficient;
+   * without the integral, that of the fits to two discs. It is of the order of
+   * the error and no bound of it: on uniform meshes it was measured as a fifth
+   * to two thirds of the error, most of which all of these have in common, for
+   * it comes from the tip; with singular functions, whose coefficient converges
+   * more slowly, from an eighth of it to a hundred times as much.
    */
   class CrackTipTable : public Observer
   {
