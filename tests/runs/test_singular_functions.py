@@ -105,14 +105,13 @@ for nu in (0.2, 0.49999):
         if n == 2:
             check_below(worst, 1e-3, f"viscous Poisson ratio {nu}")
 
-# Direct in time and marched by the trapezoidal rule: the same states.
-PERIODIC = FINE + ["Time integration/Scheme=trapezoid",
-                   "Periodic state/Maximum periods=2",
-                   "Loads/Traction=0; 10*(sin(2*pi*t/600) - 0.1)"]
-direct = run(BODY, "direct", PERIODIC + ["Periodic state/Method=fourier"])
-summary = direct.summary
-check(summary["stress_change"][-1] < 1e-9, "direct in time: it is periodic")
-check_below(summary["stress_change"][-1], 1e-9, "direct in time: change")
+# Direct in time: the trapezoidal rule marches on in the state that was found.
+marched = run(BODY, "direct", FINE + [
+    "Time integration/Scheme=trapezoid", "Periodic state/Start from=fourier",
+    "Periodic state/Maximum periods=2",
+    "Loads/Traction=0; 10*(sin(2*pi*t/600) - 0.1)"]).summary
+check_below(marched["stress_change"][-1], 1e-9,
+            "direct in time: change of the stress over a marched period")
 
 # The other schemes agree to their order.
 history = run(BODY, "heun", FINE + [
