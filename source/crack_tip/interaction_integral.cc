@@ -116,16 +116,32 @@ namespace Crevasse
 
 
 
+    /** Those at the points of a cell. */
+    std::vector<Integrand>
+    integrands(const FEValues<2>     &values,
+               const CrackTip        &tip,
+               const PlaneElasticity &elasticity,
+               const PolarField      &unit,
+               const Weight          &weight)
+    {
+      std::vector<Integrand> all;
+      for (const Point<2> &point : values.get_quadrature_points())
+        all.emplace_back(elasticity,
+                         unit.gradient(tip.local(point)),
+                         weight.gradient(tip.local(point)));
+      return all;
+    }
+
+
+
     /** That of the gradient of a shape function over a cell. It has one
      * component d, and so its gradient is e_d ⊗ ∇φ. */
     double
-    integral_of_shape(const FEValues<2>     &values,
-                      const unsigned int     i,
-                      const CrackTip        &tip,
-                      const PlaneElasticity &elasticity,
-                      const PolarField      &unit,
-                      const Weight          &weight,
-                      const bool             mean_volume)
+    integral_of_shape(const FEValues<2>            &values,
+                      const unsigned int            i,
+                      const CrackTip               &tip,
+                      const std::vector<Integrand> &at_points,
+                      const bool                    mean_volume)
     {
       const unsigned int d = values.get_fe().system_to_component_index(i).first;
       const Tensor<1, 2> direction({tip.ahead[d], tip.inward[d]});
@@ -140,18 +156,42 @@ namespace Crevasse
       double sum = 0.;
       for (const unsigned int q : values.quadrature_point_indices())
         {
-          const Point<2>     local    = tip.local(values.quadrature_point(q));
           const Tensor<1, 2> slope    = values.shape_grad(i, q);
           const Tensor<2, 2> gradient = outer_product(
             direction, Tensor<1, 2>({slope * tip.ahead, slope * tip.inward}));
-          const Integrand integrand(elasticity,
-                                    unit.gradient(local),
-                                    weight.gradient(local));
-          sum +=
-            integrand(gradient, mean_volume ? mean / volume : trace(gradient)) *
-            values.JxW(q);
+          sum += at_points[q](gradient,
+                              mean_volume ? mean / volume : trace(gradient)) *
+                 values.JxW(q);
         }
       return sum;
+    }
+
+
+
+    /** Adds those of the gradients of singular functions over a cell. */
+    void
+    add_singular_functions(const Space<2>               &space,
+                           const CrackTip               &tip,
+                           const FEValues<2>            &values,
+                           const std::vector<Integrand> &at_points,
+                           Vector                       &functional)
+    {
+      if (space.singular_shapes() == nullptr)
+        return;
+      const Tensor<2, 2>        turn = tip.to_local();
+      std::vector<Tensor<2, 2>> gradients;
+      for (unsigned int k = 0; k < space.singular_shapes()->size(); ++k)
+        {
+          space.singular_shapes()->gradients(k, values, gradients);
+          double sum = 0.;
+          for (const unsigned int q : values.quadrature_point_indices())
+            {
+              const Tensor<2, 2> gradient =
+                turn * gradients[q] * transpose(turn);
+              sum += at_points[q](gradient, trace(gradient)) * values.JxW(q);
+            }
+          functional(space.singular_unknown(k)) += sum;
+        }
     }
 
 
@@ -205,64 +245,46 @@ namespace Crevasse
       space.volumetric_strain() == VolumetricStrain::mean;
 
     // Independent of the points where the stress is: u is known everywhere.
-    const FESystem<2> &fe = space.finite_element();
-    const UpdateFlags  flags =
+    // Where the square ends inside of a cell, q is not smooth.
+    constexpr unsigned int n_parts = 4;
+    const FESystem<2>     &fe      = space.finite_element();
+    const UpdateFlags      flags =
       update_gradients | update_quadrature_points | update_JxW_values;
     FEValues<2>   regular(space.mapping(), fe, QGauss<2>(fe.degree + 4), flags);
+    FEValues<2>   cut(space.mapping(),
+                    fe,
+                    QIterated<2>(QGauss<1>(fe.degree + 2), n_parts),
+                    flags);
     CellValues<2> near_tip(space, flags);
+    const auto    values_on =
+      [&](const typename DoFHandler<2>::active_cell_iterator &cell)
+      -> const FEValues<2> & {
+      if (space.rule(cell) != 0)
+        return near_tip.reinit(cell);
+      FEValues<2> &values =
+        region.is_cut(cell->active_cell_index(), radius) ? cut : regular;
+      values.reinit(cell);
+      return values;
+    };
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     dealii::Vector<double>               cell_vector(fe.n_dofs_per_cell());
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() &&
           region.distance(cell->active_cell_index()) < radius)
         {
-          if (space.rule(cell) == 0)
-            regular.reinit(cell);
-          const FEValues<2> &values =
-            space.rule(cell) == 0 ? regular : near_tip.reinit(cell);
+          const FEValues<2>           &values = values_on(cell);
+          const std::vector<Integrand> at_points =
+            integrands(values, tip, elasticity, unit, weight);
           cell->get_dof_indices(dofs);
           cell_vector = 0.;
           for (const unsigned int i : values.dof_indices())
-            cell_vector[i] = integral_of_shape(
-              values, i, tip, elasticity, unit, weight, mean_volume);
+            cell_vector[i] =
+              integral_of_shape(values, i, tip, at_points, mean_volume);
           space.constraints().distribute_local_to_global(cell_vector,
                                                          dofs,
                                                          functional);
-          add_singular_functions(space, region, values);
+          add_singular_functions(space, tip, values, at_points, functional);
         }
-  }
-
-
-
-  void
-  InteractionIntegral::add_singular_functions(const Space<2>    &space,
-                                              const TipRegion   &region,
-                                              const FEValues<2> &values)
-  {
-    if (space.singular_shapes() == nullptr)
-      return;
-    const CrackTip    &tip  = region.tip();
-    const PolarField   unit = unit_field(region.elasticity());
-    const Weight       weight(radius);
-    const Tensor<2, 2> turn(
-      {{tip.ahead[0], tip.ahead[1]}, {tip.inward[0], tip.inward[1]}});
-    std::vector<Tensor<2, 2>> gradients;
-    for (unsigned int k = 0; k < space.singular_shapes()->size(); ++k)
-      {
-        space.singular_shapes()->gradients(k, values, gradients);
-        double sum = 0.;
-        for (const unsigned int q : values.quadrature_point_indices())
-          {
-            const Point<2>     local    = tip.local(values.quadrature_point(q));
-            const Tensor<2, 2> gradient = turn * gradients[q] * transpose(turn);
-            sum +=
-              Integrand(region.elasticity(),
-                        unit.gradient(local),
-                        weight.gradient(local))(gradient, trace(gradient)) *
-              values.JxW(q);
-          }
-        functional(space.singular_unknown(k)) += sum;
-      }
   }
 
 

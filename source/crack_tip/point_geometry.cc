@@ -12,8 +12,6 @@
 #include <crevasse/crack_tip/point_geometry.h>
 #include <crevasse/discretisation/cell_values.h>
 
-
-
 namespace Crevasse
 {
   using namespace dealii;

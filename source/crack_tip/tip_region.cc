@@ -277,4 +277,13 @@ namespace Crevasse
   {
     return cells[cell].first;
   }
+
+
+
+  bool
+  TipRegion::is_cut(const unsigned int cell, const double radius) const
+  {
+    return cells[cell].first < radius &&
+           cells[cell].second > radius * (1. + rounding);
+  }
 } // namespace Crevasse

@@ -51,9 +51,8 @@ namespace Crevasse
              const double                   radius)
     {
       const Point<2>     local = tip.local(point);
-      const Tensor<2, 2> turn(
-        {{tip.ahead[0], tip.ahead[1]}, {tip.inward[0], tip.inward[1]}});
-      Terms terms;
+      const Tensor<2, 2> turn  = tip.to_local();
+      Terms              terms;
       for (unsigned int n = 1; n <= most_terms; ++n)
         {
           // The gradient is that of 2μu.

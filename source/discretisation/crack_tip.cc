@@ -110,6 +110,17 @@ namespace Crevasse
 
 
 
+  Tensor<2, 2>
+  CrackTip::to_local() const
+  {
+    Tensor<2, 2> rows;
+    rows[0] = ahead;
+    rows[1] = inward;
+    return rows;
+  }
+
+
+
   Tensor<1, 2>
   CrackTip::global(const Tensor<1, 2> &vector) const
   {

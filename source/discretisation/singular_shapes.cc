@@ -23,14 +23,6 @@ namespace Crevasse
 
   namespace
   {
-    Tensor<2, 2>
-    rows(const CrackTip &tip)
-    {
-      Tensor<2, 2> to_local;
-      to_local[0] = tip.ahead;
-      to_local[1] = tip.inward;
-      return to_local;
-    }
 
 
 
@@ -132,7 +124,7 @@ namespace Crevasse
     values[FEValuesExtractors::Vector(0)].get_function_gradients(
       interpolated[k], result);
     const CrackTip    &tip      = singular_functions.tip;
-    const Tensor<2, 2> to_local = rows(tip);
+    const Tensor<2, 2> to_local = tip.to_local();
     for (const unsigned int q : values.quadrature_point_indices())
       result[q] = transpose(to_local) *
                     singular_functions.fields[k].gradient(

@@ -130,7 +130,8 @@ namespace Crevasse
   StressEstimator<dim>::look_at(const double               t,
                                 const Vector              &stress,
                                 const std::vector<double> &contact_forces,
-                                const MaterialState<dim>  &material)
+                                const MaterialState<dim>  &material,
+                                const Vector              *elastic_displacement)
   {
     // Each at what a face (a cell) of the size h adds to the energy norm of the
     // error, by comparison with errors that are known.
@@ -139,27 +140,70 @@ namespace Crevasse
     const std::vector<double> compliance = compliances(material);
     const double              degree     = space.finite_element().degree;
     Workspace                 workspace(space, polynomials);
-    polynomials.fit(space, points, stress, workspace.stress);
+    const SingularStress<dim> singular(space, elastic_displacement);
+    polynomials.fit(space,
+                    points,
+                    singular.is_zero()
+                      ? stress
+                      : regular_part(stress, singular, material),
+                    workspace.stress);
     traction_residual.set_instant(t, contact_forces);
     collectively(space.communicator(), [&]() {
       for (const auto &cell : polynomials.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
-            const double c     = compliance[cell->active_cell_index()];
-            const double h     = cell->diameter() / std::sqrt(dim);
-            double       faces = 0.;
+            const double           c = compliance[cell->active_cell_index()];
+            const double           h = cell->diameter() / std::sqrt(dim);
+            const VoigtMatrix<dim> stiffness =
+              material.stiffness_factor *
+              (*material
+                  .stiffness)[points.offset(cell) / n_stress_components<dim>];
+            double faces = 0.;
             for (const unsigned int f : cell->face_indices())
-              faces += cell->at_boundary(f)
-                         ? c * boundary_residual(cell, f, workspace)
-                         : 0.5 * jump(cell, f, compliance, workspace);
+              faces +=
+                cell->at_boundary(f)
+                  ? c *
+                      boundary_residual(cell, f, singular, stiffness, workspace)
+                  : 0.5 * jump(cell, f, compliance, workspace);
             const double square = of_faces / degree * faces +
                                   of_cells * c * h * h / (degree * degree) *
                                     volume_residual(cell, t, workspace);
-            float &entry = largest(cell->active_cell_index());
-            entry        = std::max(entry, static_cast<float>(square));
+            double &entry = largest(cell->active_cell_index());
+            entry         = std::max(entry, square);
           }
     });
     most_energy = std::max(most_energy, energy(stress, material));
+  }
+
+
+
+  template <int dim>
+  Vector
+  StressEstimator<dim>::regular_part(const Vector              &stress,
+                                     const SingularStress<dim> &singular,
+                                     const MaterialState<dim>  &material) const
+  {
+    Vector          regular = stress;
+    CellValues<dim> cell_values(space, update_quadrature_points);
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          std::size_t offset = points.offset(cell);
+          for (const Point<dim> &point :
+               cell_values.reinit(cell).get_quadrature_points())
+            {
+              const VoigtMatrix<dim> K =
+                material.stiffness_factor *
+                (*material.stiffness)[offset / n_stress_components<dim>];
+              QuadratureField<dim>::set(regular,
+                                        offset,
+                                        QuadratureField<dim>::get(stress,
+                                                                  offset) -
+                                          singular.at(point, K));
+              offset += n_stress_components<dim>;
+            }
+        }
+    return regular;
   }
 
 
@@ -229,10 +273,14 @@ namespace Crevasse
 
 
   template <int dim>
-  const dealii::Vector<float> &
+  dealii::Vector<float>
   StressEstimator<dim>::squares() const
   {
-    return largest;
+    dealii::Vector<float> relative(largest.size());
+    if (most_energy > 0.)
+      for (unsigned int i = 0; i < largest.size(); ++i)
+        relative(i) = largest(i) / most_energy;
+    return relative;
   }
 
 
@@ -283,12 +331,22 @@ namespace Crevasse
 
   template <int dim>
   double
-  StressEstimator<dim>::boundary_residual(const Cell        &cell,
-                                          const unsigned int face,
-                                          Workspace         &workspace)
+  StressEstimator<dim>::boundary_residual(const Cell                &cell,
+                                          const unsigned int         face,
+                                          const SingularStress<dim> &singular,
+                                          const VoigtMatrix<dim>    &stiffness,
+                                          Workspace                 &workspace)
   {
     workspace.face.reinit(cell, face);
     workspace.face.get_function_values(workspace.stress, workspace.here);
+    if (!singular.is_zero())
+      for (const unsigned int q : workspace.face.quadrature_point_indices())
+        {
+          const VoigtVector<dim> stress =
+            singular.at(workspace.face.quadrature_point(q), stiffness);
+          for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+            workspace.here[q][c] += stress[c];
+        }
     return size_of_face<dim>(workspace.face) *
            traction_residual.square(cell, face, workspace.face, workspace.here);
   }

@@ -103,7 +103,8 @@ namespace Crevasse
           residual -= (residual * normal) * normal;
         else if (is_lip)
           // The only component that is not zero is the normal one.
-          residual += pressures[q].l1_norm() * normal;
+          for (unsigned int d = 0; d < dim; ++d)
+            residual += pressures[q][d] * normal;
         integral += residual.norm_square() * values.JxW(q);
       }
     return integral;

@@ -66,7 +66,7 @@ namespace Crevasse
       return instants;
     if (body.effects.thermal_strain.on)
       return instants_of_scale(body, steps);
-    return {steps.instant(step_of_largest_load(body, steps))};
+    return instants_of_extreme_loads(body, steps);
   }
 
 
@@ -131,7 +131,8 @@ namespace Crevasse
         estimator.look_at(t,
                           evolution.state().stress,
                           evolution.state().contact_forces,
-                          solvers.at(t).material);
+                          solvers.at(t).material,
+                          &evolution.state().displacement);
       }
     if (estimator.largest_energy() == 0.)
       throw SceneError(
@@ -174,7 +175,10 @@ namespace Crevasse
     set_flags(*current, squares, scene.refinement);
     const Marks marks = flagged_cells(*current);
     if (marks.refined.empty())
-      return false;
+      {
+        clear_flags(*current);
+        return false;
+      }
     const std::shared_ptr<Mesh<dim>> next = history.make_with(marks);
     if (!is_affordable(*next))
       {
@@ -215,6 +219,15 @@ namespace Crevasse
             return;
           }
       }
+    keep();
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptedMesh<dim>::keep()
+  {
     clear_flags(*current);
     history.add(Marks());
   }

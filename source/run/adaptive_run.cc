@@ -97,15 +97,19 @@ namespace Crevasse
       {
         Leg leg;
         leg.last_period = state.result.periods + n;
-        PeriodEstimate<dim>     estimate(scene,
-                                     simulation->discretised_body(),
-                                     leg.last_period);
+        auto estimate =
+          std::make_unique<PeriodEstimate<dim>>(scene,
+                                                simulation->discretised_body(),
+                                                leg.last_period);
         std::vector<Observer *> observers = others;
-        observers.push_back(&estimate);
+        observers.push_back(estimate.get());
         simulation->run(directory, state, leg, observers, summary);
         if (leg.ends_run)
           return;
-        readapt(estimate.estimator(), state);
+        const dealii::Vector<float> squares = estimate->estimator().squares();
+        const double error = estimate->estimator().relative_error();
+        estimate.reset(); // before the space that it refers to
+        readapt(squares, error, state);
       }
   }
 
@@ -113,23 +117,28 @@ namespace Crevasse
 
   template <int dim>
   void
-  AdaptiveRun<dim>::readapt(const StressEstimator<dim> &estimator,
-                            RunState                   &state)
+  AdaptiveRun<dim>::readapt(const dealii::Vector<float> &squares,
+                            const double                 error,
+                            RunState                    &state)
   {
-    Timer                 timer;
-    const Body<dim>      &old        = simulation->discretised_body();
-    const unsigned int    n_branches = old.law.branches().size();
-    const double          error      = estimator.relative_error();
+    Timer              timer;
+    const Body<dim>   &old        = simulation->discretised_body();
+    const unsigned int n_branches = old.law.branches().size();
+
     const FieldNorms<dim> before =
       field_norms(old.space, old.points, state.viscous_strain, n_branches);
-    adapted.flag(estimator.squares());
+    if (scene.refinement.tolerance > 0. && error <= scene.refinement.tolerance)
+      adapted.keep();
+    else
+      adapted.flag(squares);
     StateTransfer<dim> transfer(*adapted.mesh(),
                                 old.space,
                                 old.points,
                                 state.displacement,
                                 state.viscous_strain,
                                 n_branches);
-    const double       moved_before = state.displacement.linfty_norm();
+    const double       moved_before =
+      old.space.nodal_values(state.displacement).linfty_norm();
     simulation.reset(); // its mesh is about to change
     transfer.adapt();
     simulation = std::make_unique<Simulation<dim>>(scene, adapted.mesh(), log);
@@ -164,7 +173,8 @@ namespace Crevasse
        {"viscous_strain_before", as_summary(before)},
        {"viscous_strain_after", as_summary(after)},
        {"largest_displacement_before", moved_before},
-       {"largest_displacement_after", state.displacement.linfty_norm()}});
+       {"largest_displacement_after",
+        body.space.nodal_values(state.displacement).linfty_norm()}});
     add_seconds(timer.wall_time(), state);
   }
 

@@ -13,6 +13,7 @@
 #include <crevasse/periodic/secular.h>
 #include <crevasse/run/crack_tip_analysis.h>
 #include <crevasse/run/elastic_displacement.h>
+#include <crevasse/run/tip_functions.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
@@ -88,7 +89,9 @@ namespace Crevasse
       2. * WilliamsFit::least_radius(points, region, body.space.communicator());
     constexpr double part = 0.5;
     return std::min(region.largest_radius(),
-                    std::max(least, part * homogeneous_radius()));
+                    std::max({least,
+                              2. * region.cell_radius(),
+                              part * homogeneous_radius()}));
   }
 
 
@@ -125,6 +128,8 @@ namespace Crevasse
   {
     if (!split.effect.on)
       return split.effect.why;
+    if (body.effects.body_force.on)
+      return "there is a body force, which the integral does not know";
     const MaterialState<2>      material = body.material.at(0.);
     std::optional<Viscosity<2>> viscosity;
     collectively(body.space.communicator(), [&]() {
@@ -166,11 +171,12 @@ namespace Crevasse
     const double k = body.law.stiffness_factor().value(Point<2>(), t);
     if (!body.material.stiffness_varies())
       return k * region.elasticity().modulus();
-    return k * TipRegion(body.space,
-                         points,
-                         *body.material.at(t).stiffness,
-                         "stiffness")
-                 .elasticity()
+    return k * elasticity_at(region.tip(),
+                             body.space.mesh(),
+                             body.law,
+                             body.temperature,
+                             t,
+                             "[Crack tip] Stress intensity = true")
                  .modulus();
   }
 

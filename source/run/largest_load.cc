@@ -92,6 +92,27 @@ namespace Crevasse
 
 
   template <int dim>
+  std::vector<double>
+  instants_of_extreme_loads(const Body<dim> &body, const StepList &steps)
+  {
+    const double     largest = steps.instant(step_of_largest_load(body, steps));
+    const Vector     loads   = loads_at(body, largest);
+    constexpr double rounding    = 1e-6;
+    double           least       = -rounding * (loads * loads);
+    std::vector<double> extremes = {largest};
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      if (const double product = loads_at(body, steps.instant(k)) * loads;
+          product < least)
+        {
+          least    = product;
+          extremes = {largest, steps.instant(k)};
+        }
+    return extremes;
+  }
+
+
+
+  template <int dim>
   double
   largest_load(const Body<dim> &body, const StepList &steps)
   {
@@ -140,12 +161,14 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                        \
-  template Vector       loads_at<dim>(const Body<dim> &, const double);         \
-  template unsigned int step_of_largest_load<dim>(const Body<dim> &,            \
-                                                  const StepList &);            \
-  template double       largest_load<dim>(const Body<dim> &, const StepList &); \
-  template std::vector<double> instants_of_scale<dim>(const Body<dim> &,        \
+#define INSTANTIATE(dim)                                                       \
+  template Vector              loads_at<dim>(const Body<dim> &, const double); \
+  template unsigned int        step_of_largest_load<dim>(const Body<dim> &,    \
+                                                  const StepList &);    \
+  template std::vector<double> instants_of_extreme_loads<dim>(                 \
+    const Body<dim> &, const StepList &);                                      \
+  template double largest_load<dim>(const Body<dim> &, const StepList &);      \
+  template std::vector<double> instants_of_scale<dim>(const Body<dim> &,       \
                                                       const StepList &)
 
   INSTANTIATE(2);

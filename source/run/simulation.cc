@@ -68,15 +68,15 @@ namespace Crevasse
 
 
 
-    /** The nodes of the lip that touch in this displacement. */
-    template <int dim>
+    /** The bounds that a displacement touches. */
     std::vector<bool>
-    touching_nodes(const ContactBoundary<dim> &lip, const Vector &displacement)
+    touching_bounds(const UnilateralBounds &bounds, const Vector &displacement)
     {
       const double      rounding = 1e-10 * displacement.linfty_norm();
       std::vector<bool> touches;
-      for (const LipNode<dim> &node : lip.nodes())
-        touches.push_back(node.sign * displacement(node.dof) - node.gap <=
+      for (unsigned int k = 0; k < bounds.dofs.size(); ++k)
+        touches.push_back(bounds.sign[k] * displacement(bounds.dofs[k]) -
+                            bounds.gap[k] <=
                           rounding);
       return touches;
     }
@@ -415,7 +415,8 @@ namespace Crevasse
       evolution.set_scales(instants_of_scale(body, steps));
     if (state.displacement.size() > 0)
       solvers.current().contact_solver().start_from(
-        touching_nodes(body.lip, state.displacement));
+        touching_bounds(unilateral_bounds(body.lip, body.space),
+                        state.displacement));
     state.result =
       PeriodicSearch<dim>(
         scene, body, periodic_choice, direct, relaxation_times.largest, log)

@@ -39,7 +39,7 @@ namespace Crevasse
     for (const Effects::Effect &effect : effects())
       {
         std::ostringstream text;
-        text << "  " << std::left << std::setw(18) << effect.name
+        text << "  " << std::left << std::setw(19) << effect.name
              << std::setw(4) << (effect.on ? "on" : "off") << '('
              << Text::shorten(effect.why) << ')';
         log.line(text.str());

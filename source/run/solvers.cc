@@ -14,6 +14,7 @@
 #include <crevasse/run/largest_load.h>
 #include <crevasse/run/solvers.h>
 #include <crevasse/scene/collectively.h>
+#include <crevasse/scene/problems.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -36,6 +37,14 @@ namespace Crevasse
                              dim,
                              body.space.n_unknowns(),
                              Utilities::MPI::n_mpi_processes(communicator));
+      if (linear.type == LinearSolverChoice::amg &&
+          body.space.singular_shapes() != nullptr)
+        throw SceneError(
+          "[Discretisation] Singular functions: must be 0 on a mesh that is "
+          "too "
+          "large for a direct solver (" +
+          std::to_string(body.space.n_unknowns()) +
+          " unknowns), or set [Linear solver] Type = cholesky or mumps.");
       const std::size_t n_bounds =
         Utilities::MPI::sum(body.lip.nodes().size(), communicator);
       SolverSettings settings{scene.contact,

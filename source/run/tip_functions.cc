@@ -47,6 +47,7 @@ namespace Crevasse
                 const Triangulation<2> &mesh,
                 const MaxwellLaw<2>    &law,
                 const Temperature<2>   &temperature,
+                const double            t,
                 const std::string      &wanted_by)
   {
     const std::string where = wanted_by + ": the stiffness at the crack tip " +
@@ -59,8 +60,8 @@ namespace Crevasse
             continue;
           const VoigtMatrix<2> here =
             law.stiffness().at(Place<2>{tip.position,
-                                        0.,
-                                        temperature.value(tip.position, 0.),
+                                        t,
+                                        temperature.value(tip.position, t),
                                         cell->material_id()});
           if (stiffness && (here - *stiffness).norm() > 1e-8 * here.norm())
             throw SceneError(where +
@@ -97,7 +98,7 @@ namespace Crevasse
           return make_singular_functions(
             n,
             tip,
-            elasticity_at(tip, mesh, law, temperature, wanted_by),
+            elasticity_at(tip, mesh, law, temperature, 0., wanted_by),
             cell_size_at(tip, mesh));
         }
     return {};

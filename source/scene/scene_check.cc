@@ -11,6 +11,7 @@
 
 #include <crevasse/scene/boundary_roles.h>
 #include <crevasse/scene/checker.h>
+#include <crevasse/scene/expression.h>
 #include <crevasse/scene/probe_list.h>
 #include <crevasse/scene/recorded_steps.h>
 #include <crevasse/scene/scene.h>
@@ -55,6 +56,21 @@ namespace Crevasse
 
 
 
+    bool
+    has_no_gap(const BoundaryParameters &boundary)
+    {
+      try
+        {
+          return Expression(boundary.gap).is_zero();
+        }
+      catch (const SceneError &)
+        {
+          return true; // The section itself complains.
+        }
+    }
+
+
+
     /** The singular functions are those of a plane crack, and B-bar knows only
      * shape functions. */
     void
@@ -80,6 +96,13 @@ namespace Crevasse
                      discretisation.singular_functions,
                      "must be 0 with [Linear solver] Type = amg: they couple "
                      "all unknowns; use automatic, cholesky or mumps");
+      checker.demand(discretisation.singular_functions == 0 ||
+                       has_no_gap(scene.boundary),
+                     "Singular functions",
+                     discretisation.singular_functions,
+                     "must be 0 with [Boundary] Gap = " + scene.boundary.gap +
+                       ": a crack that is open without load may close at its "
+                       "tip, which the bound of the singular function forbids");
     }
 
 
@@ -244,6 +267,12 @@ namespace Crevasse
              "with [Material] Viscosity = none: there is only one period");
       demand(scene.output.contact_problems.empty(),
              "with [Output] Contact problems, which are those of one mesh");
+      demand(scene.discretisation.singular_functions == 0,
+             "with [Discretisation] Singular functions: what they have caused "
+             "in the viscous strain does not go over to another mesh");
+      demand(n >= 3 || scene.periodic_state.tolerance == 0.,
+             "or at least 3 with [Periodic state] Tolerance > 0: on each mesh "
+             "the error of the stress is known from the third period on");
     }
 
 

@@ -285,7 +285,6 @@ namespace
             const double ratio =
               condition_number(geometry, mesh.n_levels, mesh.degree, n) /
               without;
-            std::cerr << without << " x " << ratio << std::endl;
             check_below("Q" + std::to_string(mesh.degree) + ", " +
                           std::to_string(mesh.subdivisions[0]) + " x " +
                           std::to_string(mesh.subdivisions[1]) + ", " +

@@ -70,10 +70,7 @@ namespace Crevasse
   private:
     void
     integrate_over_cells(const Space<2> &space, const TipRegion &region);
-    void
-    add_singular_functions(const Space<2>            &space,
-                           const TipRegion           &region,
-                           const dealii::FEValues<2> &values);
+
     void
     integrate_over_lip(const Space<2>           &space,
                        const ContactBoundary<2> &lip,

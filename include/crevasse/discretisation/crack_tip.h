@@ -36,6 +36,10 @@ namespace Crevasse
     dealii::Point<2>
     local(const dealii::Point<2> &point) const;
 
+    /** The rotation that makes (X, Y) components of those of the mesh. */
+    dealii::Tensor<2, 2>
+    to_local() const;
+
     /** A vector with components along X and Y in the coordinates of the mesh.
      */
     dealii::Tensor<1, 2>

@@ -100,8 +100,6 @@ namespace Crevasse
     const SingularShapes *
     singular_shapes() const;
 
-
-
     /** The number of the coefficient of the k-th singular function in a
      * displacement vector. */
     dealii::types::global_dof_index

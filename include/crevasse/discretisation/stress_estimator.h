@@ -16,6 +16,7 @@
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/singular_stress.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/discretisation/traction_residual.h>
 #include <crevasse/scene/expression.h>
@@ -56,15 +57,20 @@ namespace Crevasse
     /** Collective.
      *
      * @param t Instant within the period.
-     * @param contact_forces of the nodes of the lip on this rank. */
+     * @param contact_forces of the nodes of the lip on this rank.
+     * @param elastic_displacement whose stress it is, where nothing creeps: the
+     * stress of singular functions then counts as what it is, and is not
+     * approximated by polynomials. */
     void
     look_at(const double               t,
             const Vector              &stress,
             const std::vector<double> &contact_forces,
-            const MaterialState<dim>  &material);
+            const MaterialState<dim>  &material,
+            const Vector              *elastic_displacement = nullptr);
 
-    /** The squares of the largest estimates so far, by active cell index. */
-    const dealii::Vector<float> &
+    /** The squares of the largest estimates so far over the largest energy, by
+     * active cell index. */
+    dealii::Vector<float>
     squares() const;
 
     /** ∫ s·K⁻¹s of the state where it is largest; 0 without stress. */
@@ -104,16 +110,24 @@ namespace Crevasse
 
     /** h ∫ ‖what is left of the traction‖² on a face of the boundary. */
     double
-    boundary_residual(const Cell        &cell,
-                      const unsigned int face,
-                      Workspace         &workspace);
+    boundary_residual(const Cell                &cell,
+                      const unsigned int         face,
+                      const SingularStress<dim> &singular,
+                      const VoigtMatrix<dim>    &stiffness,
+                      Workspace                 &workspace);
+
+    /** The stress without that of singular functions. */
+    Vector
+    regular_part(const Vector              &stress,
+                 const SingularStress<dim> &singular,
+                 const MaterialState<dim>  &material) const;
 
     const Space<dim>             &space;
     const QuadratureField<dim>   &points;
     const std::vector<Expression> body_force;
     TractionResidual<dim>         traction_residual;
     const CellPolynomials<dim>    polynomials;
-    dealii::Vector<float>         largest; ///< of the squares
+    dealii::Vector<double>        largest; ///< of the squares
     double                        most_energy = 0.;
   };
 } // namespace Crevasse

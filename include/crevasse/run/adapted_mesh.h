@@ -64,6 +64,10 @@ namespace Crevasse
     void
     flag(const dealii::Vector<float> &squares);
 
+    /** Instead of flag(): the mesh stays as it is. */
+    void
+    keep();
+
     /** Of the meshes on the way, this one the last; none if nothing was
      * adapted. */
     const std::vector<MeshEstimate> &

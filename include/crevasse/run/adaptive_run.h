@@ -51,7 +51,9 @@ namespace Crevasse
      *
      * @param state whose fields are taken over. */
     void
-    readapt(const StressEstimator<dim> &estimator, RunState &state);
+    readapt(const dealii::Vector<float> &squares,
+            const double                 error,
+            RunState                    &state);
 
     const Scene                      scene;
     Log                             &log;

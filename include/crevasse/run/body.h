@@ -50,7 +50,6 @@ namespace Crevasse
     /** @throw SceneError, or NumericalError if a rigid motion is left free. */
     Body(const Scene &scene, const MPI_Comm communicator);
 
-
     /** The same on another mesh than make_scene_mesh() has. */
     Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh);
 
@@ -68,7 +67,8 @@ namespace Crevasse
   /** The bounds of the discrete cone C: at the nodes of a lip, in their order,
    * and after them that of the singular function which opens it. Its
    * coefficient is K_I but for a factor: without the bound the lip would
-   * penetrate between the nodes. */
+   * penetrate between the nodes by √r. (w₃ opens it by r^{3/2} only, and has
+   * none.) */
   template <int dim>
   UnilateralBounds
   unilateral_bounds(const ContactBoundary<dim> &lip, const Space<dim> &space);

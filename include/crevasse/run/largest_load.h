@@ -27,6 +27,13 @@ namespace Crevasse
   unsigned int
   step_of_largest_load(const Body<dim> &body, const StepList &steps);
 
+  /** The instants of that step and of the one with the most opposite loads, if
+   * there are opposite ones: a crack may be closed in the one and open in the
+   * other. */
+  template <int dim>
+  std::vector<double>
+  instants_of_extreme_loads(const Body<dim> &body, const StepList &steps);
+
   /** The largest force on a node over all steps and the stages between them;
    * for thermal strain, that which holds the body still.
    * @throw SceneError if it is too small or too large to compute with. */

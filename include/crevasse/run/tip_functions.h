@@ -22,7 +22,7 @@ namespace Crevasse
 {
 
 
-  /** The elastic body around a tip, at t = 0.
+  /** The elastic body around a tip at an instant, without its factor k.
    * @throw SceneError if it is not isotropic, or not the same in all cells
    * that have the tip for a vertex. */
   PlaneElasticity
@@ -30,6 +30,7 @@ namespace Crevasse
                 const dealii::Triangulation<2> &mesh,
                 const MaxwellLaw<2>            &law,
                 const Temperature<2>           &temperature,
+                const double                    t,
                 const std::string              &wanted_by);
 
   /** The singular functions of [Discretisation]; without fields if there are
