@@ -116,6 +116,46 @@ namespace Crevasse
 
 
 
+    /** That of the gradient of a shape function over a cell. It has one
+     * component d, and so its gradient is e_d ⊗ ∇φ. */
+    double
+    integral_of_shape(const FEValues<2>     &values,
+                      const unsigned int     i,
+                      const CrackTip        &tip,
+                      const PlaneElasticity &elasticity,
+                      const PolarField      &unit,
+                      const Weight          &weight,
+                      const bool             mean_volume)
+    {
+      const unsigned int d = values.get_fe().system_to_component_index(i).first;
+      const Tensor<1, 2> direction({tip.ahead[d], tip.inward[d]});
+      double             mean = 0., volume = 0.;
+      if (mean_volume)
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            mean += values.shape_grad(i, q)[d] * values.JxW(q);
+            volume += values.JxW(q);
+          }
+
+      double sum = 0.;
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          const Point<2>     local    = tip.local(values.quadrature_point(q));
+          const Tensor<1, 2> slope    = values.shape_grad(i, q);
+          const Tensor<2, 2> gradient = outer_product(
+            direction, Tensor<1, 2>({slope * tip.ahead, slope * tip.inward}));
+          const Integrand integrand(elasticity,
+                                    unit.gradient(local),
+                                    weight.gradient(local));
+          sum +=
+            integrand(gradient, mean_volume ? mean / volume : trace(gradient)) *
+            values.JxW(q);
+        }
+      return sum;
+    }
+
+
+
     /** A rule on a face of the lip, of the weight 1/√r, exact for polynomials
      * as they occur: r = s² makes it smooth. */
     Quadrature<1>
@@ -182,35 +222,9 @@ namespace Crevasse
             space.rule(cell) == 0 ? regular : near_tip.reinit(cell);
           cell->get_dof_indices(dofs);
           cell_vector = 0.;
-          // A shape function has one component d: its gradient ∇φ is that of
-          // φ e_d, which is turned into the coordinates of the tip.
           for (const unsigned int i : values.dof_indices())
-            {
-              const unsigned int d = fe.system_to_component_index(i).first;
-              const Tensor<1, 2> direction({tip.ahead[d], tip.inward[d]});
-              double             mean = 0.;
-              if (mean_volume)
-                {
-                  for (const unsigned int q : values.quadrature_point_indices())
-                    mean += values.shape_grad(i, q)[d] * values.JxW(q);
-                  mean /= cell->measure();
-                }
-              for (const unsigned int q : values.quadrature_point_indices())
-                {
-                  const Point<2> local = tip.local(values.quadrature_point(q));
-                  const Tensor<1, 2> slope = values.shape_grad(i, q);
-                  const Tensor<2, 2> gradient =
-                    outer_product(direction,
-                                  Tensor<1, 2>(
-                                    {slope * tip.ahead, slope * tip.inward}));
-                  cell_vector[i] +=
-                    Integrand(elasticity,
-                              unit.gradient(local),
-                              weight.gradient(local))(
-                      gradient, mean_volume ? mean : trace(gradient)) *
-                    values.JxW(q);
-                }
-            }
+            cell_vector[i] = integral_of_shape(
+              values, i, tip, elasticity, unit, weight, mean_volume);
           space.constraints().distribute_local_to_global(cell_vector,
                                                          dofs,
                                                          functional);

@@ -87,6 +87,7 @@ namespace Crevasse
     for (const Quadrature<dim> &rule : space.quadratures())
       matrices.push_back(fitting_matrix(rule));
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+    coefficients.zero_out_ghost_values();
     coefficients = 0.;
     for (const auto &cell : dofs.active_cell_iterators())
       if (cell->is_locally_owned())

@@ -40,6 +40,17 @@ namespace Crevasse
 
 
 
+  VoigtMatrix<2>
+  PlaneElasticity::like_stiffness(const VoigtMatrix<2> &compliance)
+  {
+    // 1/μ for 4 × 1/(4μ)
+    VoigtMatrix<2> matrix = compliance;
+    matrix[3][3] /= 4.;
+    return matrix;
+  }
+
+
+
   double
   PlaneElasticity::shear_modulus() const
   {

@@ -85,7 +85,8 @@ namespace Crevasse
     if (refinement.strategy != "adaptive")
       return;
     require_affordable(*current, refinement, scene.discretisation.degree);
-    Log quiet(communicator, true);
+    Timer timer;
+    Log   quiet(communicator, true);
     while (true)
       {
         const dealii::Vector<float> squares = estimate(quiet);
@@ -97,6 +98,7 @@ namespace Crevasse
         if (is_good || is_last || !advance(squares))
           break;
       }
+    seconds_of_all = timer.wall_time();
   }
 
 
@@ -233,6 +235,15 @@ namespace Crevasse
   AdaptedMesh<dim>::estimates() const
   {
     return all;
+  }
+
+
+
+  template <int dim>
+  double
+  AdaptedMesh<dim>::seconds() const
+  {
+    return seconds_of_all;
   }
 
 

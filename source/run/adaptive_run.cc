@@ -13,6 +13,8 @@
 #include <crevasse/run/period_estimate.h>
 #include <crevasse/run/sizes.h>
 
+#include <deal.II/base/timer.h>
+
 #include <cstdio>
 
 namespace Crevasse
@@ -30,6 +32,15 @@ namespace Crevasse
       for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
         summary["integral"].push_back(norms.integral[c]);
       return summary;
+    }
+
+
+
+    void
+    add_seconds(const double seconds, RunState &state)
+    {
+      state.seconds["mesh adaptation"] += seconds;
+      state.seconds["total"] += seconds;
     }
   } // namespace
 
@@ -74,6 +85,8 @@ namespace Crevasse
   {
     const unsigned int n = scene.refinement.readapt_every;
     RunState           state;
+    if (!adapted.estimates().empty())
+      add_seconds(adapted.seconds(), state);
     if (n == 0)
       {
         Leg all;
@@ -103,6 +116,7 @@ namespace Crevasse
   AdaptiveRun<dim>::readapt(const StressEstimator<dim> &estimator,
                             RunState                   &state)
   {
+    Timer                 timer;
     const Body<dim>      &old        = simulation->discretised_body();
     const unsigned int    n_branches = old.law.branches().size();
     const double          error      = estimator.relative_error();
@@ -151,6 +165,7 @@ namespace Crevasse
        {"viscous_strain_after", as_summary(after)},
        {"largest_displacement_before", moved_before},
        {"largest_displacement_after", state.displacement.linfty_norm()}});
+    add_seconds(timer.wall_time(), state);
   }
 
 

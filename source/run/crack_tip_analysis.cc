@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 namespace Crevasse
 {
@@ -62,12 +63,16 @@ namespace Crevasse
     constexpr double rounding = 1e-10;
     if (wish > region.largest_radius() * (1. + rounding) ||
         wish < region.cell_radius() * (1. - rounding))
-      throw SceneError(
-        "[Crack tip] Radius = " + Text::from_number(wish) +
-        ": must be at most " + Text::from_number(region.largest_radius()) +
-        ", where another boundary or another stiffness begins, and at least " +
-        Text::from_number(region.cell_radius()) +
-        ", where the cells at the tip end; or 0.");
+      {
+        std::ostringstream message;
+        message << "[Crack tip] Radius = " << wish << ": must be at most "
+                << region.largest_radius()
+                << ", where another boundary or another stiffness begins, and "
+                   "at least "
+                << region.cell_radius()
+                << ", where the cells at the tip end; or 0.";
+        throw SceneError(message.str());
+      }
     return wish;
   }
 
@@ -98,7 +103,12 @@ namespace Crevasse
           if (!fluidity->is_uniform())
             radius =
               std::min(radius,
-                       TipRegion(body.space, points, *fluidity, "fluidity")
+                       TipRegion(body.space,
+                                 points,
+                                 transform(*fluidity,
+                                           body.points.n_local_points(),
+                                           PlaneElasticity::like_stiffness),
+                                 "fluidity")
                          .largest_radius());
         }
       catch (const SceneError &)

@@ -59,7 +59,8 @@ namespace Crevasse
         return false;
       for (const auto &fluidity : material.fluidity)
         if (!fluidity->is_uniform() ||
-            !PlaneElasticity::is_isotropic((*fluidity)[0]))
+            !PlaneElasticity::is_isotropic(
+              PlaneElasticity::like_stiffness((*fluidity)[0])))
           return false;
       return true;
     }

@@ -16,7 +16,6 @@
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
-#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,25 +88,6 @@ namespace Crevasse
 
 
 
-    /** The generator adds up steps. In cells that are divided often, what that
-     * rounds is no longer small. */
-    template <int dim>
-    void
-    put_vertices_on_tip(const GeometryParameters &parameters,
-                        Triangulation<dim>       &mesh)
-    {
-      const double tip = tip_abscissa(parameters);
-      GridTools::transform(
-        [&](Point<dim> point) {
-          if (std::abs(point[0] - tip) < 1e-10 * parameters.width)
-            point[0] = tip;
-          return point;
-        },
-        mesh);
-    }
-
-
-
     template <int dim>
     void
     make_plate(const GeometryParameters &parameters, Triangulation<dim> &mesh)
@@ -129,8 +109,6 @@ namespace Crevasse
       GridGenerator::subdivided_hyper_rectangle(
         mesh, steps, Point<dim>(), corner, true);
 
-      if (has_crack(parameters))
-        put_vertices_on_tip(parameters, mesh);
       set_boundary_ids(parameters, mesh);
     }
 

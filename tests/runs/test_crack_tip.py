@@ -201,22 +201,31 @@ def test_energy_release():
     model is a half: G = 2 dU/da at constant load. The steady creep alike: C* =
     2 d(P/2)/da with the power P of the load, also where creep and elasticity
     differ in their Poisson ratio."""
+    differences = []
+    for cells in ("40, 20", "80, 40"):
+        mesh = [f"Geometry/Subdivisions={cells}"]
+
+        def energy(a):
+            return at_full_load(run(SCENE, "energy", mesh + [
+                f"Geometry/Crack length={a!r}"]))["strain_energy"]
+        row = at_full_load(run(SCENE, "release", mesh))
+        differences.append(abs(2 * derivative(energy, 0.5)
+                               / row["energy_release_rate"] - 1))
+        print(f"{cells}: G against 2 dU/da: {differences[-1]:.2e}")
+    check_below(differences[-1], 3e-3, "G against 2 dU/da")
+    check(differences[0] > 1.8 * differences[1], "of the order of h")
     mesh = ["Geometry/Subdivisions=40, 20"]
 
-    def energy(a):
-        return at_full_load(run(SCENE, "energy", mesh + [
-            f"Geometry/Crack length={a!r}"]))["strain_energy"]
-    row = at_full_load(run(SCENE, "release", mesh))
-    check_below(abs(2 * derivative(energy, 0.5) / row["energy_release_rate"]
-                    - 1), 2e-3, "G against 2 dU/da")
-
     for name, settings, modulus in (
-            ("stress", ["Material/Viscous Poisson ratio=0.5"], 1e5),
+            ("stress", ["Material/Viscous Poisson ratio=0.5"], 1e6),
             ("strain", ["Material/Plane state=plane strain",
                         "Material/Viscous Poisson ratio=0.4"],
-             1e5 / (1 - 0.4**2))):
+             1e6 / (1 - 0.4**2))):
         settings = STEADY + mesh + settings + [
-            "Material/Viscosity=isotropic", "Material/Viscous modulus=1e5"]
+            # Marched, unsplit: the load works on the flow too.
+            "Periodic state/Method=march", "Periodic state/Tolerance=0",
+            "Periodic state/Maximum periods=5",
+            "Material/Viscosity=isotropic", "Material/Viscous modulus=1e6"]
 
         def power(a):
             results = run(SCENE, "power", settings + [
@@ -225,7 +234,7 @@ def test_energy_release():
             return (work[-1] - work[-41]) / 600
         results = run(SCENE, "c_star", settings)
         c_star = results.summary["crack_tip"]["C_star"]
-        check_below(abs(derivative(power, 0.5) / c_star - 1), 2e-3,
+        check_below(abs(derivative(power, 0.5) / c_star - 1), 6e-3,
                     f"C* against dP/da, plane {name}")
         K = results.summary["crack_tip"]["K_I"]["largest"]
         check_below(abs(K**2 / modulus / c_star - 1), 0.01,
@@ -250,7 +259,8 @@ def test_c_star():
 
 def test_viscoelastic():
     """eta = tau K: while the lip is open, K_I is F(t) times the elastic one;
-    once it is closed, K_I falls by the scheme's own factor each step."""
+    once it is closed, K_I falls by the scheme's own factor each step. (Creep
+    keeps the lip open for a while under compression, with a K_I below 0.)"""
     periods = ["Periodic state/Method=march", "Periodic state/Tolerance=0",
                "Periodic state/Maximum periods=2",
                "Time integration/Scheme=heun"]
@@ -265,7 +275,7 @@ def test_viscoelastic():
     x = 15. / TAU
     factor = 1 - x + x**2 / 2
     for k, (t, K) in enumerate(zip(table["t"], table["K_I"])):
-        if contact["closed_nodes"][k] == 0 and contact["force"][k] == 0:
+        if contact["closed_nodes"][k] == 0:
             n_open += 1
             check(abs(K - elastic * math.sin(2 * math.pi * t / 600))
                   <= 1e-10 * elastic, f"open, t = {t}: K_I = {K}")
@@ -280,6 +290,41 @@ def test_viscoelastic():
     check_below(abs(row["strain_energy"] /
                     at_full_load(run(SCENE, "elastic"))["strain_energy"] - 1),
                 1e-9, "stored energy while the lip is open")
+
+
+def test_partial_contact():
+    """Bending presses the mouth together and opens the tip: K_I does not
+    depend on whether the contact lies within the square of the integral."""
+    found = []
+    for radius in (0.5, 0.25, 0.125):
+        results = run(SCENE, "mouth", [
+            "Geometry/Subdivisions=28, 28", f"Crack tip/Radius={radius}",
+            "Loads/Traction=0; 13 - 20*x"])
+        found.append(at_full_load(results)["K_I"])
+    contact = results.table("contact.csv")["closed_nodes"][2]
+    print(f"K_I with {contact} nodes in contact: {found}")
+    # 28 nodes, and the tip: within 0.125 of it none is closed.
+    check(10 < contact < 21 and found[0] > 0.5, "closed at the mouth alone")
+    check_below(max(found) / min(found) - 1, 2e-3, "K_I of three squares")
+
+
+def test_two_viscosities():
+    """Where the integral is not right, the fit to the stress once it is steady
+    agrees with the integral over the flow, whose body is the viscous one."""
+    results = run(SCENE, "two", STEADY + [
+        "Geometry/Subdivisions=28, 28",
+        "Material/Relaxation time=if(y < 0.5, 60, 20)",
+        "Periodic state/Method=march", "Periodic state/Tolerance=0",
+        "Periodic state/Maximum periods=2",
+        "Time integration/Steps per period=80"])
+    tip = results.summary["crack_tip"]
+    check(tip["method"] == "williams fit", "two viscosities")
+    table = results.table("crack_tip.csv")
+    flow = math.sqrt(tip["C_star"] * MODULUS * TAU)
+    print(f"K_I at first {table['K_I'][0]}, at last {table['K_I'][-1]}, "
+          f"of the flow {flow}")
+    check_below(abs(table["K_I"][-1] / flow - 1), 0.01, "K_I of the flow")
+    check(table["K_I"][-1] > 1.02 * table["K_I"][0], "creep changes it")
 
 
 def test_methods():
@@ -333,7 +378,8 @@ def test_chain():
                     f"{column} of a chain that is one body")
     crept = run(SCENE, "crept", chain + [
         "Material/Chain=0.6: 60", "Loads/Traction=0; 10",
-        "Periodic state/Tolerance=1e-9", "Periodic state/Maximum periods=30"])
+        "Periodic state/Method=march", "Periodic state/Tolerance=0",
+        "Periodic state/Maximum periods=10"])
     elastic = at_full_load(run(SCENE, "elastic"))
     energy = crept.table("crack_tip.csv")["strain_energy"][-1]
     check_below(abs(energy / (elastic["strain_energy"] / 0.4) - 1), 1e-6,
@@ -423,7 +469,8 @@ def test_refusals():
 
 
 TESTS = [test_reference, test_linearity, test_units, test_mirrored,
-         test_energy_release, test_c_star, test_viscoelastic, test_methods,
+         test_energy_release, test_c_star, test_viscoelastic, test_partial_contact,
+         test_two_viscosities, test_methods,
          test_chain, test_growth, test_ranks, test_refusals]
 
 if __name__ == "__main__":

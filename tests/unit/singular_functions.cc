@@ -21,6 +21,8 @@
 #include <crevasse/scene/geometry.h>
 
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/trilinos_precondition.h>
 
 #include <crevasse_tests/tests.h>
 #include <random>
@@ -102,12 +104,12 @@ namespace
 
   /** A plate with a crack from the right, refined at its tip. */
   std::shared_ptr<const Mesh<2>>
-  cracked_plate(const GeometryParameters &geometry)
+  cracked_plate(const GeometryParameters &geometry, const unsigned int n_levels)
   {
     auto mesh = std::make_shared<Mesh<2>>(MPI_COMM_WORLD);
     make_mesh<2>(geometry, *mesh);
     const dealii::Point<2> tip(tip_abscissa(geometry), 0.);
-    for (unsigned int level = 0; level < 2; ++level)
+    for (unsigned int level = 0; level < n_levels; ++level)
       {
         for (const auto &cell : mesh->active_cell_iterators())
           if (cell->is_locally_owned())
@@ -125,7 +127,7 @@ namespace
   {
     GeometryParameters geometry;
     geometry.subdivisions      = {6, 3};
-    const auto           mesh  = cracked_plate(geometry);
+    const auto           mesh  = cracked_plate(geometry, 2);
     const BoundaryRoles  roles = built_in_roles(geometry);
     const VoigtMatrix<2> K     = isotropic_stiffness<2>(7., 0.3, true);
 
@@ -210,6 +212,85 @@ namespace
                 std::abs(volume - 1.),
                 1e-13);
   }
+  /** The condition number of A after diagonal scaling, with the first n
+   * singular functions: from the Lanczos process of conjugate gradients. */
+  double
+  condition_number(const GeometryParameters &geometry,
+                   const unsigned int        n_levels,
+                   const unsigned int        degree,
+                   const unsigned int        n)
+  {
+    const auto           mesh  = cracked_plate(geometry, n_levels);
+    const BoundaryRoles  roles = built_in_roles(geometry);
+    const VoigtMatrix<2> K     = isotropic_stiffness<2>(7., 0.3, true);
+    const CrackTip       tip   = find_crack_tips(*mesh, roles)[0];
+    const double         size =
+      geometry.width / geometry.subdivisions[0] / std::pow(2., n_levels);
+    const Space<2> space(
+      mesh,
+      degree,
+      roles,
+      built_in_fixed_points<2>(geometry, roles),
+      VolumetricStrain::full,
+      n == 0 ? SingularFunctions()
+             : make_singular_functions(n, tip, PlaneElasticity(K), size));
+    const QuadratureField<2> points(space);
+    SparseMatrix             matrix;
+    assemble_stiffness(space, points, PointValues<VoigtMatrix<2>>(K), matrix);
+
+    Vector                                 b = space.ghosted_vector(), x(b);
+    std::mt19937                           generator(1980);
+    std::uniform_real_distribution<double> uniform(-1., 1.);
+    for (double &value : b)
+      value = uniform(generator);
+    space.constraints().set_zero(b);
+    double                   condition = 0.;
+    dealii::ReductionControl control(10000, 0., 1e-13, false, false);
+    dealii::SolverCG<Vector> cg(control);
+    dealii::TrilinosWrappers::PreconditionJacobi jacobi;
+    jacobi.initialize(matrix);
+    cg.connect_condition_number_slot(
+      [&condition](const double value) { condition = value; });
+    cg.solve(matrix, x, b, jacobi);
+    return condition;
+  }
+
+  /** Singular functions hardly make a difference to the condition. */
+  void
+  check_condition()
+  {
+    struct Case
+    {
+      std::vector<unsigned int> subdivisions;
+      unsigned int              n_levels, degree;
+    };
+    for (const Case &mesh : {Case{{14, 4}, 0, 1},
+                             Case{{28, 28}, 0, 1},
+                             Case{{14, 4}, 0, 2},
+                             Case{{14, 14}, 0, 2},
+                             Case{{6, 4}, 4, 2}})
+      {
+        GeometryParameters geometry;
+        geometry.subdivisions = mesh.subdivisions;
+        const double without =
+          condition_number(geometry, mesh.n_levels, mesh.degree, 0);
+        for (unsigned int n = 1; n <= 3; ++n)
+          {
+            const double ratio =
+              condition_number(geometry, mesh.n_levels, mesh.degree, n) /
+              without;
+            std::cerr << without << " x " << ratio << std::endl;
+            check_below("Q" + std::to_string(mesh.degree) + ", " +
+                          std::to_string(mesh.subdivisions[0]) + " x " +
+                          std::to_string(mesh.subdivisions[1]) + ", " +
+                          std::to_string(mesh.n_levels) + " levels, " +
+                          std::to_string(n) +
+                          " functions: ratio of condition numbers",
+                        ratio,
+                        1.2);
+          }
+      }
+  }
 } // namespace
 
 int
@@ -220,5 +301,6 @@ main(int argc, char **argv)
     check_williams_terms(false);
     check_operators(1);
     check_operators(2);
+    check_condition();
   });
 }

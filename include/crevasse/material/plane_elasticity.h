@@ -35,6 +35,11 @@ namespace Crevasse
     static bool
     is_isotropic(const VoigtMatrix<2> &stiffness);
 
+    /** A compliance or fluidity, whose shears are engineering ones, in the form
+     * of a stiffness: isotropic if that is. */
+    static VoigtMatrix<2>
+    like_stiffness(const VoigtMatrix<2> &compliance);
+
     /** μ */
     double
     shear_modulus() const;

@@ -69,6 +69,10 @@ namespace Crevasse
     const std::vector<MeshEstimate> &
     estimates() const;
 
+    /** What all of that took; 0 if nothing was adapted. */
+    double
+    seconds() const;
+
     /** summary.json "refinement" */
     void
     add_to(Summary &summary) const;
@@ -95,6 +99,7 @@ namespace Crevasse
     MeshHistory<dim>           history;
     std::shared_ptr<Mesh<dim>> current;
     std::vector<MeshEstimate>  all;
+    double                     seconds_of_all = 0.;
   };
 } // namespace Crevasse
 
