@@ -19,9 +19,9 @@ sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENE = ROOT / "prm" / "studies" / "crack_tip_handbook.prm"
 LENGTHS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6)
-MESHES = (0, 1)  # refinements
+MESHES = (3000, 6000)  # target unknowns
 SSLP101 = ("Geometry/Width=100", "Geometry/Height=250",
-           "Geometry/Crack length=37.5", "Geometry/Subdivisions=16, 40")
+           "Geometry/Crack length=37.5", "Geometry/Subdivisions=8, 20")
 
 
 def edge_crack(alpha):
@@ -73,7 +73,7 @@ def main():
           "difference |\n" + "|---" * 6 + "|")
     for name, settings, a, formula in cases():
         coarse, fine = (intensity(options.program.resolve(), settings + [
-            f"Geometry/Refinements={n}"], options.output) for n in MESHES)
+            f"Refinement/Target unknowns={n}"], options.output) for n in MESHES)
         factor = fine / math.sqrt(math.pi * a)
         print(f"| {name} | {fine:.5f} | {100 * abs(coarse / fine - 1):.4f} % | "
               f"{factor:.5f} | {formula:.4f} | {100 * (factor / formula - 1):+.2f} "
