@@ -19,7 +19,7 @@ sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENE = ROOT / "prm" / "studies" / "crack_tip_handbook.prm"
 LENGTHS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6)
-MESHES = (3000, 6000)  # target unknowns
+MESHES = (4000, 8000)  # target unknowns
 SSLP101 = ("Geometry/Width=100", "Geometry/Height=250",
            "Geometry/Crack length=37.5", "Geometry/Subdivisions=8, 20")
 
