@@ -68,7 +68,8 @@ namespace Crevasse
       "Instants",
       instants,
       "Instants within the period whose errors count, the largest of each "
-      "cell; nothing: that of the largest load. Allowed: a list of numbers "
+      "cell; nothing: that of the largest load and that of the most opposite "
+      "one, if there is an opposite one. Allowed: a list of numbers "
       "from 0 to Loads/Period");
     prm.add_parameter(
       "Readapt every",

@@ -34,7 +34,7 @@ INSTANTS = STAGES * STEPS
 
 NAMES = {"contact", "viscosity", "secular flow", "chain", "thermal strain",
          "varying stiffness", "varying viscosity", "body force",
-         "field output"}
+         "singular functions", "stress intensity", "field output"}
 
 
 def effects(results):

@@ -39,8 +39,8 @@ namespace Crevasse
     /** Estimated error of the stress in the energy norm, relative to that of
      * the stress, at which cycles end; 0: none. */
     double tolerance = 0.;
-    /** Instants within the period that the estimate looks at; none: that of
-     * the largest load. */
+    /** Instants within the period that the estimate looks at; none: those of
+     * the largest load and of the most opposite one. */
     std::vector<double> instants;
     /** Periods after which the mesh is adapted again; 0: never. */
     unsigned int readapt_every = 0;
