@@ -245,26 +245,19 @@ namespace Crevasse
       space.volumetric_strain() == VolumetricStrain::mean;
 
     // Independent of the points where the stress is: u is known everywhere.
-    // Where the square ends inside of a cell, q is not smooth.
-    constexpr unsigned int n_parts = 4;
-    const FESystem<2>     &fe      = space.finite_element();
-    const UpdateFlags      flags =
+    const FESystem<2> &fe = space.finite_element();
+    const UpdateFlags  flags =
       update_gradients | update_quadrature_points | update_JxW_values;
-    FEValues<2>   regular(space.mapping(), fe, QGauss<2>(fe.degree + 4), flags);
-    FEValues<2>   cut(space.mapping(),
-                    fe,
-                    QIterated<2>(QGauss<1>(fe.degree + 2), n_parts),
-                    flags);
+    FEValues<2> regular(space.mapping(), fe, QGauss<2>(fe.degree + 4), flags);
+
     CellValues<2> near_tip(space, flags);
     const auto    values_on =
       [&](const typename DoFHandler<2>::active_cell_iterator &cell)
       -> const FEValues<2> & {
       if (space.rule(cell) != 0)
         return near_tip.reinit(cell);
-      FEValues<2> &values =
-        region.is_cut(cell->active_cell_index(), radius) ? cut : regular;
-      values.reinit(cell);
-      return values;
+      regular.reinit(cell);
+      return regular;
     };
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     dealii::Vector<double>               cell_vector(fe.n_dofs_per_cell());

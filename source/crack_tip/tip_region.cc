@@ -114,16 +114,20 @@ namespace Crevasse
     std::copy(entries.begin(), entries.end(), own.begin_raw());
 
     plane_elasticity.emplace(own);
+    const double boundary = end;
     find_other_stiffness(points, stiffness, own);
     if (end < end_of_tip_cells * (1. - rounding))
       throw SceneError(
-        setting() + ": the " + name +
-        " is not the same in all cells at the "
-        "crack tip " +
-        place +
-        ", or another boundary touches them. K_I is known where a body is "
-        "homogeneous around the tip: refine the mesh until one material fills "
-        "these cells, or set it to false.");
+        setting() + ": the cells at the crack tip " + place + " reach to " +
+        Text::from_number(end_of_tip_cells) + " around it, but " +
+        (end < boundary ? std::string("another ") + name +
+                            " begins within them. Where it changes from place "
+                            "to place at the tip itself, K_I is not known: set "
+                            "it to false. Else make"
+                        : "another boundary begins at " +
+                            Text::from_number(end) + ". Make") +
+        " these cells smaller ([Geometry] Subdivisions or Refinements, or "
+        "[Refinement] Strategy = tip).");
   }
 
 
@@ -280,10 +284,4 @@ namespace Crevasse
 
 
 
-  bool
-  TipRegion::is_cut(const unsigned int cell, const double radius) const
-  {
-    return cells[cell].first < radius &&
-           cells[cell].second > radius * (1. + rounding);
-  }
 } // namespace Crevasse

@@ -17,6 +17,19 @@ namespace Crevasse
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** θ from 0 to π: the body is above the crack, and what rounding puts
+     * below it lies on the upper lip, not on the other side of it. */
+    double
+    angle_of(const Point<2> &local)
+    {
+      return std::atan2(std::abs(local[1]), local[0]);
+    }
+  } // namespace
+
+
+
   PolarField::PolarField(const double power, const std::array<Term, 2> &terms)
     : power(power)
     , terms(terms)
@@ -28,7 +41,7 @@ namespace Crevasse
   Tensor<1, 2>
   PolarField::displacement(const Point<2> &local) const
   {
-    const double theta = std::atan2(local[1], local[0]);
+    const double theta = angle_of(local);
     Tensor<1, 2> u;
     for (const Term &term : terms)
       {
@@ -44,7 +57,7 @@ namespace Crevasse
   PolarField::gradient(const Point<2> &local) const
   {
     const double       r     = local.norm();
-    const double       theta = std::atan2(local[1], local[0]);
+    const double       theta = angle_of(local);
     const Tensor<1, 2> radial({local[0] / r, local[1] / r});
     const Tensor<1, 2> tangential({-local[1] / r, local[0] / r});
     Tensor<1, 2>       along_r, along_theta;

@@ -23,13 +23,15 @@ namespace Crevasse
                                const ExternalLoads<2>    &loads,
                                const StepList            &steps,
                                const std::string         &file_name,
-                               const bool                 goes_on)
+                               const bool                 goes_on,
+                               const double               relative_error)
     : integrals(std::move(integrals))
     , fit(fit)
     , energy(energy)
     , modulus(modulus)
     , loads(loads)
     , steps(steps)
+    , relative_error(relative_error)
   {
     if (file_name.empty())
       return;
@@ -69,19 +71,16 @@ namespace Crevasse
                             integrals->small.value(nodal_forces, g)),
                    std::abs(values.intensity - values.of_stress));
         if (has_singular_function())
-          {
-            values.of_singular_function =
-              integrals->singular->value(nodal_forces, g);
-            values.error = std::max(values.error,
-                                    std::abs(values.intensity -
-                                             values.of_singular_function));
-          }
+          values.of_singular_function =
+            integrals->singular->value(nodal_forces, g);
       }
     else
       {
         values.intensity = values.of_stress;
         values.error     = std::abs(fit.correction(sample.state.stress, g));
       }
+    values.error =
+      std::max(values.error, relative_error * std::abs(values.intensity));
     values.release_rate = values.intensity * values.intensity / modulus(t);
     values.energy = energy.value(t, sample.state.stress, sample.viscous_strain);
     return values;

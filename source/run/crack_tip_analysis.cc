@@ -10,13 +10,17 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/crack_tip/interaction_integral.h>
+#include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/periodic/secular.h>
 #include <crevasse/run/crack_tip_analysis.h>
 #include <crevasse/run/elastic_displacement.h>
+#include <crevasse/run/largest_load.h>
 #include <crevasse/run/tip_functions.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
+#include <crevasse/time/evolution.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +33,8 @@ namespace Crevasse
 
   CrackTipAnalysis::CrackTipAnalysis(const Scene        &scene,
                                      const Body<2>      &body,
-                                     const SecularSplit &split)
+                                     const SecularSplit &split,
+                                     const StepList     &steps)
     : scene(scene)
     , body(body)
     , points(body.space, body.points)
@@ -51,6 +56,7 @@ namespace Crevasse
       throw SceneError(
         "[Crack tip] Creep growth parameter = C star: there is no C*, for " +
         no_c_star + ". Set it to stress intensity.");
+    require_no_force_at_tip(steps);
   }
 
 
@@ -182,6 +188,71 @@ namespace Crevasse
 
 
 
+  double
+  CrackTipAnalysis::relative_energy_error(Solvers<2>     &solvers,
+                                          const StepList &steps) const
+  {
+    Evolution<2>       evolution(body.strain_operator,
+                           body.points,
+                           body.loads,
+                           solvers);
+    StressEstimator<2> estimator(body.space,
+                                 body.points,
+                                 body.lip,
+                                 scene.loads);
+    for (const double t : instants_of_extreme_loads(body, steps))
+      {
+        evolution.elastic_state(t);
+        estimator.look_at(t,
+                          evolution.state().stress,
+                          evolution.state().contact_forces,
+                          solvers.at(t).material,
+                          &evolution.state().displacement);
+      }
+    const double error = estimator.relative_error();
+    return error * error;
+  }
+
+
+
+  void
+  CrackTipAnalysis::require_no_force_at_tip(const StepList &steps) const
+  {
+    const CrackTip &tip                 = region.tip();
+    bool            is_held_along_crack = false;
+    for (const FixedPoint<2> &fixed : fixed_points<2>(scene))
+      for (unsigned int d = 0; d < 2; ++d)
+        is_held_along_crack =
+          is_held_along_crack ||
+          (fixed.components[d] && std::abs(tip.ahead[d]) > 0.5 &&
+           fixed.point.distance(tip.position) < 1e-6 * region.cell_radius());
+    if (!is_held_along_crack)
+      return;
+    const unsigned int axis       = std::abs(tip.ahead[0]) > 0.5 ? 0 : 1;
+    const Vector       along      = rigid_modes(body.space)[axis];
+    constexpr double   negligible = 1e-6;
+    for (const double t : instants_of_extreme_loads(body, steps))
+      {
+        const Vector loads = loads_at(body, t);
+        double       force = 0.;
+        for (std::size_t i = 0; i < along.locally_owned_size(); ++i)
+          force += along.local_element(i) * loads.local_element(i);
+        force = Utilities::MPI::sum(force, body.space.communicator());
+        if (std::abs(force) > negligible * loads.l1_norm())
+          throw SceneError(
+            "[Crack tip] Stress intensity = true: at t = " +
+            Text::from_number(t) +
+            " the loads push the body along the crack "
+            "with the force " +
+            Text::from_number(force) + ", which the support at the crack tip " +
+            Text::from_point(tip.position) +
+            " would bear: its stress has a singularity of its own there. Hold "
+            "the body elsewhere ([Boundary] Clamped or Fixed points).");
+      }
+  }
+
+
+
   std::unique_ptr<CrackTipTable>
   CrackTipAnalysis::make_table(Solvers<2>        &solvers,
                                const StepList    &steps,
@@ -229,7 +300,8 @@ namespace Crevasse
       body.loads,
       steps,
       file_name,
-      goes_on);
+      goes_on,
+      relative_energy_error(solvers, steps));
   }
 
 
@@ -297,6 +369,19 @@ namespace Crevasse
                   history.largest(),
                   error);
     log.line(text);
+    constexpr double large = 0.1;
+    if (const double size =
+          std::max(std::abs(history.largest()), std::abs(history.least()));
+        error > large * size && size > 0.)
+      {
+        const std::string warning =
+          "[Crack tip] Stress intensity: K_I is uncertain by " +
+          Text::from_number(std::round(100. * error / size)) +
+          " % or more; refine the mesh ([Refinement]) or use [Discretisation] "
+          "Singular functions";
+        summary["warnings"].push_back(warning);
+        log.line("  warning: " + warning);
+      }
     if (history.c_star && *history.c_star > 0.)
       log.line("  crack tip: C* = " + Text::from_number(*history.c_star));
     if (growth_law == nullptr)
@@ -304,8 +389,10 @@ namespace Crevasse
 
     const double growth = growth_law->per_cycle(history);
     tip["growth_law"]   = growth_law->description();
-    tip["da_dN"]        = growth; // null if it is nan
-    tip["da_dt"]        = growth / history.period();
+    tip["da_dN"]        = growth; // null if it is not finite
+    if (!std::isfinite(growth))
+      tip["no_da_dN"] = "the law gives no finite growth";
+    tip["da_dt"] = growth / history.period();
     log.line("  crack tip: grows by " + Text::from_number(growth) +
              " a period (" + growth_law->description() + ")");
   }

@@ -88,11 +88,15 @@ namespace Crevasse
     std::unique_ptr<const CrackTipAnalysis>
     make_crack_tip_analysis(const Scene        &scene,
                             const Body<dim>    &body,
-                            const SecularSplit &split)
+                            const SecularSplit &split,
+                            const StepList     &steps)
     {
       if constexpr (dim == 2)
         if (scene.crack_tip.stress_intensity)
-          return std::make_unique<const CrackTipAnalysis>(scene, body, split);
+          return std::make_unique<const CrackTipAnalysis>(scene,
+                                                          body,
+                                                          split,
+                                                          steps);
       return nullptr;
     }
 
@@ -140,7 +144,8 @@ namespace Crevasse
                              steps,
                              integrator.get(),
                              periodic_choice.needs_periodic_strain()))
-    , crack_tip(make_crack_tip_analysis<dim>(this->scene, body, secular_split))
+    , crack_tip(
+        make_crack_tip_analysis<dim>(this->scene, body, secular_split, steps))
   {
     if (scene.output.elastic_comparison != "none")
       // Throws if there is nothing to compare with.

@@ -247,6 +247,30 @@ namespace Crevasse
 
 
     Rules
+    rules_of_crack_tip(const Scene &scene)
+    {
+      const CrackTipParameters &tip  = scene.crack_tip;
+      const char               *here = CrackTipParameters::section;
+      const std::string         law  = "Crack growth law = " + tip.growth_law;
+      const bool                has_paris =
+        tip.growth_law == "paris" || tip.growth_law == "sum";
+      const bool has_creep =
+        tip.growth_law == "creep" || tip.growth_law == "sum";
+      const std::string off   = "Stress intensity = false";
+      Rules             rules = {{here, "Method", !tip.stress_intensity, off},
+                                 {here, "Radius", !tip.stress_intensity, off}};
+      for (const char *name :
+           {"Paris factor", "Paris exponent", "Paris threshold"})
+        rules.push_back({here, name, !has_paris, law});
+      for (const char *name :
+           {"Creep growth parameter", "Creep factor", "Creep exponent"})
+        rules.push_back({here, name, !has_creep, law});
+      return rules;
+    }
+
+
+
+    Rules
     rules_of_refinement(const Scene &scene)
     {
       const RefinementParameters &refinement = scene.refinement;
@@ -291,7 +315,8 @@ namespace Crevasse
                               rules_of_solvers(scene),
                               rules_of_time(scene),
                               rules_of_periodic_state(scene),
-                              rules_of_refinement(scene)})
+                              rules_of_refinement(scene),
+                              rules_of_crack_tip(scene)})
       rules.insert(rules.end(), part.begin(), part.end());
 
     auto                     values   = values_of(scene, rules);

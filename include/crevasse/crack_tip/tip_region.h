@@ -71,9 +71,7 @@ namespace Crevasse
     double
     distance(const unsigned int cell) const;
 
-    /** Whether a cell of this rank lies partly in the square of this size. */
-    bool
-    is_cut(const unsigned int cell, const double radius) const;
+
 
   private:
     /** From where to where a cell reaches. */

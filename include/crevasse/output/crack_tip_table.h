@@ -34,13 +34,11 @@ namespace Crevasse
    * K_I is that of the interaction integral where there is one, or else of the
    * fit, which K_I_stress is in any case. K_I_singular is the coefficient of
    * the singular function that opens the crack, in the displacement of an
-   * elastic body under the same forces. K_I_error is the largest difference
-   * between the integrals over two squares, the fit and that coefficient;
-   * without the integral, that of the fits to two discs. It is of the order of
-   * the error and no bound of it: on uniform meshes it was measured as a fifth
-   * to two thirds of the error, most of which all of these have in common, for
-   * it comes from the tip; with singular functions, whose coefficient converges
-   * more slowly, from an eighth of it to a hundred times as much.
+   * elastic body under the same forces. K_I_error is the largest of three: the
+   * difference between the integrals over two squares, that between integral
+   * and fit, and what the mesh leaves, |K_I| times the relative error of the
+   * elastic energy as StressEstimator has it; without the integral, of the
+   * difference of the fits to two discs and the last. It is no bound.
    */
   class CrackTipTable : public Observer
   {
@@ -67,7 +65,8 @@ namespace Crevasse
      *
      * @param integrals none: the fit serves for K_I.
      * @param file_name empty on ranks that do not write.
-     * @param goes_on whether it has rows already. */
+     * @param goes_on whether it has rows already.
+     * @param relative_error of the elastic energy. */
     CrackTipTable(std::optional<Integrals> &&integrals,
                   const WilliamsFit         &fit,
                   const StrainEnergy        &energy,
@@ -75,7 +74,8 @@ namespace Crevasse
                   const ExternalLoads<2>    &loads,
                   const StepList            &steps,
                   const std::string         &file_name,
-                  const bool                 goes_on);
+                  const bool                 goes_on,
+                  const double               relative_error);
 
     void
     observe(const Sample &sample) override;
@@ -101,6 +101,7 @@ namespace Crevasse
     const Modulus                  modulus;
     const ExternalLoads<2>        &loads;
     const StepList                &steps;
+    const double                   relative_error;
     Vector                         nodal_forces;
     std::unique_ptr<CsvTable>      table;
     TipHistory                     history;

@@ -34,7 +34,8 @@ namespace Crevasse
      * @throw SceneError */
     CrackTipAnalysis(const Scene        &scene,
                      const Body<2>      &body,
-                     const SecularSplit &split);
+                     const SecularSplit &split,
+                     const StepList     &steps);
 
     /** One line for the log. */
     std::string
@@ -58,6 +59,14 @@ namespace Crevasse
               Log                 &log) const;
 
   private:
+    /** Of the elastic body at the extreme loads: what the mesh leaves. */
+    double
+    relative_energy_error(Solvers<2> &solvers, const StepList &steps) const;
+
+    /** @throw SceneError if a point support at the tip has to bear loads. */
+    void
+    require_no_force_at_tip(const StepList &steps) const;
+
     double
     choose_radius() const;
     double
