@@ -32,6 +32,9 @@ for degree, cells, n, bound in ((1, "14, 4", 1, 4.5e-2), (1, "14, 4", 3, 1.5e-2)
     print(f"{name}: {error:.1e} {tip['K_I_singular'] / K_I - 1:+.1e} "
           f"{tip['strain_energy'] / ENERGY - 1:+.1e}")
     check_below(error, bound, name + ": error of K_I")
+    estimated = tip["K_I_error"] / K_I
+    print(f"{name}: estimated {estimated:.1e}")
+    check(0.4 < estimated / error < 5, name + ": the error is known")
 
 # Every contact solver, with hanging nodes: opening and closing.
 GRADED = ["Refinement/Strategy=tip", "Refinement/Cycles=3"]
