@@ -31,7 +31,7 @@ REPEATS = 2  # the shortest time counts
 UNIFORM = ("14, 4", "14, 14", "28, 28", "56, 56", "112, 112")
 TIP_BASES = ("6, 6", "8, 8", "8, 5")  # with the last one a square cuts cells
 TIP_CYCLES = (1, 2, 3, 4, 5, 6, 7, 8, 10)
-ADAPTIVE = {"Strategy": "adaptive", "Refine_fraction": 0.3}  # from 4 × 4 cells
+ADAPTIVE = {"Strategy": "adaptive", "Refine_fraction": 0.4}  # from 4 × 4 cells
 TARGETS = (250, 500, 1000, 2000, 3000, 6000, 12000, 24000, 48000)
 PLURAL = ("no functions", "1 function", "2 functions", "3 functions")
 

@@ -135,6 +135,7 @@ for settings, words in (
           "Material/Plane state=plane strain"], "mean"),
         (["Linear solver/Type=amg"], "amg"),
         (["Geometry/Shape=rectangle"], "crack tip"),
+        (["Boundary/Gap=-0.01"], "Gap"),
         (["Material/Stiffness matrix=2e4, 3e3, 0; 3e3, 1e4, 0; 0, 0, 4e3",
           "Material/Viscosity=none"], "isotropic")):
     code, _, error = execute(STUDY, "--check", *[
@@ -142,4 +143,4 @@ for settings, words in (
                              *settings] for word in ("--set", setting)])
     check(code == 2 and words in error and "Singular functions" in error,
           f"{settings}: refused: {error}")
-print("five scenes are refused, each with its reason")
+print("six scenes are refused, each with its reason")

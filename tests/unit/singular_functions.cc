@@ -97,6 +97,13 @@ namespace
                            (2. * elasticity.shear_modulus()) -
                          std::sqrt(2. * pi)),
                 1e-12);
+    // What rounding has put below the lip still is on it.
+    const PolarField first = williams_term(1, elasticity.kappa());
+    check_below(name + ": a lip that is not quite straight",
+                (first.displacement({-0.7, -1e-17}) -
+                 first.displacement({-0.7, 0.}))
+                  .norm(),
+                1e-12);
     const dealii::Tensor<1, 2> of_d =
       square_root_without_opening().displacement({-0.7, 0.});
     check_below(name + ": opening of D", std::abs(of_d[1]), 1e-15);
