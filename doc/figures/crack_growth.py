@@ -7,7 +7,6 @@ interpolates the growth a period between lengths, integrates dN = da / (da/dN), 
 draws a(N) and what the growth consists of. A sweep that is done is not computed
 again."""
 
-import argparse
 import csv
 import json
 import pathlib
@@ -18,7 +17,7 @@ sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 
 import numpy
 
-from plotting import BLUE, INK, VERMILION, pyplot, save
+from plotting import BLUE, INK, VERMILION, pyplot, save, study_options
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENE = ROOT / "prm" / "crack_growth.prm"
@@ -107,17 +106,7 @@ def draw(lengths, rates, fatigue, directory, formats):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=pathlib.Path, help="build/crevasse")
-    parser.add_argument("--output", type=pathlib.Path,
-                        default=pathlib.Path("results/crack_growth_sweep"),
-                        help="where the sweep is kept")
-    parser.add_argument("--figures", type=pathlib.Path,
-                        default=pathlib.Path(__file__).resolve().parent,
-                        help="where the figure goes")
-    parser.add_argument("--formats", nargs="+", default=["png"],
-                        choices=("png", "pdf", "svg"))
-    options = parser.parse_args()
+    options = study_options(__doc__, "crack_growth_sweep", "sweep is")
     tips = sweep(options.program.resolve(), options.output)
     lengths = numpy.array(LENGTHS)
     rates = numpy.array([tip["da_dN"] for tip in tips])

@@ -8,7 +8,6 @@ adaptive meshes, elements of degree 1 and 2, and 0 to 3 singular functions. Prin
 the tables and draws the figures of doc/crack_tip.md. Runs that are finished are not
 computed again."""
 
-import argparse
 import csv
 import json
 import os
@@ -21,7 +20,8 @@ sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 
 import numpy
 
-from plotting import BLUE, GREEN, GREY, INK, VERMILION, pyplot, save
+from plotting import (BLUE, GREEN, GREY, INK, VERMILION, pyplot, save,
+                      study_options)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENE = ROOT / "prm" / "studies" / "crack_tip_elastic.prm"
@@ -248,17 +248,7 @@ def draw(studies, stem, cost, label, directory, formats, most=None):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=pathlib.Path, help="build/crevasse")
-    parser.add_argument("--output", type=pathlib.Path,
-                        default=pathlib.Path("results/crack_tip_studies"),
-                        help="where the runs are kept")
-    parser.add_argument("--figures", type=pathlib.Path,
-                        default=pathlib.Path(__file__).resolve().parent,
-                        help="where the figures go")
-    parser.add_argument("--formats", nargs="+", default=["png"],
-                        choices=("png", "pdf", "svg"))
-    options = parser.parse_args()
+    options = study_options(__doc__, "crack_tip_studies")
     studies = Studies(options.program.resolve(), options.output)
     good = must_hold(studies)
     tables(studies)

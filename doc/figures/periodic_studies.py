@@ -8,7 +8,6 @@ prm/studies/periodic_*.prm: periods and seconds to a true error of the stress of
 is worth. Prints the tables and draws the figures of doc/periodic_state.md. Runs
 that are finished are not computed again."""
 
-import argparse
 import csv
 import json
 import os
@@ -21,7 +20,7 @@ sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 
 import numpy
 
-from plotting import BLUE, GREY, INK, VERMILION, pyplot, save
+from plotting import BLUE, GREY, INK, VERMILION, pyplot, save, study_options
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "prm" / "studies"
@@ -307,17 +306,7 @@ def draw_trap(studies, directory, formats):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=pathlib.Path, help="build/crevasse")
-    parser.add_argument("--output", type=pathlib.Path,
-                        default=pathlib.Path("results/periodic_studies"),
-                        help="where the runs are kept")
-    parser.add_argument("--figures", type=pathlib.Path,
-                        default=pathlib.Path(__file__).resolve().parent,
-                        help="where the figures go")
-    parser.add_argument("--formats", nargs="+", default=["png"],
-                        choices=("png", "pdf", "svg"))
-    options = parser.parse_args()
+    options = study_options(__doc__, "periodic_studies")
     studies = Studies(options.program.resolve(), options.output)
     periods_to_error(studies)
     estimates(studies)

@@ -3,8 +3,10 @@
 
 """Style of the figures, level curves, outlines and crosses."""
 
+import argparse
 import collections
 import io
+import pathlib
 
 import matplotlib
 
@@ -215,3 +217,19 @@ def save(figure, stem, directory, formats):
             figure.savefig(path)
         print(path)
     pyplot.close(figure)
+
+
+def study_options(description, name, kept="runs are"):
+    """What the command line of a study says: the program, where what it
+    computes is kept, where its figures go and in which formats."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("program", type=pathlib.Path, help="build/crevasse")
+    parser.add_argument("--output", type=pathlib.Path,
+                        default=pathlib.Path("results") / name,
+                        help=f"where the {kept} kept")
+    parser.add_argument("--figures", type=pathlib.Path,
+                        default=pathlib.Path(__file__).resolve().parent,
+                        help="where the figures go")
+    parser.add_argument("--formats", nargs="+", default=["png"],
+                        choices=("png", "pdf", "svg"))
+    return parser.parse_args()

@@ -8,7 +8,6 @@ from a hundredth of a period to ten, steps across the stability bound on three
 meshes. Draws the figures of doc/time_schemes.md. What a sweep has computed is
 not computed again."""
 
-import argparse
 import csv
 import pathlib
 import subprocess
@@ -16,7 +15,8 @@ import sys
 
 sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 
-from plotting import BLUE, GREEN, GREY, INK, VERMILION, pyplot, save
+from plotting import (BLUE, GREEN, GREY, INK, VERMILION, pyplot, save,
+                      study_options)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "prm" / "studies"
@@ -177,17 +177,7 @@ def stability_bound(studies, directory, formats):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=pathlib.Path, help="build/crevasse")
-    parser.add_argument("--output", type=pathlib.Path,
-                        default=pathlib.Path("results/time_studies"),
-                        help="where the sweeps are kept")
-    parser.add_argument("--figures", type=pathlib.Path,
-                        default=pathlib.Path(__file__).resolve().parent,
-                        help="where the figures go")
-    parser.add_argument("--formats", nargs="+", default=["png"],
-                        choices=("png", "pdf", "svg"))
-    options = parser.parse_args()
+    options = study_options(__doc__, "time_studies", "sweeps are")
     studies = Studies(options.program.resolve(), options.output)
     for draw in (equal_work, relaxation_times, stability_bound):
         draw(studies, options.figures, options.formats)
