@@ -15,6 +15,7 @@
 #include <crevasse/run/failure.h>
 #include <crevasse/run/output_choice.h>
 #include <crevasse/run/parameter_sweep.h>
+#include <crevasse/run/scene_difference.h>
 #include <crevasse/run/version.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
@@ -32,16 +33,9 @@ namespace
 {
   using namespace Crevasse;
 
-  /** Makes the output directory ready for this run's results. */
   void
-  prepare(const OutputChoice &output, const std::string &used, Log &log)
+  write_used_parameters(const std::string &directory, const std::string &used)
   {
-    const std::string &directory = output.directory();
-    const bool         replaces  = output.holds_other_results(used);
-    output.prepare();
-    if (replaces)
-      log.line("  results of an earlier run in " + directory + " are replaced");
-
     const std::string file_name = directory + "/used.prm";
     std::ofstream     file(file_name);
     file << used << std::flush;
@@ -51,17 +45,78 @@ namespace
 
 
 
+  /** Makes the output directory ready for this run's results. */
+  void
+  prepare(const OutputChoice &output, const std::string &used, Log &log)
+  {
+    const bool replaces = output.holds_other_results(used);
+    output.prepare();
+    if (replaces)
+      log.line("  results of an earlier run in " + output.directory() +
+               " are replaced");
+    write_used_parameters(output.directory(), used);
+  }
+
+
+
+  /** Makes it ready for the rest of them. */
+  void
+  take_up(const OutputChoice &output,
+          const std::string  &used,
+          const Checkpoints  &checkpoints)
+  {
+    output.take_up();
+    checkpoints.folder().cut_tables(checkpoints.resumed_manifest());
+    write_used_parameters(output.directory(), used);
+  }
+
+
+
+  /** Whether there is nothing left to go on with, which is told. */
+  bool
+  has_finished(const OutputChoice &output,
+               const Scene        &scene,
+               const MPI_Comm      communicator,
+               Log                &log)
+  {
+    std::string why;
+    collectively(communicator, [&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+        why = output.why_finished(scene);
+    });
+    if (!why.empty())
+      log.line("--resume: " + why);
+    return dealii::Utilities::MPI::broadcast(communicator, !why.empty(), 0);
+  }
+
+
+
   template <int dim>
   void
   run_scene(const Command     &command,
             const Scene       &scene,
             const std::string &used,
+            const Summary     &parameters,
+            StopRequests      &requests,
             Log               &log)
   {
-    const MPI_Comm   communicator = MPI_COMM_WORLD;
-    AdaptiveRun<dim> run(scene, communicator, log);
-    run.describe();
+    const MPI_Comm     communicator = MPI_COMM_WORLD;
     const OutputChoice output(command, scene);
+    Checkpoints        checkpoints(requests,
+                            log,
+                            output.directory(),
+                            parameters,
+                            scene.output.checkpoint_every);
+    if (command.resume)
+      {
+        if (has_finished(output, scene, communicator, log))
+          return;
+        checkpoints.resume(communicator);
+      }
+    if (!command.check)
+      requests.look_in(output.directory());
+    AdaptiveRun<dim> run(scene, communicator, log, checkpoints);
+    run.describe();
     if (command.check)
       {
         log.line("  output directory: " + output.directory());
@@ -76,9 +131,14 @@ namespace
     const std::string &directory = output.directory();
     collectively(communicator, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        prepare(output, used, log);
+        {
+          if (command.resume)
+            take_up(output, used, checkpoints);
+          else
+            prepare(output, used, log);
+        }
     });
-    log.open_file(directory + "/log.txt");
+    log.open_file(directory + "/log.txt", command.resume);
     run.run(directory);
     log.line("  results in " + directory);
   }
@@ -86,7 +146,7 @@ namespace
 
 
   void
-  read_and_run_scene(const Command &command, Log &log)
+  read_and_run_scene(const Command &command, StopRequests &requests, Log &log)
   {
     dealii::ParameterHandler prm;
     Problems                 problems;
@@ -97,10 +157,9 @@ namespace
 
     log.line("Crevasse " CREVASSE_VERSION ": " +
              std::filesystem::path(command.scene_file).filename().string());
-    if (scene.dimension == 2)
-      run_scene<2>(command, scene, used_parameters(prm), log);
-    else
-      run_scene<3>(command, scene, used_parameters(prm), log);
+    const auto run = scene.dimension == 2 ? run_scene<2> : run_scene<3>;
+    run(
+      command, scene, used_parameters(prm), scene_as_json(prm), requests, log);
   }
 
 
@@ -116,12 +175,18 @@ namespace
     int status = done;
     try
       {
+        StopRequests requests(MPI_COMM_WORLD, command.wall_time);
         if (command.sweep)
-          ParameterSweep(command, for_failures, log).run();
+          ParameterSweep(command, for_failures, requests, log).run();
         else if (command.print_format.empty())
-          read_and_run_scene(command, log);
+          read_and_run_scene(command, requests, log);
         else if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
           print_parameters(std::cout, command.print_format);
+      }
+    catch (const StoppedOnRequest &request)
+      {
+        log.line(std::string("crevasse: ") + request.what());
+        status = stopped;
       }
     catch (const std::exception &error)
       {

@@ -20,7 +20,8 @@ sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 
 import numpy
 
-from plotting import BLUE, GREY, INK, VERMILION, pyplot, save, study_options
+from plotting import (BLUE, GREY, INK, VERMILION, print_table, pyplot, save,
+                      study_options)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "prm" / "studies"
@@ -176,14 +177,6 @@ def cost(run, reference):
         return "?"
     seconds = run.seconds["direct in time"] + run.table["seconds"][:n].sum()
     return f"{n or f'> {len(errors)}'} ({short(seconds)})"
-
-
-def print_table(header, rows):
-    print("| " + " | ".join(header) + " |")
-    print("|" + "---|" * len(header))
-    for row in rows:
-        print("| " + " | ".join(row) + " |")
-    print(flush=True)
 
 
 def periods_to_error(studies):

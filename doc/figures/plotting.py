@@ -21,6 +21,7 @@ from PIL import Image
 
 # Okabe and Ito's palette, told apart with every kind of colour vision.
 BLUE, VERMILION, GREEN = "#0072B2", "#D55E00", "#009E73"
+PURPLE = "#CC79A7"
 INK, GREY, SHADE = "#222222", "#8a8a8a", "#e6e6e6"
 
 TENSION = dict(color=VERMILION, linewidth=1.0)
@@ -217,6 +218,15 @@ def save(figure, stem, directory, formats):
             figure.savefig(path)
         print(path)
     pyplot.close(figure)
+
+
+def print_table(header, rows):
+    """In Markdown; a study may take long, so that what there is shows."""
+    print("| " + " | ".join(header) + " |")
+    print("|" + "---|" * len(header))
+    for row in rows:
+        print("| " + " | ".join(row) + " |")
+    print(flush=True)
 
 
 def study_options(description, name, kept="runs are"):

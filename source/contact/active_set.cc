@@ -78,6 +78,14 @@ namespace Crevasse
 
 
 
+  std::vector<bool>
+  ActiveSet::first_set() const
+  {
+    return active;
+  }
+
+
+
   std::string
   ActiveSet::last_sets() const
   {
@@ -99,7 +107,7 @@ namespace Crevasse
     for (std::size_t k = 0; k < active.size(); ++k)
       if (active[k])
         solution(bounds.dofs[k]) = bounds.sign[k] * bounds.gap[k];
-    problem.matrix.vmult(residual, solution);
+    problem.stiffness.vmult(residual, solution);
     residual.sadd(-1., 1., right_hand_side);
   }
 
@@ -132,7 +140,7 @@ namespace Crevasse
   ActiveSet::is_other(const std::vector<bool> &next) const
   {
     return Utilities::MPI::max(next != active ? 1 : 0,
-                               problem.matrix.get_mpi_communicator()) > 0;
+                               problem.stiffness.get_mpi_communicator()) > 0;
   }
 
 
@@ -175,7 +183,7 @@ namespace Crevasse
                                     2,
                                     MPI_UINT64_T,
                                     MPI_SUM,
-                                    problem.matrix.get_mpi_communicator());
+                                    problem.stiffness.get_mpi_communicator());
     AssertThrowMPI(error);
     return {sums[0], static_cast<unsigned int>(sums[1])};
   }

@@ -22,7 +22,7 @@ namespace Crevasse
   BlockSweep::BlockSweep(const SignoriniProblem &problem,
                          const UnknownBlocks    &unknown_blocks)
     : problem(problem)
-    , rows(problem.matrix)
+    , rows(problem.matrix())
   {
     std::vector<int> bound_of(rows.n, -1);
     for (unsigned int k = 0; k < problem.bounds.dofs.size(); ++k)
@@ -40,7 +40,8 @@ namespace Crevasse
             block.bound[i]   = bound_of[unknowns[i]];
             block.bounded |= (block.bound[i] >= 0 ? 1u : 0u) << i;
             for (unsigned int j = 0; j < block.size; ++j)
-              block.matrix[i][j] = problem.matrix.el(unknowns[i], unknowns[j]);
+              block.matrix[i][j] =
+                problem.matrix().el(unknowns[i], unknowns[j]);
           }
         block.inverse = invert(block.matrix);
         blocks.push_back(block);

@@ -68,7 +68,7 @@ namespace Crevasse
                      {std::max(here[0], b), std::max(here[1], q), std::max(here[2], Aq)}};
       }
     Utilities::MPI::max(ArrayView<const double>(here.data(), here.size()),
-                        problem.matrix.get_mpi_communicator(),
+                        problem.stiffness.get_mpi_communicator(),
                         ArrayView<double>(here.data(), here.size()));
 
     largest_force         = std::max(largest_force, here[0]);
@@ -176,7 +176,7 @@ namespace Crevasse
     const double force        = scales.force();
     const double displacement = scales.displacement();
 
-    problem.matrix.vmult(residual, solution);
+    problem.stiffness.vmult(residual, solution);
     residual -= right_hand_side;
 
     Certificate certificate;
@@ -201,7 +201,7 @@ namespace Crevasse
                                    certificate.tension,
                                    certificate.complementarity}};
     Utilities::MPI::max(ArrayView<const double>(contact.data(), contact.size()),
-                        problem.matrix.get_mpi_communicator(),
+                        problem.stiffness.get_mpi_communicator(),
                         ArrayView<double>(contact.data(), contact.size()));
     certificate.penetration     = contact[0];
     certificate.tension         = contact[1];

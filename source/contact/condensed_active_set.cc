@@ -72,6 +72,26 @@ namespace Crevasse
 
 
 
+  std::vector<bool>
+  CondensedActiveSet::first_set() const
+  {
+    std::vector<bool> closed(problem.bounds.dofs.size(), false);
+    for (const unsigned int node : lip_problem.active_set())
+      if (const unsigned int k = node - lip.first(); k < closed.size())
+        closed[k] = true;
+    return closed;
+  }
+
+
+
+  std::vector<dealii::Vector<double>> *
+  CondensedActiveSet::known_columns()
+  {
+    return &lip_problem.known_columns();
+  }
+
+
+
   std::size_t
   CondensedActiveSet::memory_consumption() const
   {

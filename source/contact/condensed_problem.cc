@@ -83,6 +83,7 @@ namespace Crevasse
   CondensedProblem::start_from(const std::vector<bool> &closed_nodes)
   {
     active.clear();
+    factored_set.clear(); // columns may be other ones now
     for (unsigned int i = 0; i < n; ++i)
       if (closed_nodes[i])
         active.push_back(i);
@@ -103,6 +104,14 @@ namespace Crevasse
   CondensedProblem::active_set() const
   {
     return active;
+  }
+
+
+
+  std::vector<dealii::Vector<double>> &
+  CondensedProblem::known_columns()
+  {
+    return columns;
   }
 
 

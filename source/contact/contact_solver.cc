@@ -10,7 +10,10 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/contact/contact_solver.h>
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/scene/problems.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -140,8 +143,9 @@ namespace Crevasse
     else
       message << " If the iterations are as many as [Contact] Maximum "
                  "iterations, raise it; otherwise try another [Contact] Solver "
-                 "or [Linear solver] Type (\"amg\" rounds least), or a larger "
-                 "[Contact] Tolerance.";
+                 "or [Linear solver] Type (\"amg\" rounds least; it knows no "
+                 "singular "
+                 "functions), or a larger [Contact] Tolerance.";
     throw NumericalError(message.str());
   }
 
@@ -264,7 +268,7 @@ namespace Crevasse
   {
     defect.reinit(solution, true);
     correction.reinit(solution, true);
-    problem.matrix.vmult(defect, solution);
+    problem.stiffness.vmult(defect, solution);
     defect.sadd(-1., 1., right_hand_side);
     linear_solver.solve(correction, defect, residual_target());
     solution += correction;
@@ -295,6 +299,53 @@ namespace Crevasse
   void
   ContactSolver::start_from(const std::vector<bool> &)
   {
+  }
+
+
+
+  std::vector<bool>
+  ContactSolver::first_set() const
+  {
+    return {};
+  }
+
+
+
+  std::vector<dealii::Vector<double>> *
+  ContactSolver::known_columns()
+  {
+    return nullptr;
+  }
+
+
+
+  void
+  ContactSolver::serialize(StateArchive &archive)
+  {
+    archive.common(scales);
+    archive.common(scales_of_solutions);
+    archive.common(refines);
+    archive.on_bounds(forces);
+    std::vector<bool> set = first_set();
+    archive.on_bounds(set);
+    // Computed once more they might differ in the last digit.
+    std::vector<dealii::Vector<double>> *known = known_columns();
+    std::vector<std::vector<double>>     columns;
+    if (known != nullptr)
+      for (const dealii::Vector<double> &column : *known)
+        columns.emplace_back(column.begin(), column.end());
+    archive.common(columns);
+    if (!archive.is_loading())
+      return;
+    // Ranks without bounds take part in it.
+    if (dealii::Utilities::MPI::max(set.empty() ? 0 : 1,
+                                    archive.communicator()) == 1)
+      start_from(set);
+    if (known != nullptr && archive.has_same_ranks() &&
+        columns.size() == known->size())
+      for (std::size_t i = 0; i < columns.size(); ++i)
+        (*known)[i] =
+          dealii::Vector<double>(columns[i].begin(), columns[i].end());
   }
 
 

@@ -28,11 +28,11 @@ namespace Crevasse
       void
       vmult(Vector &result, const Vector &v) const
       {
-        matrix.vmult(result, v);
+        stiffness.vmult(result, v);
         face.project(held, result);
       }
 
-      const SparseMatrix      &matrix;
+      const LinearOperator    &stiffness;
       const FaceSolver        &face;
       const std::vector<bool> &held;
     };
@@ -87,12 +87,18 @@ namespace Crevasse
     project(held, projected_residual);
     correction = 0.;
 
+    std::vector<types::global_dof_index> held_dofs;
+    for (std::size_t k = 0; k < held.size(); ++k)
+      if (held[k])
+        held_dofs.push_back(problem.bounds.dofs[k]);
+    solver.hold(held_dofs);
+
     constexpr unsigned int maximum_iterations = 1000;
     SolverControl          control(maximum_iterations, residual_norm);
     SolverCG<Vector>       cg(control);
     try
       {
-        cg.solve(ProjectedMatrix{problem.matrix, *this, held},
+        cg.solve(ProjectedMatrix{problem.stiffness, *this, held},
                  correction,
                  projected_residual,
                  ProjectedPreconditioner{solver, *this, held});

@@ -42,7 +42,7 @@ namespace Crevasse
 
 
   LipGraph::LipGraph(const SignoriniProblem &problem)
-    : communicator(problem.matrix.get_mpi_communicator())
+    : communicator(problem.stiffness.get_mpi_communicator())
     , counts(Utilities::MPI::all_gather(communicator,
                                         int(problem.bounds.dofs.size())))
     , starts(partial_sums(counts))
@@ -58,17 +58,16 @@ namespace Crevasse
       for (unsigned int k = 0; k < all_dofs[rank].size(); ++k)
         node_of[all_dofs[rank][k]] = starts[rank] + k;
 
+    LinearOperator::Indices lip;
+    for (const auto &node : node_of)
+      lip.push_back(node.first);
+
     std::vector<Nodes> local;
-    for (const auto dof : with_place)
+    for (const auto &coupled : problem.stiffness.couplings(with_place, lip))
       {
         local.emplace_back();
-        for (auto entry = problem.matrix.begin(dof);
-             entry != problem.matrix.end(dof);
-             ++entry)
-          if (entry->column() != dof && entry->value() != 0.)
-            if (const auto found = node_of.find(entry->column());
-                found != node_of.end())
-              local.back().push_back(found->second);
+        for (const auto dof : coupled)
+          local.back().push_back(node_of.at(dof));
       }
     local.resize(problem.bounds.dofs.size());
     for (const auto &of_rank : Utilities::MPI::all_gather(communicator, local))

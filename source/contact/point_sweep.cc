@@ -19,7 +19,7 @@ namespace Crevasse
 {
   PointSweep::PointSweep(const SignoriniProblem &problem)
     : problem(problem)
-    , rows(problem.matrix)
+    , rows(problem.matrix())
     , bound_of(rows.n, -1)
   {
     for (unsigned int k = 0; k < problem.bounds.dofs.size(); ++k)

@@ -56,7 +56,7 @@ namespace Crevasse
   ProjectedNewton::compute_residual(const Vector &right_hand_side,
                                     const Vector &solution)
   {
-    problem.matrix.vmult(residual, solution);
+    problem.stiffness.vmult(residual, solution);
     residual.sadd(-1., 1., right_hand_side);
   }
 
@@ -77,7 +77,8 @@ namespace Crevasse
           bounds.sign[k] * residual(i) / problem.diagonal()(i);
         reach = std::max(reach, std::min(std::abs(step), std::abs(opening)));
       }
-    reach = Utilities::MPI::max(reach, problem.matrix.get_mpi_communicator());
+    reach =
+      Utilities::MPI::max(reach, problem.stiffness.get_mpi_communicator());
 
     for (std::size_t k = 0; k < held.size(); ++k)
       {
@@ -118,7 +119,8 @@ namespace Crevasse
           of_held += residual(i) * (trial(i) - step * correction(i));
         }
     return promise +
-           Utilities::MPI::sum(of_held, problem.matrix.get_mpi_communicator());
+           Utilities::MPI::sum(of_held,
+                               problem.stiffness.get_mpi_communicator());
   }
 
 
@@ -137,7 +139,7 @@ namespace Crevasse
         trial -= solution;
         if (trial.linfty_norm() == 0.)
           return false;
-        problem.matrix.vmult(product, trial);
+        problem.stiffness.vmult(product, trial);
         const double change = 0.5 * (trial * product) - residual * trial;
         if (change <= -sufficient * promised_decrease(step))
           {

@@ -49,20 +49,29 @@ namespace Crevasse
     // The residuals seen during a sweep only tell when a certificate, which
     // costs a matrix-vector product, is worth asking for.
     constexpr unsigned int sweeps_between_certificates = 10;
-    unsigned int           next_certificate            = 0;
     scale_by(right_hand_side, solution);
-    for (unsigned int n = 1; n <= maximum_iterations; ++n)
+    unsigned int n = 0;
+    while (n < maximum_iterations)
       {
-        const double seen =
-          (*sweep)(right_hand_side, solution, relaxation_factor);
-        if (!std::isfinite(seen))
+        const SweepCount count =
+          sweep->sweep_until(right_hand_side,
+                             solution,
+                             relaxation_factor,
+                             force_accuracy() * scales.force(),
+                             maximum_iterations - n);
+        n += count.sweeps;
+        if (!std::isfinite(count.largest_residual) ||
+            is_solved(right_hand_side, solution))
           return n;
-        if (seen <= force_accuracy() * scales.force() && n >= next_certificate)
-          {
-            if (is_solved(right_hand_side, solution))
-              return n;
-            next_certificate = n + sweeps_between_certificates;
-          }
+        // Nothing is small enough, and this many sweeps are for nothing else.
+        n += sweep
+               ->sweep_until(right_hand_side,
+                             solution,
+                             relaxation_factor,
+                             0.,
+                             std::min(sweeps_between_certificates - 1,
+                                      maximum_iterations - n))
+               .sweeps;
       }
     return maximum_iterations;
   }

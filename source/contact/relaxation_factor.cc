@@ -36,7 +36,7 @@ namespace Crevasse
            std::isfinite(norm))
       {
         sweep(right_hand_side, solution, relaxation_factor);
-        problem.matrix.vmult(residual, solution);
+        problem.stiffness.vmult(residual, solution);
         residual -= right_hand_side;
         norm = residual.linfty_norm();
         ++count.iterations;

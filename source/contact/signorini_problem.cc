@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/contact/signorini_problem.h>
+#include <crevasse/linear/matrix_operator.h>
 #include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
@@ -18,26 +19,55 @@ namespace Crevasse
 {
   using namespace dealii;
 
+  SignoriniProblem::SignoriniProblem(const LinearOperator   &stiffness,
+                                     const UnilateralBounds &bounds)
+    : stiffness(stiffness)
+    , bounds(bounds)
+    , n_all_bounds(Utilities::MPI::sum(static_cast<types::global_dof_index>(
+                                         bounds.dofs.size()),
+                                       stiffness.get_mpi_communicator()))
+  {
+    require_positive_diagonal();
+  }
+
+
+
   SignoriniProblem::SignoriniProblem(const SparseMatrix     &matrix,
                                      const UnilateralBounds &bounds)
-    : matrix(matrix)
+    : of_matrix(std::make_unique<MatrixOperator>(matrix))
+    , stiffness(*of_matrix)
     , bounds(bounds)
-    , matrix_diagonal(matrix.locally_owned_range_indices(),
-                      matrix.get_mpi_communicator())
     , n_all_bounds(Utilities::MPI::sum(static_cast<types::global_dof_index>(
                                          bounds.dofs.size()),
                                        matrix.get_mpi_communicator()))
   {
-    for (const auto i : matrix_diagonal.locally_owned_elements())
-      {
-        matrix_diagonal(i) = matrix.diag_element(i);
-        if (!(matrix_diagonal(i) > 0.))
-          throw NumericalError(
-            "Diagonal entry " + std::to_string(i) + " of the stiffness is " +
-            std::to_string(matrix_diagonal(i)) +
-            ", so that the stiffness is not positive definite. Check the "
-            "moduli of [Material] and the mesh for inverted cells.");
-      }
+    require_positive_diagonal();
+  }
+
+
+
+  void
+  SignoriniProblem::require_positive_diagonal() const
+  {
+    for (const auto i : diagonal().locally_owned_elements())
+      if (!(diagonal()(i) > 0.))
+        throw NumericalError(
+          "Diagonal entry " + std::to_string(i) + " of the stiffness is " +
+          std::to_string(diagonal()(i)) +
+          ", so that the stiffness is not positive definite. Check the "
+          "moduli of [Material] and the mesh for inverted cells.");
+  }
+
+
+
+  const SparseMatrix &
+  SignoriniProblem::matrix() const
+  {
+    if (stiffness.matrix() == nullptr)
+      throw SceneError(
+        "[Linear solver] Type = gmg: there is no matrix, whose "
+        "entries this scene needs; choose another type.");
+    return *stiffness.matrix();
   }
 
 
@@ -45,7 +75,7 @@ namespace Crevasse
   const Vector &
   SignoriniProblem::diagonal() const
   {
-    return matrix_diagonal;
+    return stiffness.diagonal();
   }
 
 

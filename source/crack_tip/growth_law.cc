@@ -175,12 +175,12 @@ namespace Crevasse
       return std::make_unique<const IntensityCreepLaw>(
         parameters.creep_factor, parameters.creep_exponent);
     };
-    if (parameters.growth_law == "paris")
-      return paris();
-    if (parameters.growth_law == "creep")
-      return creep();
-    if (parameters.growth_law == "sum")
+    if (parameters.has_paris_part() && parameters.has_creep_part())
       return std::make_unique<const SumOfLaws>(paris(), creep());
+    if (parameters.has_paris_part())
+      return paris();
+    if (parameters.has_creep_part())
+      return creep();
     return nullptr;
   }
 
@@ -189,8 +189,7 @@ namespace Crevasse
   bool
   needs_c_star(const CrackTipParameters &parameters)
   {
-    return (parameters.growth_law == "creep" ||
-            parameters.growth_law == "sum") &&
+    return parameters.has_creep_part() &&
            parameters.creep_parameter == "C star";
   }
 } // namespace Crevasse

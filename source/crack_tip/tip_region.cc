@@ -281,7 +281,4 @@ namespace Crevasse
   {
     return cells[cell].first;
   }
-
-
-
 } // namespace Crevasse

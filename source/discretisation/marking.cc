@@ -11,6 +11,7 @@
 
 #include <crevasse/discretisation/marking.h>
 #include <crevasse/discretisation/refinement.h>
+#include <crevasse/discretisation/state_archive.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/grid_refinement.h>
@@ -135,6 +136,26 @@ namespace Crevasse
   MeshHistory<dim>::add(const Marks &marks)
   {
     all.push_back(marks);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshHistory<dim>::serialize(StateArchive &archive)
+  {
+    std::size_t n = all.size();
+    archive.common(n);
+    all.resize(n);
+    for (Marks &marks : all)
+      for (std::vector<CellId> *cells : {&marks.refined, &marks.coarsened})
+        {
+          std::vector<CellId::binary_type> numbers;
+          for (const CellId &cell : *cells)
+            numbers.push_back(cell.template to_binary<dim>());
+          archive.common_list(numbers);
+          cells->assign(numbers.begin(), numbers.end());
+        }
   }
 
 

@@ -39,6 +39,7 @@ namespace Crevasse
     , fe(FE_Q<dim>(degree), dim)
     , face_rule(singular_functions.fields.empty() ? degree + 1 : 5)
     , boundary_roles(roles)
+    , supports(fixed_points)
     , volumetric(volumetric_strain)
     , dofs(*triangulation)
   {
@@ -53,7 +54,7 @@ namespace Crevasse
                                                   dofs);
     number_unknowns();
     choose_rules();
-    make_constraints(fixed_points);
+    make_constraints();
   }
 
 
@@ -159,7 +160,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  Space<dim>::make_constraints(const std::vector<FixedPoint<dim>> &fixed_points)
+  Space<dim>::make_constraints()
   {
     affine_constraints.reinit(relevant_unknowns);
 
@@ -174,7 +175,7 @@ namespace Crevasse
     if (!boundary_roles.symmetry.empty())
       VectorTools::compute_no_normal_flux_constraints(
         dofs, 0, boundary_roles.symmetry, affine_constraints, q1_mapping);
-    for (const FixedPoint<dim> &fixed_point : fixed_points)
+    for (const FixedPoint<dim> &fixed_point : supports)
       constrain(fixed_point);
     // Without a lip there is none that it could open.
     if (shapes != nullptr && boundary_roles.contact.empty())
@@ -455,6 +456,71 @@ namespace Crevasse
   Space<dim>::face_quadrature() const
   {
     return face_rule;
+  }
+
+
+
+  template <int dim>
+  std::vector<FixedPoint<dim>>
+  Space<dim>::nearest_supports(const Mesh<dim> &other) const
+  {
+    std::vector<FixedPoint<dim>> moved = supports;
+    for (FixedPoint<dim> &support : moved)
+      {
+        std::pair<double, Point<dim>> nearest(
+          std::numeric_limits<double>::max(), Point<dim>());
+        for (const auto &cell : other.active_cell_iterators())
+          if (cell->is_locally_owned())
+            for (const unsigned int v : cell->vertex_indices())
+              {
+                const double distance = cell->vertex(v).distance(support.point);
+                if (distance < nearest.first)
+                  nearest = {distance, cell->vertex(v)};
+              }
+        for (const auto &of_rank :
+             Utilities::MPI::all_gather(communicator(), nearest))
+          if (of_rank.first < nearest.first ||
+              (of_rank.first == nearest.first &&
+               std::lexicographical_compare(of_rank.second.begin_raw(),
+                                            of_rank.second.end_raw(),
+                                            nearest.second.begin_raw(),
+                                            nearest.second.end_raw())))
+            nearest = of_rank;
+        support.point = nearest.second;
+      }
+    return moved;
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<const Space<dim>>
+  Space<dim>::on_coarser(std::shared_ptr<const Mesh<dim>> coarser_mesh) const
+  {
+    const auto moved = nearest_supports(*coarser_mesh);
+    return std::make_shared<const Space<dim>>(
+      std::move(coarser_mesh), fe.degree, boundary_roles, moved, volumetric);
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<const MatrixFree<dim, double>>
+  Space<dim>::matrix_free() const
+  {
+    Assert(shapes == nullptr, ExcNotImplemented());
+    if (cell_loops == nullptr)
+      {
+        typename MatrixFree<dim, double>::AdditionalData data;
+        data.mapping_update_flags = update_gradients | update_JxW_values;
+        data.tasks_parallel_scheme =
+          MatrixFree<dim, double>::AdditionalData::none;
+        auto loops = std::make_shared<MatrixFree<dim, double>>();
+        loops->reinit(
+          q1_mapping, dofs, affine_constraints, QGauss<1>(fe.degree + 1), data);
+        cell_loops = std::move(loops);
+      }
+    return cell_loops;
   }
 
 

@@ -15,6 +15,39 @@ namespace Crevasse
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** Loops over the cells near singular functions, in whose batches special
+     * cells are by themselves. */
+    template <int dim>
+    std::shared_ptr<const MatrixFree<dim, double>>
+    around_special_cells(const Space<dim> &space)
+    {
+      typename MatrixFree<dim, double>::AdditionalData data;
+      data.mapping_update_flags = update_gradients | update_JxW_values;
+      data.tasks_parallel_scheme =
+        MatrixFree<dim, double>::AdditionalData::none;
+      if constexpr (dim == 2)
+        {
+          data.cell_vectorization_categories_strict = true;
+          for (const auto &cell : space.mesh().active_cell_iterators())
+            data.cell_vectorization_category.push_back(
+              cell->is_locally_owned() && Enrichment::is_special(space, cell)
+                ? 1
+                : 0);
+        }
+      auto loops = std::make_shared<MatrixFree<dim, double>>();
+      loops->reinit(space.mapping(),
+                    space.dof_handler(),
+                    space.constraints(),
+                    QGauss<1>(space.finite_element().degree + 2),
+                    data);
+      return loops;
+    }
+  } // namespace
+
+
+
   template <int dim>
   StrainOperator<dim>::StrainOperator(const Space<dim>           &space,
                                       const QuadratureField<dim> &points)
@@ -24,41 +57,24 @@ namespace Crevasse
   {
     Assert(degree == 1 || degree == 2, ExcNotImplemented());
 
-    typename MatrixFree<dim, double>::AdditionalData data;
-    data.mapping_update_flags  = update_gradients | update_JxW_values;
-    data.tasks_parallel_scheme = MatrixFree<dim, double>::AdditionalData::none;
-    const bool enriched        = space.singular_shapes() != nullptr;
+    matrix_free = space.singular_shapes() == nullptr
+                    ? space.matrix_free()
+                    : around_special_cells(space);
     if constexpr (dim == 2)
-      if (enriched)
-        {
-          // Batches with special cells have no others.
-          data.cell_vectorization_categories_strict = true;
-          for (const auto &cell : space.mesh().active_cell_iterators())
-            data.cell_vectorization_category.push_back(
-              cell->is_locally_owned() && Enrichment::is_special(space, cell)
-                ? 1
-                : 0);
-        }
-    matrix_free.reinit(space.mapping(),
-                       space.dof_handler(),
-                       space.constraints(),
-                       QGauss<1>(degree + (enriched ? 2 : 1)),
-                       data);
-    if constexpr (dim == 2)
-      if (enriched)
+      if (space.singular_shapes() != nullptr)
         {
           Vector nodal;
-          matrix_free.initialize_dof_vector(nodal);
+          matrix_free->initialize_dof_vector(nodal);
           enrichment = std::make_unique<Enrichment>(space, points, nodal);
         }
 
-    batch_offsets.resize(matrix_free.n_cell_batches());
+    batch_offsets.resize(matrix_free->n_cell_batches());
     for (unsigned int batch = 0; batch < batch_offsets.size(); ++batch)
       for (unsigned int lane = 0;
-           lane < matrix_free.n_active_entries_per_cell_batch(batch);
+           lane < matrix_free->n_active_entries_per_cell_batch(batch);
            ++lane)
         batch_offsets[batch][lane] =
-          points.offset(matrix_free.get_cell_iterator(batch, lane));
+          points.offset(matrix_free->get_cell_iterator(batch, lane));
   }
 
 
@@ -70,7 +86,7 @@ namespace Crevasse
     if (enrichment != nullptr)
       enrichment->initialize(displacement);
     else
-      matrix_free.initialize_dof_vector(displacement);
+      matrix_free->initialize_dof_vector(displacement);
   }
 
 
@@ -79,7 +95,7 @@ namespace Crevasse
   bool
   StrainOperator<dim>::has_batch(const unsigned int batch) const
   {
-    return enrichment == nullptr || matrix_free.get_cell_category(batch) == 0;
+    return enrichment == nullptr || matrix_free->get_cell_category(batch) == 0;
   }
 
 

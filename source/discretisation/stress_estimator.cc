@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/discretisation/cell_values.h>
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/scene/collectively.h>
@@ -290,6 +291,16 @@ namespace Crevasse
   StressEstimator<dim>::largest_energy() const
   {
     return most_energy;
+  }
+
+
+
+  template <int dim>
+  void
+  StressEstimator<dim>::serialize(StateArchive &archive)
+  {
+    archive.on_cells(largest);
+    archive.common(most_energy);
   }
 
 

@@ -10,15 +10,10 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/linear/amg_cg.h>
-#include <crevasse/scene/problems.h>
-
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_control.h>
 
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -56,26 +51,10 @@ namespace Crevasse
 
 
 
-  bool
-  AmgCg::is_direct() const
-  {
-    return false;
-  }
-
-
-
   std::size_t
   AmgCg::memory_consumption() const
   {
     return multigrid.memory_consumption();
-  }
-
-
-
-  std::string
-  AmgCg::description() const
-  {
-    return "conjugate gradients with " + preconditioner_description();
   }
 
 
@@ -96,30 +75,9 @@ namespace Crevasse
 
 
 
-  unsigned int
-  AmgCg::apply_inverse(Vector       &solution,
-                       const Vector &right_hand_side,
-                       const double  residual_norm)
+  void
+  AmgCg::multiply(Vector &result, const Vector &v) const
   {
-    constexpr unsigned int maximum_iterations = 1000;
-    SolverControl          control(maximum_iterations, residual_norm);
-    SolverCG<Vector>       cg(control);
-    try
-      {
-        cg.solve(matrix, solution, right_hand_side, multigrid);
-      }
-    catch (const SolverControl::NoConvergence &error)
-      {
-        std::ostringstream message;
-        message << "The conjugate gradients with multigrid did not reach the "
-                   "residual "
-                << residual_norm << " in " << error.last_step
-                << " iterations: they ended at " << error.last_residual
-                << ". Check [Material] for extreme contrasts and the mesh for "
-                   "degenerate cells; raise [Contact] Tolerance; or use "
-                   "[Linear solver] Type = cholesky or mumps.";
-        throw NumericalError(message.str());
-      }
-    return control.last_step();
+    matrix.vmult(result, v);
   }
 } // namespace Crevasse

@@ -54,6 +54,13 @@ namespace Crevasse
 
 
 
+  void
+  LinearSolver::hold(const std::vector<dealii::types::global_dof_index> &)
+  {
+  }
+
+
+
   std::string
   LinearSolver::preconditioner_description() const
   {

@@ -11,7 +11,7 @@
 
 #include <crevasse/linear/matrix_rows.h>
 
-#include <deal.II/base/mpi.h>
+
 
 #include <Epetra_CrsMatrix.h>
 
@@ -20,9 +20,9 @@ namespace Crevasse
   using namespace dealii;
 
   MatrixRows::MatrixRows(const TrilinosWrappers::SparseMatrix &matrix)
-    : n(matrix.m())
+    : n(matrix.local_size())
   {
-    Assert(Utilities::MPI::n_mpi_processes(matrix.get_mpi_communicator()) == 1,
+    Assert(n == 0 || matrix.local_size() == matrix.m(),
            ExcMessage("Rows of other ranks are not in sight."));
     int      *row_starts;
     int      *indices;

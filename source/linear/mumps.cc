@@ -10,74 +10,34 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/linear/mumps.h>
+#include <crevasse/linear/mumps_instance.h>
 #include <crevasse/scene/problems.h>
-
-#include <deal.II/base/mpi.h>
-
-#include <Amesos_Mumps.h>
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_LinearProblem.h>
-#include <Epetra_MultiVector.h>
-#include <Teuchos_ParameterList.hpp>
-#include <exception>
 
 namespace Crevasse
 {
-  using namespace dealii;
-
-  struct Mumps::Factor
+  struct Mumps::Factor : MumpsInstance<double>
   {
     explicit Factor(const Matrix &matrix)
-      : n_ranks(dealii::Utilities::MPI::n_mpi_processes(
-          matrix.get_mpi_communicator()))
-      , map(matrix.trilinos_matrix().RowMap())
-      , solver(problem)
+      : MumpsInstance<double>(
+          matrix.get_mpi_communicator(),
+          matrix.local_size(),
+          "the stiffness",
+          "Use more ranks or [Linear solver] Type = amg.",
+          "Check the moduli of [Material] and the supports of [Boundary].")
     {
-      // Amesos only reads the matrix.
-      problem.SetOperator(
-        const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
-      Teuchos::ParameterList parameters;
-      parameters.set("PrintTiming", false);
-      parameters.set("PrintStatus", false);
-      parameters.set("OutputLevel", 0);
-      parameters.set("MaxProcs", -3); // all ranks, also on small matrices
-      solver.SetParameters(parameters);
-      require(solver.SymbolicFactorization());
-      require(solver.NumericFactorization());
+      UpperTriangle<double> triangle = upper_triangle(matrix);
+      factorise(triangle);
+      // Without pivoting each pivot has its sign by Sylvester's law.
+      const int n_negative = data.infog[11];
+      if (n_negative == 0)
+        return;
+      end();
+      throw NumericalError(
+        "MUMPS: the stiffness is not positive definite (" +
+        std::to_string(n_negative) +
+        " negative pivots). Check the moduli of [Material] and the supports "
+        "of [Boundary].");
     }
-
-    void
-    solve(double            *solutions,
-          const double      *right_hand_sides,
-          const unsigned int n_columns)
-    {
-      const int          n = map.NumMyElements();
-      Epetra_MultiVector x(View, map, solutions, n, n_columns);
-      // Amesos only reads the right-hand sides.
-      Epetra_MultiVector b(
-        View, map, const_cast<double *>(right_hand_sides), n, n_columns);
-      problem.SetLHS(&x);
-      problem.SetRHS(&b);
-      require(solver.Solve());
-    }
-
-    /** Amesos answers a failure of MUMPS by a negative number. */
-    void
-    require(const int status)
-    {
-      if (status != 0)
-        throw NumericalError(
-          "MUMPS failed with status " + std::to_string(status) +
-          ", INFOG(1) = " + std::to_string(solver.GetINFOG()[0]) +
-          ". If memory is short (INFOG(1) = -9 or -13), use more ranks or "
-          "[Linear solver] Type = amg. Otherwise the stiffness is singular: "
-          "check the moduli of [Material] and the supports of [Boundary].");
-    }
-
-    const unsigned int   n_ranks;
-    const Epetra_Map    &map;
-    Epetra_LinearProblem problem;
-    Amesos_Mumps         solver;
   };
 
 
@@ -89,22 +49,14 @@ namespace Crevasse
 
 
 
-  Mumps::~Mumps()
-  {
-    // MUMPS frees its factor by communication. While an exception is on its way
-    // the other ranks may be elsewhere: then the memory is left alone, and the
-    // end of the process frees it.
-    if (factor->n_ranks > 1 && std::uncaught_exceptions() > 0)
-      (void)factor.release();
-  }
+  Mumps::~Mumps() = default;
 
 
 
   std::size_t
   Mumps::memory_consumption() const
   {
-    // INFO(16): the space that the factorisation was given, in 10⁶ bytes.
-    return std::size_t(1000000) * factor->solver.GetINFO()[15];
+    return factor->memory_consumption();
   }
 
 
@@ -123,6 +75,8 @@ namespace Crevasse
                     const double      *right_hand_sides,
                     const unsigned int n_columns)
   {
-    factor->solve(solutions, right_hand_sides, n_columns);
+    std::vector<double> on_root = factor->gather(right_hand_sides, n_columns);
+    factor->solve(on_root, n_columns);
+    factor->scatter(on_root, solutions, n_columns);
   }
 } // namespace Crevasse

@@ -27,6 +27,23 @@ namespace Crevasse
 
 
   LinearSolverChoice
+  choose_matrix_solver(const unsigned int dimension,
+                       const std::size_t  n_unknowns,
+                       const unsigned int n_ranks)
+  {
+    using Choice            = LinearSolverChoice;
+    const std::string limit = std::to_string(largest_factorised(dimension)) +
+                              " unknowns in " + std::to_string(dimension) + "D";
+    if (n_unknowns > largest_factorised(dimension))
+      return {Choice::amg, "automatic: more than " + limit};
+    if (n_ranks == 1)
+      return {Choice::cholesky, "automatic: one process, at most " + limit};
+    return {Choice::mumps, "automatic: several processes, at most " + limit};
+  }
+
+
+
+  LinearSolverChoice
   choose_linear_solver(const LinearSolverParameters &parameters,
                        const unsigned int            dimension,
                        const std::size_t             n_unknowns,
@@ -40,14 +57,9 @@ namespace Crevasse
       return {Choice::mumps, why};
     if (parameters.type == "amg")
       return {Choice::amg, why};
-
-    const std::string limit = std::to_string(largest_factorised(dimension)) +
-                              " unknowns in " + std::to_string(dimension) + "D";
-    if (n_unknowns > largest_factorised(dimension))
-      return {Choice::amg, "automatic: more than " + limit};
-    if (n_ranks == 1)
-      return {Choice::cholesky, "automatic: one process, at most " + limit};
-    return {Choice::mumps, "automatic: several processes, at most " + limit};
+    if (parameters.type == "gmg")
+      return {Choice::gmg, why};
+    return choose_matrix_solver(dimension, n_unknowns, n_ranks);
   }
 
 
@@ -63,7 +75,7 @@ namespace Crevasse
     // The dense matrices of the condensed problem grow with the square of the
     // lip, the work on them with its cube.
     constexpr std::size_t largest_lip = 3000;
-    if (linear_solver.type == LinearSolverChoice::amg)
+    if (linear_solver.is_multigrid())
       return {"active set",
               "automatic: without a factor there are no cheap "
               "columns of the compliance"};

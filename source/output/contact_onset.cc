@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/output/contact_onset.h>
 
 #include <deal.II/base/mpi.h>
@@ -78,6 +79,29 @@ namespace Crevasse
       impulse += 0.5 * (sample.instant - last_instant) * (force + last_force);
     last_force   = force;
     last_instant = sample.instant;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactOnset<dim>::serialize(StateArchive &archive)
+  {
+    archive.section("contact onset");
+    for (double OpeningNode::*entry :
+         {&OpeningNode::least, &OpeningNode::integral, &OpeningNode::last})
+      {
+        std::vector<double> values(lip.nodes().size());
+        for (const OpeningNode &node : nodes)
+          values[node.index] = node.*entry;
+        archive.on_bounds(values);
+        for (OpeningNode &node : nodes)
+          node.*entry = values[node.index];
+      }
+    archive.common(last_instant);
+    archive.maximum(pressed);
+    archive.part_of_sum(last_force);
+    archive.part_of_sum(impulse);
   }
 
 

@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/output/crack_tip_table.h>
 
 #include <algorithm>
@@ -108,6 +109,17 @@ namespace Crevasse
       row.push_back(values.of_singular_function);
     row.insert(row.end(), {values.error, values.release_rate, values.energy});
     table->add_row(row);
+  }
+
+
+
+  void
+  CrackTipTable::serialize(StateArchive &archive)
+  {
+    archive.section("crack tip");
+    archive.common(history.instants);
+    archive.common(history.intensity);
+    archive.common_list(of_last_period);
   }
 
 

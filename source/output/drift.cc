@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/output/drift.h>
 
 namespace Crevasse
@@ -32,6 +33,15 @@ namespace Crevasse
         if (sample.secular_flow != nullptr)
           drift.add(steps.period(), sample.secular_flow->velocity);
       }
+  }
+
+
+
+  void
+  Drift::serialize(StateArchive &archive)
+  {
+    archive.section("drift");
+    archive.nodal(start);
   }
 
 

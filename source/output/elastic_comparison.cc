@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/output/elastic_comparison.h>
 
 #include <algorithm>
@@ -44,6 +45,17 @@ namespace Crevasse
       largest_stress > 0. ? largest_difference / largest_stress : 0.;
     largest_difference = 0.;
     largest_stress     = 0.;
+  }
+
+
+
+  void
+  ElasticComparison::serialize(StateArchive &archive)
+  {
+    archive.section("elastic comparison");
+    archive.common(largest_difference);
+    archive.common(largest_stress);
+    archive.common(last_period);
   }
 
 

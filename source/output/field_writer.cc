@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/output/field_writer.h>
 #include <crevasse/output/nodal_fields.h>
 #include <crevasse/scene/problems.h>
@@ -80,6 +81,27 @@ namespace Crevasse
                                         sample.secular_flow->velocity);
         snapshot.viscous_strain.add(sample.time,
                                     sample.secular_flow->strain_rate);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  FieldWriter<dim>::serialize(StateArchive &archive)
+  {
+    archive.section("fields");
+    archive.common(wanted);
+    std::vector<double> instants;
+    for (const auto &snapshot : snapshots)
+      instants.push_back(snapshot.first);
+    archive.common(instants);
+    for (const double instant : instants)
+      {
+        Snapshot &snapshot = snapshots[instant];
+        archive.common(snapshot.time);
+        snapshot.state.serialize(archive);
+        archive.at_points(snapshot.viscous_strain);
       }
   }
 

@@ -31,12 +31,12 @@ namespace Crevasse
 
 
   void
-  Log::open_file(const std::string &file_name)
+  Log::open_file(const std::string &file_name, const bool goes_on)
   {
     if (!first_rank)
       return;
     name = file_name;
-    file.open(name);
+    file.open(name, goes_on ? std::ios::app : std::ios::trunc);
     file << earlier_lines << std::flush;
     earlier_lines.clear();
     require_written();

@@ -48,7 +48,8 @@ namespace Crevasse
     // What is in the way is told now, not when the run comes to write it.
     static const std::regex ours(
       "summary\\.json|used\\.prm|log\\.txt|solution\\.pvd|"
-      "solution_[0-9.]+\\.p?vtu|(probe_.*|contact|periods|relaxation|load_work)"
+      "solution_[0-9.]+\\.p?vtu|(probe_.*|contact|periods|relaxation|load_work|"
+      "crack_tip)"
       "\\.csv|"
       "contact_problem_[0-9_]+([a-z_]+\\.mtx|\\.petsc|\\.petsc\\.info)");
     const fs::path         used = fs::path(directory) / "used.prm";
@@ -73,6 +74,8 @@ namespace Crevasse
         if (error)
           break;
       }
+    if (!error && earlier_run)
+      fs::remove_all(fs::path(directory) / "checkpoint", error);
     if (error)
       throw FileError("[Output directory] " + directory +
                       ": the results of an earlier run cannot be removed (" +

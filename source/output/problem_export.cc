@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/output/problem_export.h>
 #include <crevasse/scene/problems.h>
 
@@ -47,7 +48,7 @@ namespace Crevasse
                              std::to_string(sample.period) + '_' +
                              std::to_string(sample.step);
     TrilinosWrappers::SparseMatrix matrix;
-    matrix.copy_from(problem().matrix);
+    matrix.copy_from(problem().matrix());
     matrix *= sample.state.stiffness_factor;
     const SignoriniProblem scaled(matrix, problem().bounds);
     write_matrix_market(scaled,
@@ -59,6 +60,15 @@ namespace Crevasse
                        sample.state.displacement,
                        directory + '/' + name);
     log.line("  wrote " + name + "_*.mtx, " + name + ".petsc");
+  }
+
+
+
+  void
+  ProblemExport::serialize(StateArchive &archive)
+  {
+    archive.section("contact problems");
+    archive.common(missing);
   }
 
 
@@ -111,12 +121,12 @@ namespace Crevasse
                       const Vector           &solution,
                       const std::string      &name)
   {
-    const Epetra_CrsMatrix &matrix = problem.matrix.trilinos_matrix();
+    const Epetra_CrsMatrix &matrix = problem.matrix().trilinos_matrix();
     require_written(
       EpetraExt::RowMatrixToMatrixMarketFile(
         (name + "_matrix.mtx").c_str(), matrix, "stiffness A", "", true),
       name + "_matrix.mtx");
-    const Epetra_Map &map = problem.matrix.trilinos_matrix().RowMap();
+    const Epetra_Map &map = problem.matrix().trilinos_matrix().RowMap();
     write_columns(map,
                   {right_hand_side.begin(), right_hand_side.end()},
                   1,

@@ -98,7 +98,7 @@ namespace Crevasse
                      const Vector           &solution,
                      const std::string      &name)
   {
-    const MPI_Comm    communicator = problem.matrix.get_mpi_communicator();
+    const MPI_Comm    communicator = problem.stiffness.get_mpi_communicator();
     const std::string file_name    = name + ".petsc";
 
     // sign q >= gap is a lower bound, or for sign = -1 an upper one.
@@ -123,7 +123,7 @@ namespace Crevasse
     require(PetscPopErrorHandler());
     if (opened != 0)
       throw FileError("Cannot write " + file_name + ".");
-    Mat matrix = petsc_matrix(problem.matrix);
+    Mat matrix = petsc_matrix(problem.matrix());
     require(MatView(matrix, viewer));
     require(MatDestroy(&matrix));
     write_vector(communicator,

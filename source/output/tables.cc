@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/output/tables.h>
 
 #include <algorithm>
@@ -104,6 +105,16 @@ namespace Crevasse
                       double(now.closed_nodes),
                       now.force,
                       now.largest_pressure});
+  }
+
+
+
+  template <int dim>
+  void
+  ContactTable<dim>::serialize(StateArchive &archive)
+  {
+    archive.section("contact table");
+    archive.common(opening);
   }
 
 

@@ -48,22 +48,24 @@ namespace Crevasse
   Ending
   Anderson<dim>::run(Vector &r)
   {
+    const StatePart part(periods.pauses(),
+                         [this](StateArchive &archive) { serialize(archive); });
     forget();
-    Vector start, image, next;
+    Vector image, next;
     coordinates.from_strain(r, start);
-    for (unsigned int k = 0; periods.may_go_on(); ++k)
+    for (number = 0; periods.may_go_on(); ++number)
       {
         coordinates.to_strain(start, r);
         const double change = periods.compute(r);
         coordinates.from_strain(r, image);
         // Of steps that are rounding nothing is to be learned.
         constexpr double rounding = 1e-11;
-        if (k > 0 && last_step > rounding * image.l2_norm())
+        if (number > 0 && last_step > rounding * image.l2_norm())
           remember_change(change);
 
         last_residual = distance(image, start);
         next          = image;
-        if (k >= settings.delay)
+        if (number >= settings.delay)
           {
             acceleration.add(start, image);
             acceleration.extrapolate(next);
@@ -75,13 +77,35 @@ namespace Crevasse
         // After a leap steps say nothing of the stress.
         constexpr double leap = 0.1;
         if (settings.tolerance > 0. && error <= settings.tolerance &&
-            !(k > 0 && change > leap))
+            !(number > 0 && change > leap))
           return Ending::converged;
         if (restarts > settings.most_restarts)
           return Ending::stagnant;
         std::swap(start, next);
       }
     return Ending::out_of_periods;
+  }
+
+
+
+  template <int dim>
+  void
+  Anderson<dim>::serialize(StateArchive &archive)
+  {
+    archive.section("anderson");
+    archive.at_points(start);
+    archive.common(number);
+    acceleration.serialize(archive);
+    archive.at_points(best_image);
+    archive.common(least_residual);
+    archive.common(since_least);
+    archive.common(restarts);
+    archive.common(last_residual);
+    archive.common(last_step);
+    std::vector<double> changes(changes_per_step.begin(),
+                                changes_per_step.end());
+    archive.common(changes);
+    changes_per_step.assign(changes.begin(), changes.end());
   }
 
 

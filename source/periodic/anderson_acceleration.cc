@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/periodic/anderson_acceleration.h>
 
 #include <deal.II/lac/qr.h>
@@ -135,5 +136,22 @@ namespace Crevasse
     for (const Pair &pair : pairs)
       slowest = std::max(slowest, pair.slowness);
     return slowest * unexplained;
+  }
+
+
+
+  void
+  AndersonAcceleration::serialize(StateArchive &archive)
+  {
+    std::size_t n = pairs.size();
+    archive.common(n);
+    pairs.resize(n);
+    for (Pair &pair : pairs)
+      {
+        archive.at_points(pair.image);
+        archive.at_points(pair.residual);
+        archive.common(pair.slowness);
+      }
+    archive.common(unexplained);
   }
 } // namespace Crevasse

@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/periodic/contraction.h>
 
 #include <algorithm>
@@ -50,5 +51,15 @@ namespace Crevasse
     if (!ratio)
       return std::numeric_limits<double>::quiet_NaN();
     return std::max(*ratio, ratio_before.value_or(0.));
+  }
+
+
+
+  void
+  Contraction::serialize(StateArchive &archive)
+  {
+    archive.common(last_change);
+    archive.common(ratio);
+    archive.common(ratio_before);
   }
 } // namespace Crevasse

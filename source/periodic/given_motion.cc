@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/periodic/given_motion.h>
 
 #include <deal.II/base/mpi.h>
@@ -154,6 +155,22 @@ namespace Crevasse
   GivenMotion::description() const
   {
     return "direct in time";
+  }
+
+
+
+  void
+  GivenMotion::serialize(StateArchive &archive)
+  {
+    archive.section("given motion");
+    archive.common(goes_on);
+    archive.at_points(first_rate);
+    archive.at_points(last_rate);
+    for (Difference *difference : {&displacement, &force, &viscous_strain})
+      {
+        archive.maximum(difference->largest);
+        archive.maximum(difference->size);
+      }
   }
 
 

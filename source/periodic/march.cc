@@ -10,7 +10,6 @@
 // ---------------------------------------------------------------------
 
 
-#include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/march.h>
 
 #include <algorithm>
@@ -33,8 +32,12 @@ namespace Crevasse
   Ending
   March<dim>::run(Vector &r)
   {
-    Contraction contraction;
-    for (bool is_first = true; periods.may_go_on(); is_first = false)
+    const StatePart part(periods.pauses(), [this](StateArchive &archive) {
+      archive.section("march");
+      contraction.serialize(archive);
+      archive.common(is_first);
+    });
+    for (; periods.may_go_on(); is_first = false)
       {
         const double change = periods.compute(r);
         if (!periods.has_memory())

@@ -12,8 +12,6 @@
 
 #include <crevasse/periodic/observed_periods.h>
 
-#include <deal.II/base/timer.h>
-
 #include <limits>
 
 namespace Crevasse
@@ -33,7 +31,36 @@ namespace Crevasse
     , is_comparable(is_comparable)
     , history(period_map.steps().period())
     , so_far(before)
+    , part(period_map.pauses(),
+           [this](StateArchive &archive) { serialize(archive); })
   {
+  }
+
+
+
+  template <int dim>
+  void
+  ObservedPeriods<dim>::serialize(StateArchive &archive)
+  {
+    archive.section("periods");
+    archive.common(so_far.periods);
+    archive.common(so_far.steps_repeat);
+    archive.common(so_far.stress_change);
+    archive.common(so_far.stress_error_estimate);
+    archive.common(is_comparable);
+    std::size_t solves = n_solves() - solves_before;
+    archive.common(solves);
+    double seconds = seconds_before + timer.wall_time();
+    archive.common(seconds);
+    history.serialize(archive);
+    for (Observer *observer : observers)
+      observer->serialize(archive);
+    if (archive.is_loading())
+      {
+        solves_before  = n_solves() - solves;
+        seconds_before = seconds;
+        timer.restart();
+      }
   }
 
 
@@ -70,8 +97,9 @@ namespace Crevasse
   double
   ObservedPeriods<dim>::compute(Vector &r)
   {
-    dealii::Timer     timer;
-    const std::size_t solves_before = n_solves();
+    timer.restart();
+    seconds_before = 0.;
+    solves_before  = n_solves();
     ++so_far.periods;
     period_map.advance(so_far.periods, r, [this](const Sample &sample) {
       history.record(sample.instant, sample.state.stress);
@@ -91,7 +119,7 @@ namespace Crevasse
             0.,
             history.largest_stress(),
             n_solves() - solves_before,
-            timer.wall_time()};
+            seconds_before + timer.wall_time()};
     return change;
   }
 
@@ -117,6 +145,15 @@ namespace Crevasse
       period_map.finish(so_far.periods, r, [this](const Sample &sample) {
         show(sample);
       });
+  }
+
+
+
+  template <int dim>
+  Pauses *
+  ObservedPeriods<dim>::pauses() const
+  {
+    return period_map.pauses();
   }
 
 

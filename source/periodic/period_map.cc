@@ -53,11 +53,13 @@ namespace Crevasse
   PeriodMap<dim>::PeriodMap(Evolution<dim> &evolution,
                             Integrator     *integrator,
                             StepControl    &step_control,
-                            StepList       &steps)
+                            StepList       &steps,
+                            Pauses         *pauses)
     : evolution(evolution)
     , integrator(integrator)
     , step_control(step_control)
     , step_list(steps)
+    , those_who_pause(pauses)
   {
   }
 
@@ -65,19 +67,54 @@ namespace Crevasse
 
   template <int dim>
   void
-  PeriodMap<dim>::advance(const unsigned int                         period,
+  PeriodMap<dim>::begin_period()
+  {
+    if (!has_memory())
+      return;
+    integrator->restart();
+    step_control.begin_period(step_list);
+  }
+
+
+
+  template <int dim>
+  void
+  PeriodMap<dim>::pause(const unsigned int period, const unsigned int step)
+  {
+    const bool can_be_kept =
+      step == 0 || !has_memory() || integrator->may_pause();
+    if (those_who_pause != nullptr && can_be_kept)
+      those_who_pause->between_steps(period, step);
+  }
+
+
+
+  template <int dim>
+  void
+  PeriodMap<dim>::advance(unsigned int                               period,
                           Vector                                    &r,
                           const std::function<void(const Sample &)> &observe)
   {
+    unsigned int    k = 0;
+    const StatePart here(those_who_pause, [&](StateArchive &archive) {
+      archive.section("period");
+      archive.common(period);
+      archive.common(k);
+      archive.at_points(r);
+      evolution.serialize(archive);
+      step_list.serialize(archive);
+      step_control.serialize(archive);
+      if (has_memory())
+        integrator->serialize(archive);
+    });
     if (has_memory())
-      {
-        integrator->restart();
-        step_control.begin_period(step_list);
-        rate.reinit(r, true);
-      }
-    for (unsigned int k = 0; k < step_list.n_steps(); ++k)
+      rate.reinit(r, true);
+    for (; k < step_list.n_steps(); ++k)
       try
         {
+          pause(period, k);
+          if (k == 0)
+            begin_period();
           step(period, k, r, observe);
         }
       catch (const NumericalError &error)
@@ -150,6 +187,15 @@ namespace Crevasse
   PeriodMap<dim>::steps() const
   {
     return step_list;
+  }
+
+
+
+  template <int dim>
+  Pauses *
+  PeriodMap<dim>::pauses() const
+  {
+    return those_who_pause;
   }
 
 

@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/periodic/stress_history.h>
 
 #include <deal.II/base/array_view.h>
@@ -93,5 +94,37 @@ namespace Crevasse
   StressHistory::largest_stress() const
   {
     return largest_of_last;
+  }
+
+
+
+  void
+  StressHistory::serialize(StateArchive &archive)
+  {
+    std::size_t n = samples.size();
+    archive.common(n);
+    if (archive.is_loading())
+      samples.clear();
+    auto next = samples.begin();
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        std::pair<double, Entry> read;
+        double                  &t = read.first;
+        Entry &entry = archive.is_loading() ? read.second : next->second;
+        if (!archive.is_loading())
+          t = (next++)->first;
+        archive.common(t);
+        archive.common(entry.period);
+        archive.at_points(entry.stress);
+        if (archive.is_loading())
+          samples.insert(std::move(read));
+      }
+    archive.common(periods);
+    archive.common(n_new);
+    archive.common(comparable);
+    archive.maximum(largest_change);
+    archive.maximum(largest);
+    archive.common(largest_of_last);
+    communicator = archive.communicator();
   }
 } // namespace Crevasse

@@ -10,11 +10,12 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/discretisation/refinement.h>
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/run/adapted_mesh.h>
+#include <crevasse/run/elastic_estimate.h>
 #include <crevasse/run/largest_load.h>
 #include <crevasse/run/solvers.h>
 #include <crevasse/scene/problems.h>
-#include <crevasse/time/evolution.h>
 
 #include <deal.II/base/timer.h>
 
@@ -74,13 +75,20 @@ namespace Crevasse
   template <int dim>
   AdaptedMesh<dim>::AdaptedMesh(const Scene   &scene,
                                 const MPI_Comm communicator,
-                                Log           &log)
+                                Log           &log,
+                                Checkpoints   &checkpoints)
     : scene(with_fast_solvers(scene))
     , history([this, communicator]() {
       return make_scene_mesh<dim>(this->scene, communicator);
     })
-    , current(history.make())
   {
+    if (checkpoints.is_resuming())
+      {
+        serialize(checkpoints.resumed());
+        current = history.make();
+        return;
+      }
+    current                                = history.make();
     const RefinementParameters &refinement = scene.refinement;
     if (refinement.strategy != "adaptive")
       return;
@@ -89,6 +97,7 @@ namespace Crevasse
     Log   quiet(communicator, true);
     while (true)
       {
+        checkpoints.requests().stop_if_asked();
         const dealii::Vector<float> squares = estimate(quiet);
         report(log);
         const bool is_good =
@@ -99,6 +108,18 @@ namespace Crevasse
           break;
       }
     seconds_of_all = timer.wall_time();
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptedMesh<dim>::serialize(StateArchive &archive)
+  {
+    archive.section("mesh");
+    history.serialize(archive);
+    archive.common_list(all);
+    archive.common(seconds_of_all);
   }
 
 
@@ -117,23 +138,14 @@ namespace Crevasse
     body.material.survey(steps.survey_instants({}));
 
     Solvers<dim>         solvers(scene, body, steps, quiet, phases);
-    Evolution<dim>       evolution(body.strain_operator,
-                             body.points,
-                             body.loads,
-                             solvers);
     StressEstimator<dim> estimator(body.space,
                                    body.points,
                                    body.lip,
                                    scene.loads);
-    for (const double t : instants_of_estimate(scene, body, steps))
-      {
-        evolution.elastic_state(t);
-        estimator.look_at(t,
-                          evolution.state().stress,
-                          evolution.state().contact_forces,
-                          solvers.at(t).material,
-                          &evolution.state().displacement);
-      }
+    look_at_elastic_states(body,
+                           solvers,
+                           instants_of_estimate(scene, body, steps),
+                           estimator);
     if (estimator.largest_energy() == 0.)
       throw SceneError(
         "[Refinement] Instants: there is no stress at the instants that "
@@ -172,21 +184,20 @@ namespace Crevasse
   bool
   AdaptedMesh<dim>::advance(const dealii::Vector<float> &squares)
   {
-    set_flags(*current, squares, scene.refinement);
-    const Marks marks = flagged_cells(*current);
+    // What is nearly as large as it may be is not worth another estimate.
+    constexpr double   nearly    = 0.98;
+    const unsigned int degree    = scene.discretisation.degree;
+    const auto         available = scene.refinement.target_unknowns;
+    if (available > 0 && count_unknowns(*current, degree) > nearly * available)
+      return false;
+    const Marks marks = affordable_marks(squares);
     if (marks.refined.empty())
       {
         clear_flags(*current);
         return false;
       }
-    const std::shared_ptr<Mesh<dim>> next = history.make_with(marks);
-    if (!is_affordable(*next))
-      {
-        clear_flags(*current);
-        return false;
-      }
     history.add(marks);
-    current = next;
+    current = history.make();
     return true;
   }
 
@@ -204,8 +215,8 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  AdaptedMesh<dim>::flag(const dealii::Vector<float> &squares)
+  Marks
+  AdaptedMesh<dim>::affordable_marks(const dealii::Vector<float> &squares)
   {
     constexpr unsigned int most_attempts = 6;
     for (unsigned int attempt = 0; attempt < most_attempts; ++attempt)
@@ -214,12 +225,19 @@ namespace Crevasse
         set_flags(*current, squares, scene.refinement, std::pow(0.5, attempt));
         const Marks marks = flagged_cells(*current);
         if (is_affordable(*history.make_with(marks)))
-          {
-            history.add(marks);
-            return;
-          }
+          return marks;
       }
-    keep();
+    clear_flags(*current);
+    return {};
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptedMesh<dim>::flag(const dealii::Vector<float> &squares)
+  {
+    history.add(affordable_marks(squares));
   }
 
 

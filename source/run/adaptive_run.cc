@@ -8,6 +8,7 @@
 // either version 2.1 of the License, or (at your option) any later version.
 //
 // ---------------------------------------------------------------------
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/discretisation/state_transfer.h>
 #include <crevasse/run/adaptive_run.h>
 #include <crevasse/run/period_estimate.h>
@@ -49,13 +50,22 @@ namespace Crevasse
   template <int dim>
   AdaptiveRun<dim>::AdaptiveRun(const Scene   &scene,
                                 const MPI_Comm communicator,
-                                Log           &log)
+                                Log           &log,
+                                Checkpoints   &checkpoints)
     : scene(scene)
     , log(log)
-    , adapted(scene, communicator, log)
+    , checkpoints(checkpoints)
+    , adapted(scene, communicator, log, checkpoints)
     , simulation(std::make_unique<Simulation<dim>>(scene, adapted.mesh(), log))
   {
-    adapted.add_to(summary);
+    if (checkpoints.is_resuming())
+      serialize_summary(checkpoints.resumed());
+    else
+      adapted.add_to(summary);
+    checkpoints.begin_with([this](StateArchive &archive) {
+      adapted.serialize(archive);
+      serialize_summary(archive);
+    });
   }
 
 
@@ -85,12 +95,17 @@ namespace Crevasse
   {
     const unsigned int n = scene.refinement.readapt_every;
     RunState           state;
-    if (!adapted.estimates().empty())
+    if (checkpoints.is_resuming())
+      {
+        state.serialize(checkpoints.resumed());
+        state.was_resumed = true;
+      }
+    else if (!adapted.estimates().empty())
       add_seconds(adapted.seconds(), state);
     if (n == 0)
       {
         Leg all;
-        simulation->run(directory, state, all, others, summary);
+        simulation->run(directory, state, all, others, summary, checkpoints);
         return;
       }
     while (true)
@@ -103,14 +118,28 @@ namespace Crevasse
                                                 leg.last_period);
         std::vector<Observer *> observers = others;
         observers.push_back(estimate.get());
-        simulation->run(directory, state, leg, observers, summary);
+        simulation->run(directory, state, leg, observers, summary, checkpoints);
         if (leg.ends_run)
           return;
         const dealii::Vector<float> squares = estimate->estimator().squares();
         const double error = estimate->estimator().relative_error();
         estimate.reset(); // before the space that it refers to
         readapt(squares, error, state);
+        state.methods_left = 0;
+        state.was_resumed  = false;
       }
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptiveRun<dim>::serialize_summary(StateArchive &archive)
+  {
+    std::string text = summary.dump();
+    archive.common(text);
+    if (archive.is_loading())
+      summary = Summary::parse(text);
   }
 
 

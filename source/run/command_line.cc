@@ -14,6 +14,7 @@
 #include <crevasse/scene/text.h>
 
 #include <CLI/CLI.hpp>
+#include <sstream>
 
 namespace Crevasse
 {
@@ -52,7 +53,10 @@ namespace Crevasse
       "     also if the stress is not periodic after Maximum periods: all "
       "results are\n"
       "     written then\n"
-      "  4  cannot read or write a file";
+      "  4  cannot read or write a file\n"
+      "  5  stopped on request (SIGTERM, SIGINT, a file \"stop\" in the output "
+      "directory,\n"
+      "     --wall-time), checkpoint written: --resume goes on";
 
 
 
@@ -99,6 +103,39 @@ namespace Crevasse
 
 
 
+    /** The seconds of "3600" or "1:00:00"; 0 if it is neither. */
+    double
+    seconds_in(const std::string &text)
+    {
+      double             seconds = 0.;
+      std::istringstream parts(text);
+      std::string        part;
+      while (std::getline(parts, part, ':'))
+        {
+          std::istringstream number(part);
+          double             value = 0.;
+          number >> value;
+          if (!number || !number.eof() || !(value >= 0.))
+            return 0.;
+          seconds = 60. * seconds + value;
+        }
+      return seconds;
+    }
+
+
+
+    std::string
+    wall_time_problem(const std::string &text)
+    {
+      if (seconds_in(text) > 0.)
+        return "";
+      return "\"" + Text::shorten(text) +
+             "\" is no time: seconds or hours:minutes:seconds are, as 3600 or "
+             "1:00:00.";
+    }
+
+
+
     /** What runs and sweeps have in common. */
     void
     add_common_options(CLI::App                 &app,
@@ -119,6 +156,16 @@ namespace Crevasse
                       " in the working directory)")
         ->type_name("DIR");
       app.add_flag("--quiet", command.quiet, "Print nothing but errors");
+      app
+        .add_option_function<std::string>(
+          "--wall-time",
+          [&command](const std::string &text) {
+            command.wall_time = seconds_in(text);
+          },
+          "Stop early enough to be done after this time, seconds or "
+          "hours:minutes:seconds")
+        ->type_name("TIME")
+        ->check(wall_time_problem);
     }
 
 
@@ -162,7 +209,9 @@ namespace Crevasse
       sweep
         ->add_option("--error",
                      request.error,
-                     "Quantities whose errors are wanted, separated by commas")
+                     "Quantities whose errors are wanted, separated by commas: "
+                     "stress, or TABLE/COLUMN of probe_NAME, contact, "
+                     "crack_tip, periods or load_work, as crack_tip/K_I")
         ->type_name("LIST");
       add_common_options(*sweep,
                          "results/<scene name>_sweep",
@@ -194,6 +243,11 @@ namespace Crevasse
       command.check,
       "Check the scene and report effects, boundaries, sizes, memory "
       "and output directory; compute and write nothing");
+    app
+      .add_flag("--resume",
+                command.resume,
+                "Go on from the newest checkpoint of the output directory")
+      ->excludes("--check");
     auto *print = app
                     .add_option("--print-parameters",
                                 command.print_format,
@@ -207,8 +261,8 @@ namespace Crevasse
       {
         app.parse(argc, argv);
         command.sweep = sweep->parsed();
-        if (command.sweep &&
-            (!scene->empty() || !print->empty() || command.check))
+        if (command.sweep && (!scene->empty() || !print->empty() ||
+                              command.check || command.resume))
           throw CLI::ParseError("\"sweep\" comes first, and all else after it.",
                                 CLI::ExitCodes::ExtrasError);
         if (print->count() > 0 && command.print_format.empty())

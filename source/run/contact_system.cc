@@ -15,6 +15,8 @@
 #include <crevasse/contact/unconstrained.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/linear/amg_cg.h>
+#include <crevasse/linear/gmg_cg.h>
+#include <crevasse/linear/matrix_operator.h>
 #include <crevasse/linear/mumps.h>
 #include <crevasse/run/contact_system.h>
 
@@ -35,17 +37,50 @@ namespace Crevasse
     : settings(settings)
     , space(space)
     , analysis(similar != nullptr ? similar->analysis : nullptr)
+    , levels(similar != nullptr ? similar->levels : nullptr)
   {
-    {
-      TimerOutput::Scope phase(settings.phases, "assembly");
-      if (similar != nullptr)
-        matrix.reinit(similar->matrix);
-      assemble_stiffness(space, points, stiffness, matrix);
-      ++setups.assemblies;
-    }
-    signorini_problem = std::make_unique<SignoriniProblem>(matrix, bounds);
-    contact           = make_contact_solver();
+    if (settings.linear_choice.type == LinearSolverChoice::gmg)
+      set_up_multigrid(points, stiffness);
+    else
+      assemble(points, stiffness, similar);
+    signorini_problem =
+      std::make_unique<SignoriniProblem>(*linear_operator, bounds);
+    contact = make_contact_solver();
     contact->judge_by_load(settings.largest_load);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSystem<dim>::assemble(const QuadratureField<dim>          &points,
+                               const PointValues<VoigtMatrix<dim>> &stiffness,
+                               const ContactSystem                 *similar)
+  {
+    TimerOutput::Scope phase(settings.phases, "assembly");
+    if (similar != nullptr)
+      matrix.reinit(similar->matrix);
+    assemble_stiffness(space, points, stiffness, matrix);
+    linear_operator = std::make_unique<MatrixOperator>(matrix);
+    ++setups.assemblies;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSystem<dim>::set_up_multigrid(
+    const QuadratureField<dim>          &points,
+    const PointValues<VoigtMatrix<dim>> &stiffness)
+  {
+    TimerOutput::Scope phase(settings.phases, "multigrid set-up");
+    if (levels == nullptr)
+      levels = std::make_shared<const MultigridLevels<dim>>(space, points);
+    auto matrix_free =
+      std::make_unique<StiffnessOperator<dim>>(space, points, stiffness);
+    open_solver = std::make_unique<GmgCg<dim>>(levels, *matrix_free, stiffness);
+    linear_operator = std::move(matrix_free);
+    ++setups.multigrid_setups;
   }
 
 
@@ -116,10 +151,10 @@ namespace Crevasse
 
 
   template <int dim>
-  const SparseMatrix &
+  const LinearOperator &
   ContactSystem<dim>::stiffness() const
   {
-    return matrix;
+    return *linear_operator;
   }
 
 
@@ -177,7 +212,8 @@ namespace Crevasse
   std::size_t
   ContactSystem<dim>::memory_consumption() const
   {
-    return matrix.memory_consumption() + contact->memory_consumption() +
+    return matrix.memory_consumption() + linear_operator->memory_consumption() +
+           contact->memory_consumption() +
            (open_solver != nullptr ? open_solver->memory_consumption() : 0);
   }
 

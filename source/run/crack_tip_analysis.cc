@@ -11,16 +11,15 @@
 
 #include <crevasse/crack_tip/interaction_integral.h>
 #include <crevasse/discretisation/rigid_modes.h>
-#include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/periodic/secular.h>
 #include <crevasse/run/crack_tip_analysis.h>
 #include <crevasse/run/elastic_displacement.h>
+#include <crevasse/run/elastic_estimate.h>
 #include <crevasse/run/largest_load.h>
 #include <crevasse/run/tip_functions.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
-#include <crevasse/time/evolution.h>
 
 #include <algorithm>
 #include <cmath>
@@ -192,23 +191,14 @@ namespace Crevasse
   CrackTipAnalysis::relative_energy_error(Solvers<2>     &solvers,
                                           const StepList &steps) const
   {
-    Evolution<2>       evolution(body.strain_operator,
-                           body.points,
-                           body.loads,
-                           solvers);
     StressEstimator<2> estimator(body.space,
                                  body.points,
                                  body.lip,
                                  scene.loads);
-    for (const double t : instants_of_extreme_loads(body, steps))
-      {
-        evolution.elastic_state(t);
-        estimator.look_at(t,
-                          evolution.state().stress,
-                          evolution.state().contact_forces,
-                          solvers.at(t).material,
-                          &evolution.state().displacement);
-      }
+    look_at_elastic_states(body,
+                           solvers,
+                           instants_of_extreme_loads(body, steps),
+                           estimator);
     const double error = estimator.relative_error();
     return error * error;
   }

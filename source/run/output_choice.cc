@@ -10,8 +10,10 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/output/output_directory.h>
+#include <crevasse/output/summary.h>
 #include <crevasse/run/output_choice.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text_file.h>
 
 #include <cerrno>
 #include <cstring>
@@ -91,6 +93,48 @@ namespace Crevasse
     using Characters = std::istreambuf_iterator<char>;
     return file.is_open() &&
            std::string(Characters(file), Characters()) != used_parameters;
+  }
+
+
+
+  std::string
+  OutputChoice::why_finished(const Scene &scene) const
+  {
+    const std::string name = path + "/summary.json";
+    std::error_code   unknown;
+    if (!fs::exists(name, unknown))
+      return "";
+    const Summary summary =
+      Summary::parse(read_text_file(name), nullptr, false);
+    const unsigned int periods = summary.value("periods", 0U);
+    if (summary.is_discarded() || periods == 0)
+      return "";
+    const unsigned int allowed   = scene.periodic_state.maximum_periods;
+    const double       tolerance = scene.periodic_state.tolerance;
+    const Summary      converged = summary.value("converged", Summary());
+    const Summary     &error     = summary["stress_error_estimate"].back();
+    const bool         is_enough = converged == true && tolerance > 0. &&
+                           error.is_number() && error <= tolerance;
+    if (!is_enough && periods < allowed)
+      return "";
+    return "the run in " + path + " has ended after " +
+           std::to_string(periods) + (periods == 1 ? " period" : " periods") +
+           (is_enough ? ", periodic."
+                      : ", as many as [Periodic state] Maximum periods "
+                        "allows; raise it to go on.");
+  }
+
+
+
+  void
+  OutputChoice::take_up() const
+  {
+    require_writable_directory(path);
+    std::error_code error;
+    fs::remove(path + "/summary.json", error);
+    if (error)
+      throw FileError("Cannot remove " + path + "/summary.json (" +
+                      error.message() + ").");
   }
 
 

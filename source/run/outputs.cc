@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/output/load_work.h>
 #include <crevasse/run/elastic_reference.h>
 #include <crevasse/run/outputs.h>
@@ -39,6 +40,13 @@ namespace Crevasse
     {
       value = of_last_period ? report.largest_stress
                              : std::max(value, report.largest_stress);
+    }
+
+    void
+    serialize(StateArchive &archive) override
+    {
+      archive.common(value);
+      archive.common(viscous_strain);
     }
 
     LargestStress(const bool of_last_period, const double before)
@@ -98,7 +106,7 @@ namespace Crevasse
       return writes ? directory + '/' + name : std::string();
     };
 
-    const bool goes_on = start.has_begun();
+    const bool goes_on = start.has_tables();
     for (const ProbeEvaluator<dim> &probe : probes)
       add<ProbeTable<dim>>(probe,
                            file("probe_" + probe.name() + ".csv"),
@@ -109,7 +117,7 @@ namespace Crevasse
                                              periods_are_iterates,
                                              goes_on);
     // The lip's nodes before were others.
-    if (body.effects.contact.on && flow != nullptr && !goes_on)
+    if (body.effects.contact.on && flow != nullptr && !start.has_begun())
       onset = add<ContactOnset<dim>>(body.lip, *flow);
     if (body.effects.viscosity.on)
       drift = add<Drift>(steps);

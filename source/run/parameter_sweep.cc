@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <set>
 
 namespace Crevasse
 {
@@ -72,6 +73,30 @@ namespace Crevasse
 
 
 
+    /** The parameters that change what is computed, and not only how. */
+    std::vector<std::string>
+    parameters_of_problem(const std::vector<std::string> &names)
+    {
+      static const std::set<std::string> of_mesh  = {"Subdivisions",
+                                                     "Refinements"};
+      static const std::set<std::string> sections = {
+        GeometryParameters::section,
+        BoundaryParameters::section,
+        MaterialParameters::section,
+        LoadParameters::section};
+      std::vector<std::string> found;
+      for (const std::string &name : names)
+        {
+          const auto slash = name.find('/');
+          if (sections.count(name.substr(0, slash)) > 0 &&
+              of_mesh.count(name.substr(slash + 1)) == 0)
+            found.push_back(name);
+        }
+      return found;
+    }
+
+
+
     /** Ends the sweep as the reference run would have ended by itself. */
     [[noreturn]] void
     throw_of_reference(const std::exception_ptr &exception)
@@ -96,10 +121,12 @@ namespace Crevasse
 
   ParameterSweep::ParameterSweep(const Command &command,
                                  const MPI_Comm for_failures,
+                                 StopRequests  &requests,
                                  Log           &log)
     : command(command)
     , communicator(MPI_COMM_WORLD)
     , for_failures(for_failures)
+    , requests(requests)
     , log(log)
     , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
     , plan(command.sweep_request)
@@ -176,6 +203,35 @@ namespace Crevasse
              ", " + std::to_string(scenes.points.size()) +
              (scenes.points.size() == 1 ? " point" : " points"));
     log.line("  " + describe_reference());
+    const auto of_problem = parameters_of_problem(plan.parameters());
+    if (needs_reference() && !of_problem.empty())
+      log.line("  note: " + Text::join(of_problem, ", ") +
+               " changes the problem itself: errors against one reference "
+               "tell how results differ from it, not how accurate they are");
+    requests.look_in(directory);
+    try
+      {
+        compute_points();
+      }
+    catch (const StoppedOnRequest &request)
+      {
+        throw StoppedOnRequest(std::string(request.what()) +
+                               " The points that are finished are kept: the "
+                               "same command goes on with the others.");
+      }
+
+    log.line("  table in " + directory + "/sweep.md, sweep.csv, sweep.json");
+    if (Utilities::MPI::broadcast(communicator, table->n_with_results(), 0) ==
+        0)
+      throw NumericalError("None of the points has results: " + directory +
+                           "/sweep.md tells why.");
+  }
+
+
+
+  void
+  ParameterSweep::compute_points()
+  {
     if (needs_reference())
       table->set_reference(find_reference());
 
@@ -188,11 +244,13 @@ namespace Crevasse
             conclude_point(p, *result, true);
             continue;
           }
+        requests.stop_if_asked();
         log.progress("  " + numbered(p) + table->values(p) + " ...");
         SweepResult result = run_for_sweep(scenes.points[p].scene,
                                            folder,
                                            want_stress(quantities),
-                                           for_failures)
+                                           for_failures,
+                                           requests)
                                .result;
         collectively(communicator, [&]() {
           if (first_rank)
@@ -203,12 +261,6 @@ namespace Crevasse
         });
         conclude_point(p, result, false);
       }
-
-    log.line("  table in " + directory + "/sweep.md, sweep.csv, sweep.json");
-    if (Utilities::MPI::broadcast(communicator, table->n_with_results(), 0) ==
-        0)
-      throw NumericalError("None of the points has results: " + directory +
-                           "/sweep.md tells why.");
   }
 
 
@@ -247,7 +299,8 @@ namespace Crevasse
         const SweepRun run = run_for_sweep(scenes.reference.scene,
                                            folder,
                                            want_stress(quantities),
-                                           for_failures);
+                                           for_failures,
+                                           requests);
         if (run.exception != nullptr)
           throw_of_reference(run.exception);
         result = run.result;

@@ -8,6 +8,7 @@
 // either version 2.1 of the License, or (at your option) any later version.
 //
 // ---------------------------------------------------------------------
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/run/adapted_mesh.h>
 #include <crevasse/run/period_estimate.h>
 
@@ -45,6 +46,17 @@ namespace Crevasse
                              sample.state.stress,
                              sample.state.contact_forces,
                              body.material.at(sample.instant));
+  }
+
+
+
+  template <int dim>
+  void
+  PeriodEstimate<dim>::serialize(StateArchive &archive)
+  {
+    archive.section("estimate");
+    archive.common(instants);
+    stress_estimator.serialize(archive);
   }
 
 

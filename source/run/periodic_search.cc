@@ -57,18 +57,22 @@ namespace Crevasse
   {
     PeriodicResult shown = state.result;
     leg.ends_run         = true;
-    if (choice.method == "fourier" && direct != nullptr)
+    const bool shows     = choice.method == "fourier" && direct != nullptr;
+    if (shows && state.methods_left == 0)
       {
-        shown = show(evolution, steps, n_solves, observers);
+        shown =
+          show(evolution, steps, n_solves, observers, period_map.pauses());
         if (shown.converged)
           return shown;
         log.line("  anderson takes over");
+        ++state.methods_left;
       }
+    const unsigned int left_at_last = shows ? 2 : 1;
 
     Vector &viscous_strain = state.viscous_strain;
     if (direct != nullptr)
       viscous_strain = direct->motion.viscous_strain.front();
-    else if (body.effects.viscosity.on && !state.has_begun())
+    else if (body.effects.viscosity.on && viscous_strain.size() == 0)
       body.points.initialize(viscous_strain, body.law.branches().size());
     const unsigned int   last = scene.periodic_state.maximum_periods;
     ObservedPeriods<dim> periods(period_map,
@@ -77,13 +81,17 @@ namespace Crevasse
                                  std::min(last, leg.last_period),
                                  shown,
                                  !state.has_begun());
-    Ending               ending = choice.method == "march"
-                                    ? march(periods, viscous_strain)
-                                    : accelerate(periods, viscous_strain);
+    Ending               ending = Ending::stagnant;
+    if (choice.method == "march")
+      ending = march(periods, viscous_strain);
+    else if (state.methods_left < left_at_last)
+      ending = accelerate(periods, viscous_strain);
     if (ending == Ending::stagnant && choice.may_fall_back)
       {
-        log.line("  anderson stagnates: march");
-        ending = march(periods, viscous_strain);
+        if (state.methods_left < left_at_last)
+          log.line("  anderson stagnates: march");
+        state.methods_left = left_at_last;
+        ending             = march(periods, viscous_strain);
       }
     PeriodicResult result = periods.result();
     result.converged      = ending == Ending::converged;
@@ -109,7 +117,8 @@ namespace Crevasse
     Evolution<dim>                                  &evolution,
     StepList                                        &steps,
     const typename ObservedPeriods<dim>::SolveCount &n_solves,
-    const std::vector<Observer *>                   &observers) const
+    const std::vector<Observer *>                   &observers,
+    Pauses                                          *pauses) const
   {
     constexpr double tolerable = 1e-8;
     FixedSteps       as_they_are;
@@ -118,7 +127,7 @@ namespace Crevasse
                        steps.step(0),
                        dealii::GridTools::diameter(body.space.mesh()),
                        largest_load(body, steps));
-    PeriodMap<dim>   period_map(evolution, &motion, as_they_are, steps);
+    PeriodMap<dim>   period_map(evolution, &motion, as_they_are, steps, pauses);
 
     std::vector<Observer *> all = observers;
     all.push_back(&motion);

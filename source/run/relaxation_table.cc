@@ -14,14 +14,20 @@
 #include <crevasse/run/elastic_displacement.h>
 #include <crevasse/run/largest_load.h>
 #include <crevasse/run/relaxation_table.h>
+#include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 namespace Crevasse
 {
+  using namespace dealii;
+
   namespace
   {
     /** max |A q − b|, a force. */
@@ -85,7 +91,7 @@ namespace Crevasse
                          Log               &log,
                          const std::string &directory)
   {
-    const SparseMatrix &matrix = solvers.current().stiffness();
+    const SparseMatrix &matrix = solvers.current().problem().matrix();
     const Vector        loads =
       loads_at(body, steps.instant(step_of_largest_load(body, steps)));
     if (loads.linfty_norm() == 0.)
@@ -128,17 +134,30 @@ namespace Crevasse
                   target_1980 / loads.linfty_norm());
     log.line(text);
     log.line("      factor    iterations       27 bits");
-    CsvTable csv(directory + "/relaxation.csv",
-                 {"relaxation_factor", "iterations", "iterations_27_bits"});
+    const bool is_first_rank =
+      Utilities::MPI::this_mpi_process(body.space.communicator()) == 0;
+    std::unique_ptr<CsvTable> csv;
+    collectively(body.space.communicator(), [&]() {
+      if (is_first_rank)
+        csv = std::make_unique<CsvTable>(
+          directory + "/relaxation.csv",
+          std::vector<std::string>{"relaxation_factor",
+                                   "iterations",
+                                   "iterations_27_bits"});
+    });
     for (const double factor : factors)
       {
         const SorCount full = count(factor, target);
         const SorCount past = count(factor, target_1980);
         log.line(table_row(
           factor, full, past, factor == best ? "  (best, by dichotomy)" : ""));
-        csv.add_row({factor,
-                     full.reached ? double(full.iterations) : std::nan(""),
-                     past.reached ? double(past.iterations) : std::nan("")});
+        collectively(body.space.communicator(), [&]() {
+          if (is_first_rank)
+            csv->add_row(
+              {factor,
+               full.reached ? double(full.iterations) : std::nan(""),
+               past.reached ? double(past.iterations) : std::nan("")});
+        });
       }
   }
 

@@ -9,12 +9,13 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/contact/sweep.h>
+
 #include <crevasse/periodic/period_map.h>
 #include <crevasse/run/elastic_reference.h>
 #include <crevasse/run/integrator_choice.h>
 #include <crevasse/run/jumps.h>
 #include <crevasse/run/largest_load.h>
+#include <crevasse/run/machine_memory.h>
 #include <crevasse/run/outputs.h>
 #include <crevasse/run/periodic_search.h>
 #include <crevasse/run/relaxation_table.h>
@@ -23,6 +24,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace Crevasse
@@ -153,9 +155,7 @@ namespace Crevasse
                    steps,
                    integrator.get(),
                    scene.output.elastic_comparison);
-    if (body.effects.contact.on && (scene.contact.solver == "projected sor" ||
-                                    !scene.contact.relaxation_table.empty()))
-      require_one_rank(communicator);
+
     if (integrator != nullptr)
       step_control = make_step_control(scene.time_integration,
                                        steps,
@@ -173,14 +173,16 @@ namespace Crevasse
                        RunState                      &state,
                        Leg                           &leg,
                        const std::vector<Observer *> &others,
-                       Summary                        summary)
+                       Summary                        summary,
+                       Checkpoints                   &checkpoints)
   {
-    Timer        timer;
+    timer.restart();
     Solvers<dim> solvers(scene, body, steps, log, phases);
     solvers.add(state.solvers);
     rate_evaluations = state.rate_evaluations;
 
     const bool any_periods = scene.periodic_state.maximum_periods > 0;
+    checkpoints.requests().stop_if_asked();
     std::optional<FourierResult> direct;
     if (any_periods)
       {
@@ -190,7 +192,7 @@ namespace Crevasse
         else if (secular_split.effect.on)
           find_secular_flow(solvers);
       }
-    if (!scene.contact.relaxation_table.empty() && !state.has_begun())
+    if (!scene.contact.relaxation_table.empty() && !state.has_tables())
       write_relaxation_table(scene, body, solvers, steps, log, directory);
     // Where nothing is marched, no tables are begun either.
     if (any_periods)
@@ -200,7 +202,8 @@ namespace Crevasse
                       directory,
                       state,
                       leg,
-                      summary);
+                      summary,
+                      checkpoints);
     else
       {
         leg.ends_run = true;
@@ -232,7 +235,8 @@ namespace Crevasse
                                    const std::string             &directory,
                                    RunState                      &state,
                                    Leg                           &leg,
-                                   Summary                       &summary)
+                                   Summary                       &summary,
+                                   Checkpoints                   &checkpoints)
   {
     Outputs<dim> outputs(scene,
                          body,
@@ -247,7 +251,12 @@ namespace Crevasse
                          state,
                          log,
                          directory);
-    search(solvers, direct, together(outputs.observers(), others), state, leg);
+    search(solvers,
+           direct,
+           together(outputs.observers(), others),
+           state,
+           leg,
+           checkpoints);
     outputs.hand_over(state);
     if (!leg.ends_run)
       return;
@@ -279,10 +288,14 @@ namespace Crevasse
     for (const auto &[name, seconds] : state.seconds)
       if (name != "total")
         summary["seconds"][name] = seconds;
-    summary["seconds"]["total"] = total;
-    Utilities::System::MemoryStats memory;
-    Utilities::System::get_memory_stats(memory);
-    summary["peak_memory_bytes"] = 1024 * memory.VmHWM;
+    summary["seconds"]["total"]     = total;
+    const std::vector<double> peaks = peak_memory_of_ranks(communicator);
+    if (!peaks.empty())
+      {
+        summary["peak_memory_bytes"] =
+          *std::max_element(peaks.begin(), peaks.end());
+        summary["peak_memory_bytes_of_ranks"] = peaks;
+      }
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       write_summary(summary, directory + "/summary.json");
 
@@ -402,17 +415,23 @@ namespace Crevasse
                           const FourierResult           *direct,
                           const std::vector<Observer *> &observers,
                           RunState                      &state,
-                          Leg                           &leg)
+                          Leg                           &leg,
+                          Checkpoints                   &checkpoints)
   {
+    checkpoints.requests().stop_if_asked();
     TimerOutput::Scope phase(phases, "time stepping");
     Evolution<dim>     evolution(body.strain_operator,
                              body.points,
                              body.loads,
                              solvers);
-    PeriodMap<dim>     period_map(evolution,
-                              integrator.get(),
-                              *step_control,
-                              steps);
+    KeptRun<dim>       kept(checkpoints, body, [&](StateArchive &archive) {
+      serialize(state, solvers, evolution, archive);
+    });
+    const StatePart    part(&kept, [&](StateArchive &archive) {
+      solvers.serialize(archive);
+    });
+    PeriodMap<dim>     period_map(
+      evolution, integrator.get(), *step_control, steps, &kept);
     if (secular_flow && secular_split.is_split)
       evolution.split_off(*secular_flow);
     if (integrator != nullptr &&
@@ -434,6 +453,25 @@ namespace Crevasse
           state,
           leg);
     rate_evaluations += evolution.n_rate_evaluations();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::serialize(const RunState       &state,
+                             const Solvers<dim>   &solvers,
+                             const Evolution<dim> &evolution,
+                             StateArchive         &archive) const
+  {
+    RunState now         = state;
+    now.solvers          = solvers.statistics();
+    now.rate_evaluations = rate_evaluations + evolution.n_rate_evaluations();
+    for (const auto &[name, seconds] :
+         phases.get_summary_data(TimerOutput::total_wall_time))
+      now.seconds[name] += seconds;
+    now.seconds["total"] += timer.wall_time();
+    now.serialize(archive);
   }
 
 

@@ -11,6 +11,7 @@
 
 #include <crevasse/contact/relaxation_factor.h>
 #include <crevasse/discretisation/node_blocks.h>
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/run/largest_load.h>
 #include <crevasse/run/solvers.h>
 #include <crevasse/scene/collectively.h>
@@ -18,6 +19,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 
 namespace Crevasse
 {
@@ -37,8 +39,7 @@ namespace Crevasse
                              dim,
                              body.space.n_unknowns(),
                              Utilities::MPI::n_mpi_processes(communicator));
-      if (linear.type == LinearSolverChoice::amg &&
-          body.space.singular_shapes() != nullptr)
+      if (linear.is_multigrid() && body.space.singular_shapes() != nullptr)
         throw SceneError(
           "[Discretisation] Singular functions: must be 0 on a mesh that is "
           "too "
@@ -59,10 +60,7 @@ namespace Crevasse
       const bool     sweeps = settings.contact_choice.name == "projected sor" ||
                           !scene.contact.relaxation_table.empty();
       if (sweeps && scene.contact.relaxed_together == "node")
-        {
-          require_one_rank(communicator);
-          settings.unknown_blocks = node_blocks(body.space);
-        }
+        settings.unknown_blocks = node_blocks(body.space);
       return settings;
     }
 
@@ -191,8 +189,10 @@ namespace Crevasse
   Solvers<dim>::at(const double t)
   {
     const MaterialState<dim> &material = material_at(t);
+    last_request                       = {false, t, 0.};
     last_system =
       only_system != nullptr ? only_system : systems.at({t, 0.}, [&]() {
+        remember(last_request);
         return make_system(*material.stiffness);
       });
     return {material, last_system->contact_solver()};
@@ -231,10 +231,82 @@ namespace Crevasse
   Solvers<dim>::implicit_at(const double t, const double c)
   {
     ImplicitInstant<dim> instant = implicit_material_at(t, c);
-    last_system                  = systems.at(step_key(t, c, instant.material),
-                             [&]() { return make_system(instant.moduli.sum); });
-    instant.contact_solver       = &last_system->contact_solver();
+    last_request                 = {true, t, c};
+    last_system = systems.at(step_key(t, c, instant.material), [&]() {
+      remember(last_request);
+      return make_system(instant.moduli.sum);
+    });
+    instant.contact_solver = &last_system->contact_solver();
     return instant;
+  }
+
+
+
+  template <int dim>
+  void
+  Solvers<dim>::remember(const Request &request)
+  {
+    requests.erase(std::remove_if(requests.begin(),
+                                  requests.end(),
+                                  [&](const Request &other) {
+                                    return other.is_implicit ==
+                                             request.is_implicit &&
+                                           other.t == request.t &&
+                                           other.c == request.c;
+                                  }),
+                   requests.end());
+    requests.push_back(request);
+  }
+
+
+
+  template <int dim>
+  bool
+  Solvers<dim>::is_kept(const Request &request)
+  {
+    return systems.has(
+      request.is_implicit
+        ? step_key(request.t, request.c, material_at(request.t))
+        : std::pair<double, double>(request.t, 0.));
+  }
+
+
+
+  template <int dim>
+  ContactSystem<dim> &
+  Solvers<dim>::system_of(const Request &request)
+  {
+    if (request.is_implicit)
+      implicit_at(request.t, request.c);
+    else
+      at(request.t);
+    return *last_system;
+  }
+
+
+
+  template <int dim>
+  void
+  Solvers<dim>::serialize(StateArchive &archive)
+  {
+    archive.section("contact solvers");
+    bool                 is_used = last_system != nullptr;
+    Request              last    = last_request;
+    std::vector<Request> kept;
+    if (!archive.is_loading())
+      std::copy_if(requests.begin(),
+                   requests.end(),
+                   std::back_inserter(kept),
+                   [this](const Request &request) { return is_kept(request); });
+    archive.common(is_used);
+    archive.common(last);
+    archive.common_list(kept);
+    if (only_system != nullptr)
+      only_system->contact_solver().serialize(archive);
+    for (const Request &request : kept)
+      system_of(request).contact_solver().serialize(archive);
+    if (is_used)
+      system_of(last);
   }
 
 

@@ -33,6 +33,7 @@ namespace Crevasse
     compute(const Scene       &scene,
             const SweepFolder &folder,
             const bool         keep_stress,
+            StopRequests      &requests,
             Log               &log,
             std::string       &status)
     {
@@ -42,7 +43,8 @@ namespace Crevasse
                          ": stresses on changing meshes cannot be compared; "
                          "set it to 0, or let the sweep vary nothing that "
                          "needs them.");
-      AdaptiveRun<dim> run(scene, MPI_COMM_WORLD, log);
+      Checkpoints      none(requests, log);
+      AdaptiveRun<dim> run(scene, MPI_COMM_WORLD, log, none);
       run.describe();
       status = "failed";
 
@@ -99,7 +101,8 @@ namespace Crevasse
   run_for_sweep(const Scene       &scene,
                 const SweepFolder &folder,
                 const bool         keep_stress,
-                const MPI_Comm     for_failures)
+                const MPI_Comm     for_failures,
+                StopRequests      &requests)
   {
     const MPI_Comm communicator = MPI_COMM_WORLD;
     const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -116,11 +119,15 @@ namespace Crevasse
     try
       {
         if (scene.dimension == 2)
-          compute<2>(scene, folder, keep_stress, log, status);
+          compute<2>(scene, folder, keep_stress, requests, log, status);
         else
-          compute<3>(scene, folder, keep_stress, log, status);
+          compute<3>(scene, folder, keep_stress, requests, log, status);
       }
     catch (const FileError &)
+      {
+        throw;
+      }
+    catch (const StoppedOnRequest &)
       {
         throw;
       }

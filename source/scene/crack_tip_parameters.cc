@@ -77,6 +77,22 @@ namespace Crevasse
 
 
 
+  bool
+  CrackTipParameters::has_paris_part() const
+  {
+    return growth_law == "paris" || growth_law == "sum";
+  }
+
+
+
+  bool
+  CrackTipParameters::has_creep_part() const
+  {
+    return growth_law == "creep" || growth_law == "sum";
+  }
+
+
+
   void
   CrackTipParameters::check(Problems &problems) const
   {
@@ -86,11 +102,9 @@ namespace Crevasse
                    "Crack growth law",
                    growth_law,
                    "needs Stress intensity = true");
-    const bool has_paris = growth_law == "paris" || growth_law == "sum";
-    const bool has_creep = growth_law == "creep" || growth_law == "sum";
-    if (has_paris)
+    if (has_paris_part())
       checker.demand_positive("Paris factor", paris_factor);
-    if (has_creep)
+    if (has_creep_part())
       checker.demand_positive("Creep factor", creep_factor);
     checker.demand_positive("Paris exponent", paris_exponent);
     checker.demand_positive("Creep exponent", creep_exponent);

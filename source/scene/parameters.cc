@@ -259,10 +259,11 @@ namespace Crevasse
                       type,
                       "Solver of the linear systems: factorisation by "
                       "CHOLMOD on one process or by MUMPS on several, or "
-                      "conjugate gradients with algebraic multigrid (ML). "
+                      "conjugate gradients with algebraic multigrid (ML) or, "
+                      "without a matrix, geometric multigrid. "
                       "\"automatic\" chooses by dimension, size and number of "
                       "processes.",
-                      Patterns::Selection("automatic|cholesky|mumps|amg"));
+                      Patterns::Selection("automatic|cholesky|mumps|amg|gmg"));
     prm.add_parameter("Tolerance",
                       tolerance,
                       "Factor by which conjugate gradients reduce the residual "
@@ -464,5 +465,12 @@ namespace Crevasse
                       "formats of Matrix Market and PETSc, for other solvers. "
                       "Allowed: a list such as 1: 10; 3: 0 of periods, counted "
                       "from 1, and steps in them, counted from 0");
+    prm.add_parameter("Checkpoint every",
+                      checkpoint_every,
+                      "Number of periods after which a checkpoint is written, "
+                      "from which --resume goes on; 0: only when the run is "
+                      "asked to stop, or by SIGUSR1. Allowed: an integer of at "
+                      "least 0",
+                      Patterns::Integer(0));
   }
 } // namespace Crevasse

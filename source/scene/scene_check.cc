@@ -90,12 +90,14 @@ namespace Crevasse
                      discretisation.singular_functions,
                      "must be 0 with Volumetric strain = mean; use Degree = 2 "
                      "instead of mean dilatations");
-      checker.demand(discretisation.singular_functions == 0 ||
-                       scene.linear_solver.type != "amg",
-                     "Singular functions",
-                     discretisation.singular_functions,
-                     "must be 0 with [Linear solver] Type = amg: they couple "
-                     "all unknowns; use automatic, cholesky or mumps");
+      checker.demand(
+        discretisation.singular_functions == 0 ||
+          (scene.linear_solver.type != "amg" &&
+           scene.linear_solver.type != "gmg"),
+        "Singular functions",
+        discretisation.singular_functions,
+        "must be 0 with [Linear solver] Type = " + scene.linear_solver.type +
+          ": they couple all unknowns; use automatic, cholesky or mumps");
       checker.demand(discretisation.singular_functions == 0 ||
                        has_no_gap(scene.boundary),
                      "Singular functions",
@@ -103,6 +105,22 @@ namespace Crevasse
                      "must be 0 with [Boundary] Gap = " + scene.boundary.gap +
                        ": a crack that is open without load may close at its "
                        "tip, which the bound of the singular function forbids");
+    }
+
+
+
+    /** Projected SOR needs the entries of a matrix. */
+    void
+    check_matrix_free(const Scene &scene, Problems &problems)
+    {
+      const bool relaxes = scene.contact.solver == "projected sor" ||
+                           !scene.contact.relaxation_table.empty();
+      Checker(LinearSolverParameters::section, problems)
+        .demand(scene.linear_solver.type != "gmg" || !relaxes,
+                "Type",
+                scene.linear_solver.type,
+                "has no matrix, which [Contact] Solver = projected sor and "
+                "Relaxation table need; use automatic, cholesky or amg");
     }
 
 
@@ -358,6 +376,7 @@ namespace Crevasse
     check_shape(*this, problems);
     check_volumetric_strain(*this, problems);
     check_singular_functions(*this, problems);
+    check_matrix_free(*this, problems);
     check_crack_tip(*this, problems);
     check_components(*this, problems);
     check_tensors(*this, problems);

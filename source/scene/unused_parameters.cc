@@ -252,19 +252,16 @@ namespace Crevasse
       const CrackTipParameters &tip  = scene.crack_tip;
       const char               *here = CrackTipParameters::section;
       const std::string         law  = "Crack growth law = " + tip.growth_law;
-      const bool                has_paris =
-        tip.growth_law == "paris" || tip.growth_law == "sum";
-      const bool has_creep =
-        tip.growth_law == "creep" || tip.growth_law == "sum";
+
       const std::string off   = "Stress intensity = false";
       Rules             rules = {{here, "Method", !tip.stress_intensity, off},
                                  {here, "Radius", !tip.stress_intensity, off}};
       for (const char *name :
            {"Paris factor", "Paris exponent", "Paris threshold"})
-        rules.push_back({here, name, !has_paris, law});
+        rules.push_back({here, name, !tip.has_paris_part(), law});
       for (const char *name :
            {"Creep growth parameter", "Creep factor", "Creep exponent"})
-        rules.push_back({here, name, !has_creep, law});
+        rules.push_back({here, name, !tip.has_creep_part(), law});
       return rules;
     }
 

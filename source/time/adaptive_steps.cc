@@ -8,6 +8,7 @@
 // either version 2.1 of the License, or (at your option) any later version.
 //
 // ---------------------------------------------------------------------
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/time/adaptive_steps.h>
 
@@ -257,5 +258,23 @@ namespace Crevasse
             {"rejected_steps", rejected},
             {"steps_of_last_period", taken},
             {"searches_for_steps", n_found}};
+  }
+
+
+
+  void
+  AdaptiveSteps::serialize(StateArchive &archive)
+  {
+    archive.section("adaptive steps");
+    archive.common(is_free);
+    archive.common(n_found);
+    archive.common(proposed);
+    archive.common(last_error);
+    archive.common(needed);
+    archive.common(taken);
+    archive.common(accepted);
+    archive.common(rejected);
+    archive.common(known_end);
+    archive.at_points(end_rate);
   }
 } // namespace Crevasse

@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/time/arkode.h>
 #include <crevasse/time/arkode_failure.h>
@@ -91,6 +92,8 @@ namespace Crevasse
     equation.attach(f);
     if (!goes_on)
       begin(f, t, time_step, r);
+    else if (driver == nullptr) // of a run that was taken up
+      make_driver(f, time_step, r);
     if (is_adaptive)
       take_own_steps(t + time_step, time_step, r);
     else
@@ -122,21 +125,33 @@ namespace Crevasse
     steps_of_period = 0;
     last_event      = t;
     pending_event   = -1.;
-    if (driver != nullptr)
+    if (usual_step == 0.)
       {
-        if (events != nullptr)
-          driver->seek_events(true);
-        if (t == 0.)
-          is_first_period = false;
-        driver->restart(t, usual_step, r);
+        usual_step = unit = time_step;
+        make_driver(f, time_step, r);
         return;
       }
-    ArkodeDriver::Settings settings{
-      is_implicit, period, time_step, is_adaptive, Vector()};
-    if (is_adaptive)
-      settings.tolerances = tolerances(f, r);
-    usual_step = time_step;
-    driver     = std::make_unique<ArkodeDriver>(
+    if (driver == nullptr) // of a run that was taken up
+      make_driver(f, usual_step, r);
+    if (events != nullptr)
+      driver->seek_events(true);
+    if (t == 0.)
+      is_first_period = false;
+    driver->restart(t, usual_step, r);
+  }
+
+
+
+  void
+  Arkode::make_driver(const RateEquation &f,
+                      const double        time_step,
+                      const Vector       &r)
+  {
+    if (is_adaptive && allowed_errors.size() == 0)
+      allowed_errors = tolerances(f, r);
+    const ArkodeDriver::Settings settings{
+      is_implicit, period, unit, is_adaptive, allowed_errors};
+    driver = std::make_unique<ArkodeDriver>(
       settings, table, equation, events.get(), time_step, r);
   }
 
@@ -250,6 +265,32 @@ namespace Crevasse
     pending_event = -1.;
     driver->seek_events(!gave_up);
     driver->restart(driver->time(), step_after_event, Vector(driver->state()));
+  }
+
+
+
+  bool
+  Arkode::may_pause() const
+  {
+    return !is_adaptive;
+  }
+
+
+
+  void
+  Arkode::serialize(StateArchive &archive)
+  {
+    archive.section("arkode");
+    equation.serialize(archive);
+    archive.at_points(allowed_errors);
+    archive.common(goes_on);
+    archive.common(is_first_period);
+    archive.common(usual_step);
+    archive.common(unit);
+    archive.common(events_located);
+    archive.common(events_given_up);
+    if (archive.is_loading())
+      driver.reset(); // made anew where it is needed
   }
 
 

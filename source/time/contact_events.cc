@@ -8,6 +8,7 @@
 // either version 2.1 of the License, or (at your option) any later version.
 //
 // ---------------------------------------------------------------------
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/time/contact_events.h>
 
 #include <deal.II/base/mpi.h>
@@ -269,5 +270,32 @@ namespace Crevasse
     all.emplace_back("events_found_roughly", missed);
     all.emplace_back("steps_with_too_many_events", given_up);
     return all;
+  }
+
+
+
+  bool
+  ContactEvents::may_pause() const
+  {
+    return method->may_pause();
+  }
+
+
+
+  void
+  ContactEvents::serialize(StateArchive &archive)
+  {
+    archive.section("contact events");
+    method->serialize(archive);
+    archive.common(goes_on);
+    // Where the next step begins.
+    archive.common(to.t);
+    archive.at_points(to.r);
+    archive.at_points(to.rate);
+    archive.on_bounds(to.functions);
+    archive.common(rounding);
+    for (std::size_t *count : {&events, &trials, &missed, &given_up})
+      archive.common(*count);
+    communicator = archive.communicator();
   }
 } // namespace Crevasse

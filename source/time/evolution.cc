@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/time/evolution.h>
 #include <crevasse/time/inelastic_strain.h>
 
@@ -16,6 +17,17 @@
 
 namespace Crevasse
 {
+  void
+  State::serialize(StateArchive &archive)
+  {
+    archive.nodal(displacement);
+    archive.at_points(stress);
+    archive.on_bounds(contact_forces);
+    archive.common(stiffness_factor);
+  }
+
+
+
   template <int dim>
   Evolution<dim>::Evolution(const StrainOperator<dim>  &strain_operator,
                             const QuadratureField<dim> &points,
@@ -246,6 +258,17 @@ namespace Crevasse
   Evolution<dim>::n_rate_evaluations() const
   {
     return rate_evaluations;
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::serialize(StateArchive &archive)
+  {
+    archive.section("evolution");
+    last.serialize(archive);
+    archive.nodal(loading);
   }
 
 

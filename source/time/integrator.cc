@@ -39,6 +39,21 @@ namespace Crevasse
 
 
   bool
+  Integrator::may_pause() const
+  {
+    return true;
+  }
+
+
+
+  void
+  Integrator::serialize(StateArchive &)
+  {
+  }
+
+
+
+  bool
   Integrator::has_matrix_of_step() const
   {
     return false;

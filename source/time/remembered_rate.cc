@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/time/remembered_rate.h>
 
@@ -151,5 +152,25 @@ namespace Crevasse
   RememberedRate::n_evaluations() const
   {
     return evaluations;
+  }
+
+
+
+  void
+  RememberedRate::serialize(StateArchive &archive)
+  {
+    archive.section("remembered rates");
+    for (Evaluation *evaluation : {&of_method, &of_sample})
+      {
+        bool is_latest = latest == evaluation;
+        archive.common(evaluation->is_known);
+        archive.common(evaluation->t);
+        archive.at_points(evaluation->r);
+        archive.at_points(evaluation->rate);
+        archive.common(is_latest);
+        if (archive.is_loading() && is_latest)
+          latest = evaluation;
+      }
+    archive.common(evaluations);
   }
 } // namespace Crevasse

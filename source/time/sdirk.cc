@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/time/sdirk.h>
 
 #include <deal.II/base/numbers.h>
@@ -104,5 +105,13 @@ namespace Crevasse
   Sdirk2::description() const
   {
     return "sdirk2";
+  }
+
+
+
+  void
+  Sdirk2::serialize(StateArchive &archive)
+  {
+    archive.common(goes_on);
   }
 } // namespace Crevasse

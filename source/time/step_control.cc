@@ -26,6 +26,13 @@ namespace Crevasse
 
 
   void
+  StepControl::serialize(StateArchive &)
+  {
+  }
+
+
+
+  void
   FixedSteps::begin_period(StepList &)
   {
   }

@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/time/step_list.h>
 
@@ -91,6 +92,14 @@ namespace Crevasse
   StepList::divide(const unsigned int k, const double t)
   {
     instants.insert(instants.begin() + k + 1, t);
+  }
+
+
+
+  void
+  StepList::serialize(StateArchive &archive)
+  {
+    archive.common(instants);
   }
 
 

@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 
+#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/time/trapezoid.h>
 
 #include <limits>
@@ -84,5 +85,14 @@ namespace Crevasse
   Trapezoid::description() const
   {
     return "trapezoid";
+  }
+
+
+
+  void
+  Trapezoid::serialize(StateArchive &archive)
+  {
+    archive.common(goes_on);
+    archive.at_points(last_rate);
   }
 } // namespace Crevasse

@@ -21,7 +21,8 @@ CASES = {
         UNIFORM + ["Discretisation/Singular functions=2"],
     "uniform": UNIFORM,
     "adaptive": [],
-    "adaptive, again after period 4": ["Refinement/Readapt every=4"],
+    "adaptive, again after period 4":
+        ["Refinement/Readapt every=4", "Refinement/Target unknowns=1500"],
     "14 x 4 cells with singular functions":
         ["Refinement/Strategy=none", "Geometry/Subdivisions=14, 4",
          "Discretisation/Singular functions=2"],

@@ -133,7 +133,7 @@ namespace
       "back-solve %.4f s; without contact CG with ML: set-up %.3f s, "
       "%zu iterations to 1e-8 in %.4f s\n\n",
       degree,
-      static_cast<unsigned int>(problem.matrix.m()),
+      static_cast<unsigned int>(problem.matrix().m()),
       plate.bounds.dofs.size(),
       factor_seconds,
       back_solve,

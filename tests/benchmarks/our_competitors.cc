@@ -51,7 +51,7 @@ namespace
             const unsigned int         degree) override
     {
       contact.reset();
-      linear  = make_linear(problem.matrix, modes, degree);
+      linear  = make_linear(problem.matrix(), modes, degree);
       contact = make_contact(problem, linear.get());
     }
 
@@ -108,7 +108,7 @@ add_our_competitors(Competitors &competitors)
     none,
     [](const SignoriniProblem &problem, LinearSolver *) {
       // The model problem's optimum is 2 − O(h); 8 is right for this plate.
-      const double factor = 2. - 8. / std::sqrt(problem.matrix.m());
+      const double factor = 2. - 8. / std::sqrt(problem.matrix().m());
       return std::make_unique<ProjectedSor>(
         problem, make_sweep(problem, {}), factor, tolerance, 20000);
     }));

@@ -40,11 +40,11 @@ namespace
   {
     explicit Problem(const SignoriniProblem &problem)
     {
-      const Epetra_CrsMatrix &epetra = problem.matrix.trilinos_matrix();
+      const Epetra_CrsMatrix &epetra = problem.matrix().trilinos_matrix();
       int                    *starts, *columns;
       double                 *values;
       epetra.ExtractCrsDataPointers(starts, columns, values);
-      const PetscInt n = problem.matrix.m();
+      const PetscInt n = problem.matrix().m();
       // Some of PETSc's solvers scale the matrix that they are given.
       Mat view;
       require(MatCreateSeqAIJWithArrays(

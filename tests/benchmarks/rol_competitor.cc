@@ -104,7 +104,7 @@ namespace
     multiply(const std::vector<double> &x)
     {
       std::copy(x.begin(), x.end(), from.begin());
-      problem.matrix.vmult(to, from);
+      problem.stiffness.vmult(to, from);
     }
 
     const SignoriniProblem &problem;
@@ -125,10 +125,10 @@ namespace
             const std::vector<Vector> &,
             const unsigned int) override
     {
-      solver = std::make_unique<Crevasse::Cholesky>(problem.matrix);
+      solver = std::make_unique<Crevasse::Cholesky>(problem.matrix());
       energy = std::make_unique<Energy>(problem, *solver);
 
-      const std::size_t n     = problem.matrix.m();
+      const std::size_t n     = problem.matrix().m();
       auto              lower = vector(n, -1e30), upper = vector(n, 1e30);
       for (std::size_t k = 0; k < problem.bounds.dofs.size(); ++k)
         if (problem.bounds.sign[k] > 0.)

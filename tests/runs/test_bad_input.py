@@ -418,6 +418,12 @@ CASES = [
          [r"\[Output\] Elastic comparison = closed: the loads F\(t\) p\(x\) "
           "change their sign"],
          ["Output/Elastic comparison=closed"]),
+    Case("more_memory_than_there_is", 2,
+         ["needs about .* GB of memory on a machine that has .* GB left, most "
+          "of it for the search of the periodic state: lower .Periodic state. "
+          "Anderson depth", "about 0 unknowns fit; the mesh has 30"],
+         ["Periodic state/Method=anderson",
+          "Periodic state/Anderson depth=1000000000"]),
     Case("comparison_without_memory", 2,
          [r"\[Output\] Elastic comparison = open: .* change their sign .* "
           "without viscosity"],

@@ -59,6 +59,9 @@ namespace Crevasse
     start_from(const std::vector<bool> &closed_bounds) override;
 
   protected:
+    std::vector<bool>
+    first_set() const override;
+
     std::size_t
     iterate(const Vector &right_hand_side, Vector &solution) override;
 

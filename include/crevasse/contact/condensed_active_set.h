@@ -46,6 +46,12 @@ namespace Crevasse
     memory_consumption() const override;
 
   protected:
+    std::vector<bool>
+    first_set() const override;
+
+    std::vector<dealii::Vector<double>> *
+    known_columns() override;
+
     std::size_t
     iterate(const Vector &right_hand_side, Vector &solution) override;
 

@@ -73,6 +73,11 @@ namespace Crevasse
     const std::vector<unsigned int> &
     active_set() const;
 
+    /** The columns of S, empty where they were not computed yet; one that is
+     * set will not be computed. */
+    std::vector<dealii::Vector<double>> &
+    known_columns();
+
     /** Bytes of the columns and the factor. */
     std::size_t
     memory_consumption() const;

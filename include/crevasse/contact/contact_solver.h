@@ -24,6 +24,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /**
    * Solves one Signorini problem for many right-hand sides and certifies every
    * solution. What is not within tolerance is thrown, never returned.
@@ -69,6 +71,11 @@ namespace Crevasse
      * Collective. */
     virtual void
     start_from(const std::vector<bool> &closed_bounds);
+
+    /** Shows what the next solution depends on besides its start, in the same
+     * way for all methods: one may go on where another one was. */
+    void
+    serialize(StateArchive &archive);
 
     /** The maxima over all solves so far. */
     const Certificate &
@@ -116,6 +123,16 @@ namespace Crevasse
      * nothing more can be done; returns the number of iterations. */
     virtual std::size_t
     iterate(const Vector &right_hand_side, Vector &solution) = 0;
+
+    /** The set that the next solve begins with, for each locally owned bound;
+     * empty if there is none. */
+    virtual std::vector<bool>
+    first_set() const;
+
+    /** Columns of a compliance that were computed already, for each bound of
+     * all ranks; null: the method has none. */
+    virtual std::vector<dealii::Vector<double>> *
+    known_columns();
 
     /** Sizes of the last active sets, for the message of a failure; empty if
      * the method has none. */

@@ -18,7 +18,7 @@
 namespace Crevasse
 {
   /** The paper's solver: overrelaxation with projection, started from the last
-   * solution. On one rank. */
+   * solution. */
   class ProjectedSor : public ContactSolver
   {
   public:

@@ -12,10 +12,13 @@
 #ifndef crevasse_contact_signorini_problem_h
 #define crevasse_contact_signorini_problem_h
 
+#include <crevasse/linear/linear_operator.h>
+
 #include <deal.II/base/types.h>
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <memory>
 #include <vector>
 
 namespace Crevasse
@@ -53,12 +56,23 @@ namespace Crevasse
   public:
     /** Both must outlive the problem. @throw NumericalError if a diagonal
      * entry is not positive: then A is not positive definite. */
+    SignoriniProblem(const LinearOperator   &stiffness,
+                     const UnilateralBounds &bounds);
     SignoriniProblem(const SparseMatrix     &matrix,
                      const UnilateralBounds &bounds);
 
-    const SparseMatrix &matrix;
+  private:
+    std::unique_ptr<const LinearOperator> of_matrix; ///< null: not its own
+
+  public:
+    const LinearOperator &stiffness; ///< A
 
     const UnilateralBounds &bounds;
+
+    /** A as a matrix, for what needs its entries. @throw SceneError if it is
+     * none. */
+    const SparseMatrix &
+    matrix() const;
 
     /** The diagonal of A: the scale of forces, and the SOR sweep's divisor. */
     const Vector &
@@ -69,7 +83,9 @@ namespace Crevasse
     n_bounds() const;
 
   private:
-    Vector                          matrix_diagonal;
+    void
+    require_positive_diagonal() const;
+
     dealii::types::global_dof_index n_all_bounds;
   };
 } // namespace Crevasse

@@ -24,8 +24,15 @@ namespace Crevasse
   using UnknownBlocks =
     std::vector<std::vector<dealii::types::global_dof_index>>;
 
+  /** How far some sweeps have come. */
+  struct SweepCount
+  {
+    unsigned int sweeps           = 0;
+    double       largest_residual = 0.; ///< see Sweep
+  };
+
   /** One sweep of successive overrelaxation in natural order, with projection
-   * on the bounds, on one rank. */
+   * on the bounds. */
   class Sweep
   {
   public:
@@ -41,16 +48,26 @@ namespace Crevasse
     operator()(const Vector &right_hand_side,
                Vector       &solution,
                const double  relaxation_factor) const = 0;
+
+    /** Sweeps until that residual is at most @p target, or not finite, but no
+     * more often than @p maximum_sweeps. */
+    virtual SweepCount
+    sweep_until(const Vector      &right_hand_side,
+                Vector            &solution,
+                const double       relaxation_factor,
+                const double       target,
+                const unsigned int maximum_sweeps) const;
   };
 
-  /** @throw SceneError on several ranks, where no sweep works. */
-  void
-  require_one_rank(const MPI_Comm communicator);
-
-  /** Unknown by unknown, or block by block if there are any.
-   * @throw SceneError on several ranks. */
+  /** Unknown by unknown, or block by block if there are any on any rank.
+   * Collective. @param blocks of this rank. */
   std::unique_ptr<const Sweep>
   make_sweep(const SignoriniProblem &problem, const UnknownBlocks &blocks);
+
+  /** The same for a problem that is on one rank as a whole. */
+  std::unique_ptr<const Sweep>
+  make_local_sweep(const SignoriniProblem &problem,
+                   const UnknownBlocks    &blocks);
 } // namespace Crevasse
 
 #endif

@@ -23,8 +23,6 @@
 
 namespace Crevasse
 {
-
-
   /**
    * The surroundings of a crack tip in which the body is the same everywhere
    * and ends nowhere but at the lip and the plane of symmetry. Distances are
@@ -70,8 +68,6 @@ namespace Crevasse
      * index; 0 at the tip. */
     double
     distance(const unsigned int cell) const;
-
-
 
   private:
     /** From where to where a cell reaches. */

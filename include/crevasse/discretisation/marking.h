@@ -24,6 +24,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /** The cells that one adaptation divides and joins, by name and from all
    * ranks, so that a mesh can be made again, by whatever ranks there are. */
   struct Marks
@@ -75,6 +77,10 @@ namespace Crevasse
 
     void
     add(const Marks &marks);
+
+    /** Shows what it became so far. */
+    void
+    serialize(StateArchive &archive);
 
   private:
     MakeMesh           make_first;

@@ -18,8 +18,8 @@
 
 namespace Crevasse
 {
-  /** The dofs of each node of a mesh that lives on one rank, in the order of
-   * their numbers; the coefficient of each singular function by itself. */
+  /** The dofs of each node that this rank owns, in the order of their numbers;
+   * the coefficient of each singular function by itself. */
   template <int dim>
   std::vector<std::vector<dealii::types::global_dof_index>>
   node_blocks(const Space<dim> &space);

@@ -23,6 +23,7 @@
 #include <deal.II/hp/q_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/matrix_free/matrix_free.h>
 
 #include <cstdint>
 #include <memory>
@@ -74,6 +75,12 @@ namespace Crevasse
           const std::vector<FixedPoint<dim>> &fixed_points,
           const VolumetricStrain   volumetric_strain  = VolumetricStrain::full,
           const SingularFunctions &singular_functions = {});
+
+    /** The same, without singular functions, on a coarser mesh of the same
+     * body, for preconditioners. Fixed points that are no vertices there move
+     * to the nearest one. Collective. */
+    std::shared_ptr<const Space>
+    on_coarser(std::shared_ptr<const Mesh<dim>> coarser_mesh) const;
 
     const Mesh<dim> &
     mesh() const;
@@ -159,11 +166,20 @@ namespace Crevasse
     const dealii::Quadrature<dim - 1> &
     face_quadrature() const;
 
+    /** For loops over the cells, with gradients of displacements at the points
+     * of the rule; made when it is first asked for, and shared. Not with
+     * singular functions. Collective. */
+    std::shared_ptr<const dealii::MatrixFree<dim, double>>
+    matrix_free() const;
+
   private:
     void
     check_roles() const;
     void
-    make_constraints(const std::vector<FixedPoint<dim>> &fixed_points);
+    make_constraints();
+    /** Fixed points moved to the nearest vertices of another mesh. */
+    std::vector<FixedPoint<dim>>
+    nearest_supports(const Mesh<dim> &other) const;
     void
     number_unknowns();
     void
@@ -180,6 +196,7 @@ namespace Crevasse
     const dealii::FESystem<dim>            fe;
     const dealii::QGauss<dim - 1>          face_rule;
     const BoundaryRoles                    boundary_roles;
+    const std::vector<FixedPoint<dim>>     supports;
     const VolumetricStrain                 volumetric;
     dealii::DoFHandler<dim>                dofs;
     dealii::AffineConstraints<double>      affine_constraints;
@@ -188,6 +205,9 @@ namespace Crevasse
     dealii::IndexSet                      owned_unknowns, relevant_unknowns;
     dealii::hp::QCollection<dim>          rules;
     std::vector<std::uint8_t> rule_of_cell; ///< empty: all have the first
+
+    mutable std::shared_ptr<const dealii::MatrixFree<dim, double>>
+      cell_loops; ///< once asked for
   };
 } // namespace Crevasse
 

@@ -100,11 +100,11 @@ namespace Crevasse
     bool
     has_batch(const unsigned int batch) const;
 
-    const unsigned int              degree;
-    const unsigned int              n_cell_points;
-    const bool                      mean_volume;
-    dealii::MatrixFree<dim, double> matrix_free;
-    std::unique_ptr<Enrichment>     enrichment; ///< by singular functions
+    const unsigned int          degree;
+    const unsigned int          n_cell_points;
+    const bool                  mean_volume;
+    std::unique_ptr<Enrichment> enrichment; ///< by singular functions
+    std::shared_ptr<const dealii::MatrixFree<dim, double>> matrix_free;
 
     /** Where the points of each lane of each cell batch begin. */
     std::vector<std::array<std::size_t, Number::size()>> batch_offsets;
@@ -197,8 +197,8 @@ namespace Crevasse
   StrainOperator<dim>::strain_sweep(const Vector   &displacement,
                                     const Function &f) const
   {
-    Evaluation<degree> evaluation(matrix_free);
-    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+    Evaluation<degree> evaluation(*matrix_free);
+    for (unsigned int batch = 0; batch < matrix_free->n_cell_batches(); ++batch)
       {
         if (!has_batch(batch))
           continue;
@@ -217,7 +217,7 @@ namespace Crevasse
             if constexpr (mean_volume)
               added = (mean - trace(gradient)) / 3.;
             for (unsigned int lane = 0;
-                 lane < matrix_free.n_active_entries_per_cell_batch(batch);
+                 lane < matrix_free->n_active_entries_per_cell_batch(batch);
                  ++lane)
               {
                 VoigtVector<dim> strain;
@@ -248,15 +248,15 @@ namespace Crevasse
                                               stress{};
     std::array<Number, most_points<degree>()> pressure{};
 
-    Evaluation<degree> evaluation(matrix_free);
-    for (unsigned int batch = 0; batch < matrix_free.n_cell_batches(); ++batch)
+    Evaluation<degree> evaluation(*matrix_free);
+    for (unsigned int batch = 0; batch < matrix_free->n_cell_batches(); ++batch)
       {
         if (!has_batch(batch))
           continue;
         evaluation.reinit(batch);
         for (unsigned int q = 0; q < n_points; ++q)
           for (unsigned int lane = 0;
-               lane < matrix_free.n_active_entries_per_cell_batch(batch);
+               lane < matrix_free->n_active_entries_per_cell_batch(batch);
                ++lane)
             {
               const VoigtVector<dim> s = stress_at(

@@ -28,6 +28,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /**
    * How far stresses are from equilibrium, cell by cell, in the norm of their
    * elastic energy: with the compliance c (1/stress) of the cell
@@ -81,6 +83,9 @@ namespace Crevasse
      * stress so far; 0 without stress. Collective. */
     double
     relative_error() const;
+
+    void
+    serialize(StateArchive &archive);
 
   private:
     struct Workspace;

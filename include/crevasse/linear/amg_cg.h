@@ -12,7 +12,7 @@
 #ifndef crevasse_linear_amg_cg_h
 #define crevasse_linear_amg_cg_h
 
-#include <crevasse/linear/linear_solver.h>
+#include <crevasse/linear/conjugate_gradients.h>
 
 #include <deal.II/lac/trilinos_precondition.h>
 
@@ -20,7 +20,7 @@ namespace Crevasse
 {
   /** Conjugate gradients with smoothed aggregation (Trilinos ML) as
    * preconditioner, on any number of ranks. */
-  class AmgCg : public LinearSolver
+  class AmgCg : public ConjugateGradients
   {
   public:
     /**
@@ -39,23 +39,15 @@ namespace Crevasse
     void
     precondition(Vector &solution, const Vector &right_hand_side) override;
 
-    bool
-    is_direct() const override;
-
     std::size_t
     memory_consumption() const override;
-
-    std::string
-    description() const override;
 
     std::string
     preconditioner_description() const override;
 
   protected:
-    unsigned int
-    apply_inverse(Vector       &solution,
-                  const Vector &right_hand_side,
-                  const double  residual_norm) override;
+    void
+    multiply(Vector &result, const Vector &v) const override;
 
   private:
     const Matrix                             &matrix;

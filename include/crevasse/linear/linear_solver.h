@@ -56,6 +56,13 @@ namespace Crevasse
     virtual void
     precondition(Vector &solution, const Vector &right_hand_side) = 0;
 
+    /** Makes precondition() one for A without the rows and columns of these
+     * unknowns, if the method can do that at no price. Collective.
+     *
+     * @param dofs locally owned ones. */
+    virtual void
+    hold(const std::vector<dealii::types::global_dof_index> &dofs);
+
     /** Whether solve() is exact, at the price of a back-solve. */
     virtual bool
     is_direct() const = 0;

@@ -16,9 +16,9 @@
 
 namespace Crevasse
 {
-  /** A view of the rows of a matrix that lives on one rank, no copy: the
-   * entries of row i are those with numbers from starts[i] up to, but without,
-   * starts[i + 1]. */
+  /** A view of the rows of a matrix that lives on one rank, no copy, and of
+   * none on the others: the entries of row i are those with numbers from
+   * starts[i] up to, but without, starts[i + 1]. */
   struct MatrixRows
   {
     explicit MatrixRows(const dealii::TrilinosWrappers::SparseMatrix &matrix);

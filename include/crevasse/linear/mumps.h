@@ -18,13 +18,14 @@
 
 namespace Crevasse
 {
-  /** Sparse factorisation by MUMPS through Trilinos' Amesos, on any number of
-   * ranks. Amesos has MUMPS compute LU factors: unlike Cholesky's they exist
-   * for an indefinite matrix too. */
+  /** Sparse factorisation LDLᵀ by MUMPS, on any number of ranks. Not through
+   * Trilinos' Amesos, which has MUMPS compute LU, of twice the size, and solve
+   * for many right-hand sides one by one. */
   class Mumps : public DirectSolver
   {
   public:
-    /** Factorises. @throw NumericalError if MUMPS fails. */
+    /** Factorises. @throw NumericalError if MUMPS fails, or the matrix is not
+     * positive definite. */
     explicit Mumps(const Matrix &matrix);
     ~Mumps() override;
 
@@ -41,7 +42,7 @@ namespace Crevasse
                const unsigned int n_columns) override;
 
   private:
-    struct Factor; // keeps Amesos out of every includer
+    struct Factor; // keeps MUMPS out of every includer
     std::unique_ptr<Factor> factor;
   };
 } // namespace Crevasse

@@ -26,12 +26,27 @@ namespace Crevasse
     {
       cholesky,
       mumps,
-      amg
+      amg,
+      gmg
     };
 
     Type        type;
     std::string why;
+
+    /** Whether it iterates, and knows no singular functions. */
+    bool
+    is_multigrid() const
+    {
+      return type == amg || type == gmg;
+    }
   };
+
+  /** What is fastest for a matrix of this size, by the measurements in
+   * doc/contact_solvers.md: a factorisation, or CG + ML. */
+  LinearSolverChoice
+  choose_matrix_solver(const unsigned int dimension,
+                       const std::size_t  n_unknowns,
+                       const unsigned int n_ranks);
 
   /** What the scene asks for or, if that is "automatic", what is fastest by
    * the measurements in doc/contact_solvers.md. */

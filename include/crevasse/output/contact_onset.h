@@ -41,6 +41,9 @@ namespace Crevasse
     void
     observe(const Sample &sample) override;
 
+    void
+    serialize(StateArchive &archive) override;
+
     /** Nodes that the flow opens, on all ranks. Collective. */
     unsigned int
     n_opening_nodes() const;

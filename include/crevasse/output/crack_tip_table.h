@@ -80,6 +80,9 @@ namespace Crevasse
     void
     observe(const Sample &sample) override;
 
+    void
+    serialize(StateArchive &archive) override;
+
     /** K_I of the last period. */
     const TipHistory &
     last_period() const;

@@ -27,6 +27,9 @@ namespace Crevasse
     void
     observe(const Sample &sample) override;
 
+    void
+    serialize(StateArchive &archive) override;
+
     /** q(T n) − q(T (n−1)); constrained entries are zero. After the run. */
     const Vector &
     last_period() const;

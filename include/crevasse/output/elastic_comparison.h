@@ -47,6 +47,9 @@ namespace Crevasse
     void
     end_of_period(const PeriodReport &) override;
 
+    void
+    serialize(StateArchive &archive) override;
+
     /** Largest |s − F s_el| over the last period and all points, relative to
      * the largest stress. */
     double

@@ -51,6 +51,9 @@ namespace Crevasse
     void
     observe(const Sample &sample) override;
 
+    void
+    serialize(StateArchive &archive) override;
+
     /** Writes solution_<n>.vtu, .pvtu and solution.pvd; returns the number of
      * instants. Collective. @throw FileError */
     unsigned int

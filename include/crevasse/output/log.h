@@ -27,9 +27,10 @@ namespace Crevasse
   public:
     Log(const MPI_Comm communicator, const bool quiet);
 
-    /** From now on lines go to this file as well; those before are added. */
+    /** From now on lines go to this file as well; those before are added.
+     * @param goes_on Whether what the file has already stays. */
     void
-    open_file(const std::string &file_name);
+    open_file(const std::string &file_name, const bool goes_on = false);
 
     void
     line(const std::string &text);

@@ -52,6 +52,9 @@ namespace Crevasse
     void
     observe(const Sample &sample) override;
 
+    void
+    serialize(StateArchive &archive) override;
+
     /** Says in the log which steps the run has not come to. */
     void
     report_missing() const;

@@ -57,6 +57,9 @@ namespace Crevasse
     void
     observe(const Sample &sample) override;
 
+    void
+    serialize(StateArchive &archive) override;
+
     /** The largest opening seen so far, or in the last period. */
     double
     largest_opening() const;

@@ -67,6 +67,9 @@ namespace Crevasse
 
   private:
     void
+    serialize(StateArchive &archive);
+
+    void
     forget();
 
     /** Begins anew from the image of the start with the least residual if
@@ -88,6 +91,8 @@ namespace Crevasse
     const Settings                settings;
     AndersonAcceleration          acceleration;
 
+    Vector       start;      ///< of the period, in these coordinates
+    unsigned int number = 0; ///< of the period, from 0
     Vector       best_image; ///< of the start with the least residual
     double       least_residual = 0.;
     unsigned int since_least    = 0; ///< periods

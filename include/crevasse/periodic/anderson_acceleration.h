@@ -19,6 +19,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /**
    * Anderson's acceleration of x ← G(x) (J. ACM 12, 1965; Walker and Ni, SIAM
    * J. Numer. Anal. 49, 2011): with the residuals f = G(x) − x of the last
@@ -62,6 +64,9 @@ namespace Crevasse
      */
     double
     unexplained_distance() const;
+
+    void
+    serialize(StateArchive &archive);
 
   private:
     struct Pair

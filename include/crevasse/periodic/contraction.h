@@ -17,6 +17,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /**
    * Tells from the changes of a sequence how far it still is from its limit:
    * if they go on to shrink by λ the rest of them sums up to
@@ -41,6 +43,9 @@ namespace Crevasse
     /** λ; nan while it cannot be told. */
     double
     factor() const;
+
+    void
+    serialize(StateArchive &archive);
 
   private:
     std::optional<double> last_change;

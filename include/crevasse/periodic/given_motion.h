@@ -71,6 +71,9 @@ namespace Crevasse
     std::string
     description() const override;
 
+    void
+    serialize(StateArchive &archive) override;
+
     /** Largest difference of displacement, contact force or, by the trapezoidal
      * rule, viscous strain to what the motion says, relative to the largest
      * value of its kind. Collective; for a whole period. */

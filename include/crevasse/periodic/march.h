@@ -13,6 +13,7 @@
 #ifndef crevasse_periodic_march_h
 #define crevasse_periodic_march_h
 
+#include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/observed_periods.h>
 #include <crevasse/periodic/periodic_method.h>
 
@@ -41,6 +42,8 @@ namespace Crevasse
   private:
     ObservedPeriods<dim> &periods;
     const double          tolerance, slowness;
+    Contraction           contraction;
+    bool                  is_first = true;
   };
 } // namespace Crevasse
 

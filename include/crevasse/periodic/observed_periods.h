@@ -16,6 +16,8 @@
 #include <crevasse/periodic/period_map.h>
 #include <crevasse/periodic/stress_history.h>
 
+#include <deal.II/base/timer.h>
+
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -82,6 +84,10 @@ namespace Crevasse
     void
     finish(const Vector &r);
 
+    /** Whoever wants to pause; null: nobody. */
+    Pauses *
+    pauses() const;
+
     /** All but whether it converged. */
     const PeriodicResult &
     result() const;
@@ -96,9 +102,18 @@ namespace Crevasse
     void
     show(const Sample &sample);
 
+    void
+    serialize(StateArchive &archive);
+
     StressHistory  history;
     PeriodicResult so_far;
     PeriodReport   last; ///< not reported yet
+
+    // Of the period that is being computed, and before it was taken up.
+    dealii::Timer   timer;
+    std::size_t     solves_before  = 0;
+    double          seconds_before = 0.;
+    const StatePart part;
   };
 } // namespace Crevasse
 

@@ -19,6 +19,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /** One instant of a run, as the tables and fields see it. */
   struct Sample
   {
@@ -64,6 +66,12 @@ namespace Crevasse
 
     virtual void
     end_of_period(const PeriodReport &)
+    {
+    }
+
+    /** Shows what it remembers, besides files; nothing if it does not. */
+    virtual void
+    serialize(StateArchive &)
     {
     }
   };

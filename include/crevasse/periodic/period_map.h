@@ -13,6 +13,7 @@
 #define crevasse_periodic_period_map_h
 
 #include <crevasse/periodic/observer.h>
+#include <crevasse/periodic/pauses.h>
 #include <crevasse/time/evolution.h>
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/step_control.h>
@@ -28,16 +29,19 @@ namespace Crevasse
   {
   public:
     /** @param integrator nullptr for a body without viscosity, whose periods
-     * are sequences of elastic states. All arguments must outlive this. */
+     * are sequences of elastic states. All arguments must outlive this.
+     * @param pauses called between steps; null: nobody wants to. */
     PeriodMap(Evolution<dim> &evolution,
               Integrator     *integrator,
               StepControl    &step_control,
-              StepList       &steps);
+              StepList       &steps,
+              Pauses         *pauses = nullptr);
 
     /** Advances @p r over period @p period (1 for the first) and shows the
-     * state at the beginning of every step. */
+     * state at the beginning of every step. A run that is taken up goes on in
+     * the middle of another one. */
     void
-    advance(const unsigned int                         period,
+    advance(unsigned int                               period,
             Vector                                    &r,
             const std::function<void(const Sample &)> &observe);
 
@@ -51,11 +55,22 @@ namespace Crevasse
     const StepList &
     steps() const;
 
+    Pauses *
+    pauses() const;
+
     /** Whether a body remembers: without viscosity one period tells all. */
     bool
     has_memory() const;
 
   private:
+    void
+    begin_period();
+
+    /** Gives others the opportunity to keep or to exchange the state, if it
+     * can be kept here. */
+    void
+    pause(const unsigned int period, const unsigned int step);
+
     /** One step of the list, or as far as the control divides it. */
     void
     step(const unsigned int                         period,
@@ -67,6 +82,7 @@ namespace Crevasse
     Integrator     *integrator;
     StepControl    &step_control;
     StepList       &step_list;
+    Pauses         *those_who_pause;
 
     Vector rate; ///< at the beginning of a step
   };

@@ -18,6 +18,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
   /** The stress at all samples of one period, and how much each differs from
@@ -48,6 +50,9 @@ namespace Crevasse
      * called. */
     double
     largest_stress() const;
+
+    void
+    serialize(StateArchive &archive);
 
   private:
     struct Entry

@@ -17,6 +17,7 @@
 #include <crevasse/output/log.h>
 #include <crevasse/output/summary.h>
 #include <crevasse/run/body.h>
+#include <crevasse/run/checkpoints.h>
 #include <crevasse/scene/scene.h>
 #include <crevasse/time/step_list.h>
 
@@ -53,14 +54,23 @@ namespace Crevasse
   class AdaptedMesh
   {
   public:
-    /** Collective. @throw SceneError or NumericalError. */
-    AdaptedMesh(const Scene &scene, const MPI_Comm communicator, Log &log);
+    /** Collective. @throw SceneError or NumericalError.
+     *
+     * @param checkpoints The mesh is that of the run that is taken up. */
+    AdaptedMesh(const Scene   &scene,
+                const MPI_Comm communicator,
+                Log           &log,
+                Checkpoints   &checkpoints);
+
+    /** Shows how the mesh came to be. */
+    void
+    serialize(StateArchive &archive);
 
     std::shared_ptr<Mesh<dim>>
     mesh() const;
 
-    /** Flags cells of the mesh for a change that Target unknowns allows: if the
-     * whole one does not, fewer cells are divided. Collective. */
+    /** Flags cells of the mesh for a change that Target unknowns allows.
+     * Collective. */
     void
     flag(const dealii::Vector<float> &squares);
 
@@ -95,7 +105,12 @@ namespace Crevasse
     bool
     is_affordable(const Mesh<dim> &mesh) const;
 
-    /** Takes the next mesh, unless it would be none or too large. */
+    /** Sets flags for a change that Target unknowns allows: if the whole one
+     * does not, fewer cells are divided. None if that does not help. */
+    Marks
+    affordable_marks(const dealii::Vector<float> &squares);
+
+    /** Takes the next mesh, unless it would hardly be another one. */
     bool
     advance(const dealii::Vector<float> &squares);
 

@@ -30,8 +30,14 @@ namespace Crevasse
   {
   public:
     /** Finds what is wrong with the scene; computes nothing but elastic states
-     * that the mesh is adapted to. Collective. */
-    AdaptiveRun(const Scene &scene, const MPI_Comm communicator, Log &log);
+     * that the mesh is adapted to. Collective.
+     *
+     * @param checkpoints which it writes, and which it goes on from if they
+     * say so; they must outlive this object. */
+    AdaptiveRun(const Scene   &scene,
+                const MPI_Comm communicator,
+                Log           &log,
+                Checkpoints   &checkpoints);
 
     /** See Simulation::describe(). */
     void
@@ -47,6 +53,10 @@ namespace Crevasse
     discretised_body() const;
 
   private:
+    /** Shows what is known about the meshes. */
+    void
+    serialize_summary(StateArchive &archive);
+
     /** Adapts the mesh to what was estimated, and makes everything anew on it.
      *
      * @param state whose fields are taken over. */
@@ -57,6 +67,7 @@ namespace Crevasse
 
     const Scene                      scene;
     Log                             &log;
+    Checkpoints                     &checkpoints;
     AdaptedMesh<dim>                 adapted;
     std::unique_ptr<Simulation<dim>> simulation;
     Summary                          summary; ///< about the meshes

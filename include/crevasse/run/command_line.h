@@ -25,7 +25,8 @@ namespace Crevasse
     done              = 0,
     bad_input         = 2, ///< found before computing
     numerical_failure = 3,
-    file_failure      = 4
+    file_failure      = 4,
+    stopped           = 5 ///< on request; a checkpoint was written
   };
 
   /** What `crevasse sweep` is asked, as it was written; see SweepPlan and
@@ -45,9 +46,11 @@ namespace Crevasse
     std::vector<Override> overrides; ///< "Section/Name=value"
     std::string           output_directory;
     std::string           print_format; ///< prm, json, markdown or nothing
-    bool                  check = false;
-    bool                  quiet = false;
-    bool                  sweep = false; ///< a whole study of the scene
+    bool                  check     = false;
+    bool                  quiet     = false;
+    bool                  resume    = false;
+    double                wall_time = 0.;    ///< seconds; 0: any
+    bool                  sweep     = false; ///< a whole study of the scene
     SweepRequest          sweep_request;
 
     /** Set if there is nothing to do but to exit: help, version, or a mistake,

@@ -18,7 +18,9 @@
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/linear/cholesky.h>
+#include <crevasse/linear/multigrid_levels.h>
 #include <crevasse/linear/solver_choice.h>
+#include <crevasse/linear/stiffness_operator.h>
 #include <crevasse/run/solver_statistics.h>
 
 #include <deal.II/base/timer.h>
@@ -71,7 +73,7 @@ namespace Crevasse
     ContactSystem &
     operator=(const ContactSystem &) = delete;
 
-    const SparseMatrix &
+    const LinearOperator &
     stiffness() const;
 
     const SignoriniProblem &
@@ -96,17 +98,29 @@ namespace Crevasse
     memory_consumption() const;
 
   private:
+    void
+    assemble(const QuadratureField<dim>          &points,
+             const PointValues<VoigtMatrix<dim>> &stiffness,
+             const ContactSystem                 *similar);
+
+    /** What takes the place of matrix and factor. */
+    void
+    set_up_multigrid(const QuadratureField<dim>          &points,
+                     const PointValues<VoigtMatrix<dim>> &stiffness);
+
     std::unique_ptr<LinearSolver>
     make_linear_solver();
 
     std::unique_ptr<ContactSolver>
     make_contact_solver();
 
-    const SolverSettings                     &settings;
-    const Space<dim>                         &space;
-    std::shared_ptr<const Cholesky::Analysis> analysis; ///< if there is one
+    const SolverSettings                       &settings;
+    const Space<dim>                           &space;
+    std::shared_ptr<const Cholesky::Analysis>   analysis; ///< if there is one
+    std::shared_ptr<const MultigridLevels<dim>> levels;   ///< likewise
 
-    SparseMatrix                            matrix;
+    SparseMatrix                            matrix; ///< empty: matrix-free
+    std::unique_ptr<const LinearOperator>   linear_operator; ///< A
     std::unique_ptr<const SignoriniProblem> signorini_problem;
     std::unique_ptr<LinearSolver>           open_solver;
     std::unique_ptr<ContactSolver>          contact;

@@ -107,6 +107,16 @@ namespace Crevasse
       return scratch;
     }
 
+    /** Whether there is a value of this instant. */
+    bool
+    has(const Key &key) const
+    {
+      const auto found =
+        kept.lower_bound({key.first, key.second * (1. - rounding)});
+      return (found != kept.end() && are_equal(found->first, key)) ||
+             (scratch != nullptr && are_equal(scratch_key, key));
+    }
+
     /** Shows all values that there are. */
     template <typename Function>
     void

@@ -40,6 +40,16 @@ namespace Crevasse
     bool
     holds_other_results(const std::string &used_parameters) const;
 
+    /** Why a run that has ended there is not to be gone on with; empty if it
+     * has not ended, or if the scene now allows it more periods. */
+    std::string
+    why_finished(const Scene &scene) const;
+
+    /** Makes the directory that of a run that has not ended, which goes on
+     * there. @throw FileError */
+    void
+    take_up() const;
+
     /** Creates the directory where needed and removes the results of an
      * earlier run. @throw FileError */
     void

@@ -15,6 +15,7 @@
 #include <crevasse/output/log.h>
 #include <crevasse/run/command_line.h>
 #include <crevasse/run/quantity.h>
+#include <crevasse/run/stop_request.h>
 #include <crevasse/run/stress_record.h>
 #include <crevasse/run/sweep_folder.h>
 #include <crevasse/run/sweep_plan.h>
@@ -43,14 +44,19 @@ namespace Crevasse
      * @param for_failures a communicator that nothing else uses. */
     ParameterSweep(const Command &command,
                    const MPI_Comm for_failures,
+                   StopRequests  &requests,
                    Log           &log);
 
     /** @throw FileError; what the reference run throws; NumericalError if no
-     * point has results. */
+     * point has results; StoppedOnRequest. */
     void
     run();
 
   private:
+    /** Computes what is not there yet. */
+    void
+    compute_points();
+
     bool
     needs_reference() const;
 
@@ -94,6 +100,7 @@ namespace Crevasse
     const Command                 command;
     const MPI_Comm                communicator;
     const MPI_Comm                for_failures;
+    StopRequests                 &requests;
     Log                          &log;
     const bool                    first_rank;
     const SweepPlan               plan;

@@ -35,6 +35,9 @@ namespace Crevasse
     void
     observe(const Sample &sample) override;
 
+    void
+    serialize(StateArchive &archive) override;
+
     const StressEstimator<dim> &
     estimator() const;
 

@@ -70,7 +70,8 @@ namespace Crevasse
     show(Evolution<dim>                                  &evolution,
          StepList                                        &steps,
          const typename ObservedPeriods<dim>::SolveCount &n_solves,
-         const std::vector<Observer *>                   &observers) const;
+         const std::vector<Observer *>                   &observers,
+         Pauses                                          *pauses) const;
 
     Ending
     march(ObservedPeriods<dim> &periods, Vector &r) const;

@@ -22,6 +22,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /**
    * What a run has come to at the end of a period: the state of the body, from
    * which it goes on wherever and on whatever mesh, and what its summary will
@@ -41,11 +43,26 @@ namespace Crevasse
     double                        largest_opening  = 0.;
     std::map<std::string, double> seconds; ///< of each phase
 
+    /** How many methods were tried in vain on this mesh. */
+    unsigned int methods_left = 0;
+    bool         was_resumed  = false; ///< this leg of the run
+
     bool
     has_begun() const
     {
       return result.periods > 0;
     }
+
+    /** Whether tables were begun, which go on. */
+    bool
+    has_tables() const
+    {
+      return has_begun() || was_resumed;
+    }
+
+    /** Shows all but the fields and whether it was resumed. */
+    void
+    serialize(StateArchive &archive);
   };
 
   /** A part of a run on one mesh. */

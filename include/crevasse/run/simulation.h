@@ -20,6 +20,7 @@
 #include <crevasse/run/body.h>
 #include <crevasse/run/crack_tip_analysis.h>
 #include <crevasse/run/fourier_problem.h>
+#include <crevasse/run/kept_run.h>
 #include <crevasse/run/periodic_choice.h>
 #include <crevasse/run/run_state.h>
 #include <crevasse/run/secular_problem.h>
@@ -70,13 +71,15 @@ namespace Crevasse
      * the periodic state was not reached.
      * @param state The start, then the end.
      * @param others see what the tables see.
-     * @param summary that more is added to, and which is written. */
+     * @param summary that more is added to, and which is written.
+     * @param checkpoints that are written, or that it goes on from. */
     void
     run(const std::string             &directory,
         RunState                      &state,
         Leg                           &leg,
         const std::vector<Observer *> &others,
-        Summary                        summary);
+        Summary                        summary,
+        Checkpoints                   &checkpoints);
 
     const Body<dim> &
     discretised_body() const;
@@ -113,7 +116,16 @@ namespace Crevasse
            const FourierResult           *direct,
            const std::vector<Observer *> &observers,
            RunState                      &state,
-           Leg                           &leg);
+           Leg                           &leg,
+           Checkpoints                   &checkpoints);
+
+    /** What a checkpoint has about the run so far.
+     * @param state at the beginning of the leg. */
+    void
+    serialize(const RunState       &state,
+              const Solvers<dim>   &solvers,
+              const Evolution<dim> &evolution,
+              StateArchive         &archive) const;
 
     /** Marches, or whatever the method is, and tells the summary about it. */
     void
@@ -123,7 +135,8 @@ namespace Crevasse
                     const std::string             &directory,
                     RunState                      &state,
                     Leg                           &leg,
-                    Summary                       &summary);
+                    Summary                       &summary,
+                    Checkpoints                   &checkpoints);
 
     /** What the run has come to, and what it took. */
     void
@@ -179,6 +192,7 @@ namespace Crevasse
     std::optional<SecularFlow>                    secular_flow;
     std::size_t                                   rate_evaluations = 0;
     double                                        stress_rounding  = 0.;
+    dealii::Timer                                 timer; ///< of a leg
     std::vector<std::string>                      direct_warnings;
   };
 } // namespace Crevasse

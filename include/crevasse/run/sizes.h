@@ -28,9 +28,11 @@ namespace Crevasse
     dealii::types::global_dof_index unknowns;
     std::size_t                     quadrature_points;
     std::size_t                     contact_nodes;
+    std::vector<unsigned int>       cells_of_ranks; ///< on the first rank
     unsigned int                    levels; ///< of cells, the coarse included
     double smallest_cell, largest_cell;     ///< their longest diagonals
 
+    /** Collective. */
     template <int dim>
     explicit Sizes(const Body<dim> &body);
 
@@ -38,8 +40,8 @@ namespace Crevasse
     add_to(Summary &summary) const;
   };
 
-  /** Prints sizes and the memory that the run is going to need, within about a
-   * tenth. Collective. */
+  /** Prints sizes and the memory that the run is going to need. Collective.
+   * @throw SceneError if that is more than there is. */
   template <int dim>
   void
   describe_sizes(const Body<dim>      &body,

@@ -25,6 +25,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /**
    * The material and the contact system of any instant. With a stiffness that
    * is constant but for a factor there is one system for all of them. Otherwise
@@ -78,6 +80,11 @@ namespace Crevasse
     SolverStatistics
     statistics() const;
 
+    /** Shows the state of the contact solvers of all instants; those of a run
+     * that is taken up are made first. */
+    void
+    serialize(StateArchive &archive);
+
     /** Counts what another system of this run has done. */
     void
     add(const SolverStatistics &other);
@@ -93,6 +100,23 @@ namespace Crevasse
 
     const MaterialState<dim> &
     material_at(const double t);
+
+    /** What a system was asked for. */
+    struct Request
+    {
+      bool   is_implicit;
+      double t, c;
+    };
+
+    ContactSystem<dim> &
+    system_of(const Request &request);
+
+    /** Puts it at the end of the requests. */
+    void
+    remember(const Request &request);
+
+    bool
+    is_kept(const Request &request);
 
     /** Of what depends on a time c. */
     std::pair<double, double>
@@ -110,6 +134,8 @@ namespace Crevasse
     std::shared_ptr<ContactSystem<dim>> only_system; ///< constant stiffness
     std::shared_ptr<ContactSystem<dim>> last_system;
     SolverStatistics                    of_the_past;
+    std::vector<Request> requests; ///< in the order in which they came first
+    Request              last_request{false, 0., 0.};
 
     // What belongs to instants. A system is not dropped for a material.
     InstantMemory                          memory;

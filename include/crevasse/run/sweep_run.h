@@ -12,6 +12,7 @@
 #ifndef crevasse_run_sweep_run_h
 #define crevasse_run_sweep_run_h
 
+#include <crevasse/run/stop_request.h>
 #include <crevasse/run/sweep_folder.h>
 #include <crevasse/run/sweep_result.h>
 #include <crevasse/scene/scene.h>
@@ -38,13 +39,14 @@ namespace Crevasse
    *
    * @param for_failures a communicator that nothing else uses: if a rank alone
    * fails, all ranks end.
-   * @throw FileError
+   * @throw FileError, StoppedOnRequest
    */
   SweepRun
   run_for_sweep(const Scene       &scene,
                 const SweepFolder &folder,
                 const bool         keep_stress,
-                const MPI_Comm     for_failures);
+                const MPI_Comm     for_failures,
+                StopRequests      &requests);
 } // namespace Crevasse
 
 #endif

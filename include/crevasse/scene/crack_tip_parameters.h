@@ -44,6 +44,12 @@ namespace Crevasse
     double      creep_factor    = 0.;
     double      creep_exponent  = 1.;
 
+    /** Whether the growth law has such a part. */
+    bool
+    has_paris_part() const;
+    bool
+    has_creep_part() const;
+
     void
     add_parameters(dealii::ParameterHandler &prm);
     void

@@ -241,6 +241,8 @@ namespace Crevasse
     bool        load_work          = false;
     /** "period: step; ...": contact problems that are written to files. */
     std::string contact_problems;
+    /** Periods from one checkpoint to the next; 0: only on request. */
+    unsigned int checkpoint_every = 0;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -71,6 +71,9 @@ namespace Crevasse
     IntegratorStatistics
     statistics() const override;
 
+    void
+    serialize(StateArchive &archive) override;
+
   private:
     /** The length of the first trial from t on, at most up to the end. */
     double

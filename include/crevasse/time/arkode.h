@@ -67,6 +67,14 @@ namespace Crevasse
     IntegratorStatistics
     statistics() const override;
 
+    /** Not with its own steps, of which the last reaches beyond the sample and
+     * which ARKODE keeps for itself. */
+    bool
+    may_pause() const override;
+
+    void
+    serialize(StateArchive &archive) override;
+
   private:
     /** Begins with ARKODE, or again from here. */
     void
@@ -74,6 +82,10 @@ namespace Crevasse
           const double        t,
           const double        time_step,
           const Vector       &r);
+
+    /** ARKODE itself, at t = 0. */
+    void
+    make_driver(const RateEquation &f, const double time_step, const Vector &r);
 
     /** The error of r that a step may make, see above. Solves for the elastic
      * body at some instants. */
@@ -111,9 +123,11 @@ namespace Crevasse
     RememberedRate                  equation;
     std::unique_ptr<EventFunctions> events; ///< if they are to be located
     std::unique_ptr<ArkodeDriver>   driver; ///< once there is an r
+    Vector                          allowed_errors; ///< see tolerances()
     bool                            goes_on         = false;
     bool                            is_first_period = true;
     double                          usual_step = 0.; ///< not cut at the end
+    double                          unit       = 0.; ///< of AlignedSteps
     unsigned int                    steps_of_period = 0;
 
     double       last_event         = 0.;

@@ -74,6 +74,12 @@ namespace Crevasse
     IntegratorStatistics
     statistics() const override;
 
+    bool
+    may_pause() const override;
+
+    void
+    serialize(StateArchive &archive) override;
+
   private:
     /** The beginning or the end of a trial step. */
     struct Place

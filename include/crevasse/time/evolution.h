@@ -23,6 +23,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /** The body at one instant. */
   struct State
   {
@@ -31,6 +33,9 @@ namespace Crevasse
     /** g of each local bound, the nodes of the lip first. */
     std::vector<double> contact_forces;
     double              stiffness_factor = 1.; ///< k(t)
+
+    void
+    serialize(StateArchive &archive);
   };
 
   template <int dim>
@@ -118,6 +123,10 @@ namespace Crevasse
 
     std::size_t
     n_rate_evaluations() const;
+
+    /** Shows what the last evaluation has solved, where the next one starts. */
+    void
+    serialize(StateArchive &archive);
 
   private:
     const StrainOperator<dim> &strain_operator;

@@ -19,6 +19,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /** A rule on [0,1]: Σ weight × f(node), the weights sum up to 1. */
   struct TimeQuadrature
   {
@@ -76,6 +78,15 @@ namespace Crevasse
      * methods without such a limit. */
     virtual double
     stability_limit() const = 0;
+
+    /** Whether its state between two steps of a period can be shown; at the
+     * beginning of a period it always can. */
+    virtual bool
+    may_pause() const;
+
+    /** Shows what it knows between two steps; nothing if that is nothing. */
+    virtual void
+    serialize(StateArchive &);
 
     /** Whether every length of step has a matrix, and so a factorisation, of
      * its own. */

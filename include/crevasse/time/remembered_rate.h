@@ -18,6 +18,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /**
    * An equation that is not solved twice for the same instant and the same r:
    * what is shown at a sample often is what a method has evaluated last, or
@@ -59,6 +61,9 @@ namespace Crevasse
     /** Without those that were remembered. */
     std::size_t
     n_evaluations() const;
+
+    void
+    serialize(StateArchive &archive);
 
   private:
     struct Evaluation

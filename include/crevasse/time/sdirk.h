@@ -61,6 +61,9 @@ namespace Crevasse
     std::string
     description() const override;
 
+    void
+    serialize(StateArchive &archive) override;
+
   private:
     bool   goes_on = false; ///< the last evaluation was at the last step's end
     Vector stage_rate;

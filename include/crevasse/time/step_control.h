@@ -51,6 +51,10 @@ namespace Crevasse
 
     virtual IntegratorStatistics
     statistics() const = 0;
+
+    /** Shows what it has learned so far; nothing if it does not. */
+    virtual void
+    serialize(StateArchive &);
   };
 
   /** Takes the steps as they are. */

@@ -18,6 +18,8 @@
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /** The instants 0 = t₀ < t₁ < … = T at which a period is sampled: M = 1 +
    * number of steps in the paper's count. Adaptive steps change while they are
    * taken. */
@@ -39,6 +41,10 @@ namespace Crevasse
     /** Ends step @p k at @p t, where a new one begins. */
     void
     divide(const unsigned int k, const double t);
+
+    /** Shows all instants. */
+    void
+    serialize(StateArchive &archive);
 
     /** Makes known that loads or material jump at these instants: a step that
      * ends there sees what was before, the next one what comes after. */

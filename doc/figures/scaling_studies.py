@@ -1,0 +1,206 @@
+"""How runs scale with processes, for doc/scaling.md: the seconds of each phase
+on one and two processes, and what depends on no machine: iterations, messages,
+bytes and work of a process on up to 16 of them.
+
+    /usr/bin/python3 doc/figures/scaling_studies.py build/crevasse
+
+Messages are counted by tests/benchmarks/mpi_counter.c. Finished runs in the
+output directory are not repeated."""
+
+import csv
+import json
+import os
+import pathlib
+import shutil
+import statistics
+import subprocess
+import sys
+
+from plotting import (BLUE, GREEN, GREY, VERMILION, print_table, pyplot,
+                      save, study_options)
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1",
+                   OMPI_ALLOW_RUN_AS_ROOT="1",
+                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_rmaps_base_oversubscribe="1",
+                   OMPI_MCA_mpi_yield_when_idle="1")
+COMMON = {"Contact/Solver": "automatic", "Periodic state/Method": "march",
+          "Periodic state/Maximum periods": 1, "Periodic state/Tolerance": 0,
+          "Output/Fields": "none"}
+PLATE, BOX = "raous1980.prm", "cracked_box.prm"
+# Name, scene, settings of the problems whose seconds are compared.
+TIMED = (
+    ("plate, degree 1, amg", PLATE, {"Geometry/Subdivisions": "448, 128",
+                                     "Linear solver/Type": "amg"}),
+    ("plate, degree 1, mumps", PLATE, {"Geometry/Subdivisions": "896, 256",
+                                       "Linear solver/Type": "mumps"}),
+    ("box, degree 1, amg", BOX, {"Geometry/Subdivisions": "48, 24, 24",
+                                 "Linear solver/Type": "amg"}),
+    ("box, degree 2, gmg", BOX, {"Geometry/Subdivisions": "6, 3, 3",
+                                 "Geometry/Refinements": 3,
+                                 "Discretisation/Degree": 2,
+                                 "Linear solver/Type": "gmg"}),
+)
+REPETITIONS = 3
+LARGE_PART = 0.05  # of the seconds: phases that are compared
+# Refinements of the box, elements of degree 2: 9 thousand to 4 million unknowns.
+COUNTED = (1, 2, 3)
+RANKS = (1, 2, 4, 8, 16)
+STEPS = (2, 4)  # their difference is what the time loop does
+LATENCY, BANDWIDTH = 2e-6, 10e9  # seconds, bytes per second: a usual network
+
+
+class Studies:
+    def __init__(self, program, output):
+        self.program, self.output = program, output
+        output.mkdir(parents=True, exist_ok=True)
+        self.counter = output.resolve() / "libmpi_counter.so"
+        subprocess.run(["mpicc", "-shared", "-fPIC", "-O1", "-o", self.counter,
+                        ROOT / "tests/benchmarks/mpi_counter.c"], check=True)
+
+    def run(self, scene, settings, n_ranks, number=0):
+        """The summary of a run, with the rows of the counter."""
+        words = [scene.split(".")[0], str(n_ranks), str(number)]
+        words += [f"{name.split('/')[1]}={value}"
+                  for name, value in settings.items()]
+        stem = self.output.resolve() / "_".join(words).replace(" ", "")
+        path = stem.with_name(stem.name + ".json")
+        if path.exists():
+            return json.loads(path.read_text())
+        print(stem.name, file=sys.stderr, flush=True)
+        raw, counts = self.output / "raw", stem.with_name(stem.name + ".csv")
+        shutil.rmtree(raw, ignore_errors=True)
+        command = ["mpirun", "-np", str(n_ranks), "-x",
+                   f"LD_PRELOAD={self.counter}", "-x",
+                   f"MPI_COUNTER_FILE={counts}", self.program,
+                   ROOT / "prm" / scene, "--quiet", "--output", raw]
+        for name, value in {**COMMON, **settings}.items():
+            command += ["--set", f"{name}={value}"]
+        result = subprocess.run(command, env=ENVIRONMENT, text=True,
+                                stderr=subprocess.PIPE)
+        if result.returncode != 0:
+            sys.exit(result.stderr)
+        summary = json.loads((raw / "summary.json").read_text())
+        with open(counts, newline="") as file:
+            summary["messages"] = [
+                {name: float(value) for name, value in row.items()}
+                for row in csv.DictReader(file)]
+        path.write_text(json.dumps(summary))
+        return summary
+
+    def seconds(self, scene, settings, n_ranks):
+        """The median of each phase."""
+        runs = [self.run(scene, {"Time integration/Steps per period": 10,
+                                 **settings}, n_ranks, k)["seconds"]
+                for k in range(REPETITIONS)]
+        return {phase: statistics.median(run.get(phase, 0.) for run in runs)
+                for phase in runs[0]}
+
+    def counts(self, refinements, n_ranks):
+        """Of one linear iteration: messages, bytes and calls that involve all
+        ranks, on the rank with most; and what the run needs."""
+        few, many = [
+            self.run(BOX, {"Geometry/Subdivisions": "6, 3, 3",
+                           "Geometry/Refinements": refinements,
+                           "Discretisation/Degree": 2,
+                           "Linear solver/Type": "gmg",
+                           "Periodic state/Secular split": "off",
+                           "Time integration/Steps per period": steps,
+                           "Time integration/Scheme": "sdirk2"}, n_ranks)
+            for steps in STEPS]
+        iterations = (many["counters"]["linear_iterations"]
+                      - few["counters"]["linear_iterations"])
+        solves = many["counters"]["vi_solves"] - few["counters"]["vi_solves"]
+
+        def largest(name):
+            return max(b[name] - a[name] for a, b in
+                       zip(few["messages"], many["messages"])) / iterations
+        cells = many["cells_of_ranks"]
+        return {"unknowns": many["unknowns"],
+                "iterations": iterations / solves,
+                "messages": largest("messages"), "bytes": largest("bytes"),
+                "collectives": largest("collectives"),
+                "imbalance": max(cells) * len(cells) / sum(cells),
+                "seconds": many["seconds"]["time stepping"],
+                "all_iterations": many["counters"]["linear_iterations"],
+                "memory": max(many["peak_memory_bytes_of_ranks"])}
+
+
+def strong_scaling(studies):
+    print("Seconds of the phases on one and two processes\n")
+    rows = []
+    for name, scene, settings in TIMED:
+        one, two = [studies.seconds(scene, settings, n) for n in (1, 2)]
+        for phase, seconds in one.items():
+            if (not phase.endswith("_mean")
+                    and seconds > LARGE_PART * one["total"]):
+                rows.append([name, phase, f"{seconds:.2f}", f"{two[phase]:.2f}",
+                             f"{seconds / two[phase]:.2f}"])
+    print_table(["", "phase", "1", "2", "ratio"], rows)
+
+
+def counts(studies):
+    print("One linear iteration of gmg, on the rank that has most\n")
+    rows, points = [], {}
+    for refinements in COUNTED:
+        for n in RANKS:
+            point = studies.counts(refinements, n)
+            points[refinements, n] = point
+            rows.append([str(point["unknowns"]), str(n),
+                         f"{point['iterations']:.1f}",
+                         f"{point['messages']:.0f}",
+                         f"{1e-3 * point['bytes']:.0f}",
+                         f"{point['collectives']:.1f}",
+                         f"{point['imbalance']:.3f}",
+                         f"{1e-6 * point['memory']:.0f}"])
+    print_table(["unknowns", "processes", "iterations a solve", "messages",
+                 "kB", "calls of all", "largest/mean cells", "MB"], rows)
+    return points
+
+
+def seconds_of_iteration(point, n_ranks, work):
+    """The model: work and messages of the rank that has most."""
+    rounds = max(n_ranks - 1, 0).bit_length()  # of a call that involves all
+    return (work * point["unknowns"] / n_ranks * point["imbalance"]
+            + point["messages"] * LATENCY + point["bytes"] / BANDWIDTH
+            + point["collectives"] * rounds * LATENCY)
+
+
+def extrapolate(points, directory, formats):
+    """The model with the seconds of one process of this machine."""
+    largest = COUNTED[-1]
+    alone = points[largest, 1]
+    work = alone["seconds"] / alone["all_iterations"] / alone["unknowns"]
+    print(f"Seconds of an iteration for an unknown, here: {work:.2e}\n")
+    rows = []
+    figure, axes = pyplot.subplots(figsize=(4.6, 3.6), constrained_layout=True)
+    for refinements, colour in zip(COUNTED, (GREY, BLUE, VERMILION)):
+        alone = points[refinements, 1]
+        speed = []
+        for n in RANKS:
+            point = points[refinements, n]
+            speed.append(seconds_of_iteration(alone, 1, work)
+                         / seconds_of_iteration(point, n, work))
+            rows.append([str(point["unknowns"]), str(n), f"{speed[-1]:.1f}",
+                         f"{speed[-1] / n:.2f}"])
+        axes.loglog(RANKS, speed, color=colour, marker="o", markersize=4,
+                    label=f"{alone['unknowns']} unknowns", base=2)
+    axes.loglog(RANKS, RANKS, color=GREEN, linewidth=0.8, label="ideal", base=2)
+    axes.set(xlabel="processes", ylabel="faster than one (model)")
+    axes.legend(fontsize=8)
+    axes.grid(True, alpha=0.25, linewidth=0.6)
+    print_table(["unknowns", "processes", "faster", "efficiency"], rows)
+    save(figure, "scaling_model", directory, formats)
+
+
+def main():
+    options = study_options(__doc__, "scaling_studies")
+    studies = Studies(options.program.resolve(), options.output)
+    strong_scaling(studies)
+    points = counts(studies)
+    extrapolate(points, options.figures, options.formats)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,61 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#ifndef crevasse_discretisation_coarser_meshes_h
+#define crevasse_discretisation_coarser_meshes_h
+
+#include <crevasse/discretisation/point_values.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/space.h>
+#include <crevasse/material/voigt.h>
+
+#include <memory>
+#include <vector>
+
+namespace Crevasse
+{
+  /** A mesh all of whose cells are one level coarser than those of a finer one,
+   * where that has all children of a cell. */
+  template <int dim>
+  struct CoarserMesh
+  {
+    std::shared_ptr<const Mesh<dim>> mesh;
+
+    /** By active cell index, for locally owned cells: the global active cell
+     * indices in the finer mesh of the children, or of the same cell. */
+    std::vector<std::vector<dealii::types::global_cell_index>> children;
+  };
+
+  /**
+   * The meshes that repeated coarsening leads to, from fine to coarse: as far
+   * as one has at most @p enough cells or nothing can be coarsened any more.
+   * Each is partitioned for itself. Collective.
+   */
+  template <int dim>
+  std::vector<CoarserMesh<dim>>
+  coarser_meshes(const Mesh<dim> &mesh, const std::size_t enough);
+
+  /** For each active cell of this rank, by active cell index, the mean of the
+   * values at its points; 0 for the cells of other ranks. */
+  template <int dim>
+  std::vector<VoigtMatrix<dim>>
+  cell_means(const Space<dim>                    &space,
+             const QuadratureField<dim>          &points,
+             const PointValues<VoigtMatrix<dim>> &values);
+
+  /** The same on a coarser mesh: means over children. Collective. */
+  template <int dim>
+  std::vector<VoigtMatrix<dim>>
+  means_over_children(const Mesh<dim>                     &finer,
+                      const CoarserMesh<dim>              &coarser,
+                      const std::vector<VoigtMatrix<dim>> &of_finer);
+} // namespace Crevasse
+
+#endif

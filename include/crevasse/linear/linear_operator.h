@@ -1,0 +1,63 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#ifndef crevasse_linear_linear_operator_h
+#define crevasse_linear_linear_operator_h
+
+#include <deal.II/base/types.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace Crevasse
+{
+  /** A symmetric positive definite A, of which most solvers need to know no
+   * more than what it does to a vector: whether it is a matrix or a loop over
+   * cells is its own affair. */
+  class LinearOperator
+  {
+  public:
+    using Vector  = dealii::LinearAlgebra::distributed::Vector<double>;
+    using Matrix  = dealii::TrilinosWrappers::SparseMatrix;
+    using Indices = std::vector<dealii::types::global_dof_index>;
+
+    virtual ~LinearOperator() = default;
+
+    /** result = A v. Collective. */
+    virtual void
+    vmult(Vector &result, const Vector &v) const = 0;
+
+    /** The diagonal of A, or positive numbers of its size. */
+    virtual const Vector &
+    diagonal() const = 0;
+
+    /** For each of the locally owned @p rows those of @p columns that A couples
+     * with it, without itself. Collective.
+     *
+     * @param columns ascending. */
+    virtual std::vector<Indices>
+    couplings(const Indices &rows, const Indices &columns) const = 0;
+
+    virtual MPI_Comm
+    get_mpi_communicator() const = 0;
+
+    /** A as a matrix, or null: it is none. */
+    virtual const Matrix *
+    matrix() const = 0;
+
+    /** Bytes on this rank, besides those of a matrix. */
+    virtual std::size_t
+    memory_consumption() const = 0;
+  };
+} // namespace Crevasse
+
+#endif

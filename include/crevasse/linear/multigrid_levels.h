@@ -1,0 +1,72 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#ifndef crevasse_linear_multigrid_levels_h
+#define crevasse_linear_multigrid_levels_h
+
+#include <crevasse/discretisation/coarser_meshes.h>
+#include <crevasse/discretisation/point_values.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/space.h>
+#include <crevasse/linear/level_transfer.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * What geometric multigrid needs of the body and not of its material: coarser
+   * meshes of the whole body (global coarsening: Becker and Braack 2000; Munch
+   * et al., ACM Trans. Parallel Comput. 10, 2023), their displacement spaces,
+   * and the transfer between them. Level 0 is the coarsest.
+   */
+  template <int dim>
+  class MultigridLevels
+  {
+  public:
+    /** Both must outlive this object. Collective. */
+    MultigridLevels(const Space<dim>           &space,
+                    const QuadratureField<dim> &points);
+
+    unsigned int
+    n_levels() const;
+
+    const Space<dim> &
+    space(const unsigned int level) const;
+
+    const QuadratureField<dim> &
+    points(const unsigned int level) const;
+
+    /** Between a level, at least 1, and the next coarser one. */
+    const LevelTransfer<dim> &
+    transfer(const unsigned int level) const;
+
+    /** The means of a stiffness over the cells of all levels but the finest.
+     * Collective. */
+    std::vector<PointValues<VoigtMatrix<dim>>>
+    on_coarser_levels(const PointValues<VoigtMatrix<dim>> &stiffness) const;
+
+    /** Bytes on this rank, without the finest mesh and space. */
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    const Space<dim>                                        &finest;
+    const QuadratureField<dim>                              &finest_points;
+    std::vector<CoarserMesh<dim>>                            meshes;
+    std::vector<std::shared_ptr<const Space<dim>>>           spaces;
+    std::vector<std::unique_ptr<const QuadratureField<dim>>> coarse_points;
+    std::vector<std::unique_ptr<const LevelTransfer<dim>>>   transfers;
+  };
+} // namespace Crevasse
+
+#endif

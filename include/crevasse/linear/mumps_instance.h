@@ -1,0 +1,137 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_linear_mumps_instance_h
+#define crevasse_linear_mumps_instance_h
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <complex>
+#include <cstddef>
+#include <dmumps_c.h>
+#include <string>
+#include <type_traits>
+#include <vector>
+#include <zmumps_c.h>
+
+namespace Crevasse
+{
+  /** The entries on and above the diagonal in the rows of this rank, counted
+   * from 1 as MUMPS does. */
+  template <typename Number>
+  struct UpperTriangle
+  {
+    std::vector<int>    rows, columns;
+    std::vector<Number> values;
+  };
+
+  UpperTriangle<double>
+  upper_triangle(const dealii::TrilinosWrappers::SparseMatrix &matrix);
+
+  /**
+   * One instance of MUMPS: the factor LDLᵀ of a symmetric matrix, real or
+   * complex, of which each rank has some rows, without pivoting. Right-hand
+   * sides are gathered on the first rank, from which MUMPS takes them.
+   *
+   * MUMPS works by communication: whatever is called here is collective.
+   */
+  template <typename Number>
+  class MumpsInstance
+  {
+  public:
+    using Data = std::conditional_t<std::is_same<Number, double>::value,
+                                    DMUMPS_STRUC_C,
+                                    ZMUMPS_STRUC_C>;
+
+    /**
+     * Begins.
+     *
+     * @param n_local rows of this rank, which follow on those of the ranks
+     * before.
+     * @param matrix_name for messages: "the stiffness".
+     * @param if_memory_is_short, @param otherwise what to try then.
+     */
+    MumpsInstance(const MPI_Comm     communicator,
+                  const int          n_local,
+                  const std::string &matrix_name,
+                  const std::string &if_memory_is_short,
+                  const std::string &otherwise);
+
+    MumpsInstance(const MumpsInstance &) = delete;
+    MumpsInstance &
+    operator=(const MumpsInstance &) = delete;
+
+    /** Ends, but for exceptions on their way: then the other ranks may be
+     * elsewhere, and the end of the process frees the memory. */
+    ~MumpsInstance();
+
+    /** A setting, with its number in MUMPS' manual. */
+    int &
+    icntl(const unsigned int number);
+
+    /** Analyses and factorises, in as much memory as that takes.
+     * @throw NumericalError */
+    void
+    factorise(UpperTriangle<Number> &triangle);
+
+    /** Solves in place for columns that lie one after the other on the first
+     * rank. @throw NumericalError */
+    void
+    solve(std::vector<Number> &on_root,
+          const unsigned int   n_columns = 1,
+          const char          *what      = "a back-solve");
+
+    /** The first rank gets all entries of columns of which the ranks have their
+     * parts, and nothing the others. */
+    std::vector<Number>
+    gather(const Number *columns, const unsigned int n_columns = 1) const;
+
+    /** The other way. */
+    void
+    scatter(const std::vector<Number> &on_root,
+            Number                    *columns,
+            const unsigned int         n_columns = 1) const;
+
+    bool
+    is_root() const;
+
+    /** Ends before an exception of all ranks, in which the destructor could
+     * not. */
+    void
+    end();
+
+    /** Of the factor, on this rank. */
+    std::size_t
+    memory_consumption() const;
+
+    /** What MUMPS' manual describes. */
+    Data data = {};
+
+    const MPI_Comm communicator;
+    const int      n_ranks;
+
+  private:
+    void
+    call(const int job);
+    void
+    run(const int job, const char *what);
+    void
+    require(const char *what) const;
+
+    const int         n_local;
+    const std::string matrix_name, if_memory_is_short, otherwise;
+    std::vector<int>  counts, starts; ///< of all ranks; the first knows them
+    std::size_t       bytes     = 0;
+    bool              has_ended = false;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,161 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#ifndef crevasse_linear_stiffness_operator_h
+#define crevasse_linear_stiffness_operator_h
+
+#include <crevasse/discretisation/point_values.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/space.h>
+#include <crevasse/linear/linear_operator.h>
+
+#include <deal.II/base/subscriptor.h>
+#include <deal.II/matrix_free/matrix_free.h>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+namespace Crevasse
+{
+  /**
+   * A = ∫ DᵀKD as a loop over the cells with sum factorisation (Kronbichler and
+   * Kormann, Computers & Fluids 63, 2012): what assemble_stiffness() writes
+   * into a matrix, without the matrix. Rows and columns of constrained unknowns
+   * are those of the identity.
+   */
+  template <int dim>
+  class StiffnessOperator : public LinearOperator, public dealii::Subscriptor
+  {
+  public:
+    using Vector = LinearOperator::Vector;
+
+    /** Work on a range of vector entries. */
+    using RangeFunction =
+      std::function<void(const unsigned int, const unsigned int)>;
+
+    /** Without singular functions.
+     *
+     * @param space must outlive this object.
+     * @param stiffness K at the quadrature points; a copy is made. */
+    StiffnessOperator(const Space<dim>                    &space,
+                      const QuadratureField<dim>          &points,
+                      const PointValues<VoigtMatrix<dim>> &stiffness);
+
+    /** Gives @p vector the layout for which vmult() makes no copies. */
+    void
+    initialize_dof_vector(Vector &vector) const;
+
+    void
+    vmult(Vector &result, const Vector &v) const override;
+
+    /** The same, with work on the entries before the first cell touches them
+     * and after the last one did, while they are in the cache. */
+    void
+    vmult(Vector              &result,
+          const Vector        &v,
+          const RangeFunction &before,
+          const RangeFunction &after) const;
+
+    /** Makes these, and no other unconstrained rows and columns, those of the
+     * identity, for vectors that are zero there. (The diagonal stays what it
+     * is.)
+     *
+     * @param rows local indices of locally owned unknowns, ascending. */
+    void
+    hold(std::vector<unsigned int> rows);
+
+    const std::vector<unsigned int> &
+    held() const;
+
+    /** 1 where constrained. The masters of hanging nodes have the squares of
+     * their weights times the diagonal of these only. */
+    const Vector &
+    diagonal() const override;
+
+    std::vector<LinearOperator::Indices>
+    couplings(const LinearOperator::Indices &rows,
+              const LinearOperator::Indices &columns) const override;
+
+    MPI_Comm
+    get_mpi_communicator() const override;
+
+    const LinearOperator::Matrix *
+    matrix() const override;
+
+    dealii::types::global_dof_index
+    m() const;
+
+    /** A diagonal entry of this rank, for smoothers. */
+    double
+    el(const dealii::types::global_dof_index row,
+       const dealii::types::global_dof_index column) const;
+
+    /** Without the loops that belong to the space. */
+    std::size_t
+    memory_consumption() const override;
+
+  private:
+    using Number = dealii::VectorizedArray<double>;
+    using Loops  = dealii::MatrixFree<dim, double>;
+
+    static constexpr unsigned int n_components = n_stress_components<dim>;
+    /** The lower triangle of a symmetric matrix, row by row. */
+    using Moduli = std::array<double, n_components *(n_components + 1) / 2>;
+
+    static Moduli
+    pack(const VoigtMatrix<dim> &matrix);
+
+    template <int degree, bool mean_volume, bool uniform>
+    void
+    apply_to_cells(const Loops                                 &loops,
+                   Vector                                      &result,
+                   const Vector                                &v,
+                   const std::pair<unsigned int, unsigned int> &cells) const;
+
+    /** One of these for each kind of element and material. */
+    template <int degree, bool mean_volume>
+    void
+    apply(const Loops                                 &loops,
+          Vector                                      &result,
+          const Vector                                &v,
+          const std::pair<unsigned int, unsigned int> &cells) const;
+
+    /** @param stress K times the strain at a point of a batch of cells. */
+    template <bool uniform>
+    void
+    multiply(const unsigned int                      batch,
+             const unsigned int                      point,
+             const std::array<Number, n_components> &strain,
+             std::array<Number, n_components>       &stress) const;
+
+    void
+    compute_diagonal();
+
+    /** Those of all cells to the diagonal. */
+    template <int degree>
+    void
+    add_cell_diagonals();
+
+    const Space<dim>                  &space;
+    const std::shared_ptr<const Loops> loops;
+    const PointValues<Moduli>          moduli;
+
+    /** The first point of each lane of each batch of cells. */
+    std::vector<std::array<std::size_t, Number::size()>> first_points;
+
+    std::vector<unsigned int> constrained_rows; ///< ascending
+    std::vector<unsigned int> held_rows;        ///< likewise
+    Vector                    operator_diagonal;
+    mutable Vector            copy_of_v, copy_of_result; ///< if layouts differ
+  };
+} // namespace Crevasse
+
+#endif

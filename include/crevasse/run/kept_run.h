@@ -1,0 +1,57 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_run_kept_run_h
+#define crevasse_run_kept_run_h
+
+#include <crevasse/periodic/pauses.h>
+#include <crevasse/run/body.h>
+#include <crevasse/run/checkpoints.h>
+
+#include <functional>
+
+namespace Crevasse
+{
+  /** Writes the state of a run as a checkpoint, or takes it over from one: the
+   * beginning that Checkpoints knows of, a header, and all StateParts. */
+  template <int dim>
+  class KeptRun : public Pauses
+  {
+  public:
+    using Header = std::function<void(StateArchive &)>;
+
+    /** All arguments must outlive this object.
+     *
+     * @param header which a run that is taken up has read already. */
+    KeptRun(Checkpoints     &checkpoints,
+            const Body<dim> &body,
+            const Header    &header);
+
+    /** @throw StoppedOnRequest if that is asked for, with a checkpoint. */
+    void
+    between_steps(const unsigned int period, const unsigned int step) override;
+
+  private:
+    void
+    resume();
+
+    /** @return whether it could be written; if not, the log has the reason. */
+    bool
+    write(const unsigned int period, const unsigned int step);
+
+    Checkpoints     &checkpoints;
+    const Body<dim> &body;
+    const Header     header;
+  };
+} // namespace Crevasse
+
+#endif

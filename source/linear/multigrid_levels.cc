@@ -1,0 +1,143 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#include <crevasse/linear/multigrid_levels.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** So few that a direct solver needs less time than a smoother. */
+    constexpr std::size_t enough_unknowns = 1500;
+  } // namespace
+
+
+
+  template <int dim>
+  MultigridLevels<dim>::MultigridLevels(const Space<dim>           &space,
+                                        const QuadratureField<dim> &points)
+    : finest(space)
+    , finest_points(points)
+    , meshes(coarser_meshes(
+        space.mesh(),
+        enough_unknowns /
+          (dim * Utilities::pow(space.finite_element().degree, dim))))
+  {
+    std::reverse(meshes.begin(), meshes.end());
+    for (const CoarserMesh<dim> &coarser : meshes)
+      {
+        spaces.push_back(space.on_coarser(coarser.mesh));
+        coarse_points.push_back(
+          std::make_unique<const QuadratureField<dim>>(*spaces.back()));
+      }
+    for (unsigned int level = 1; level < n_levels(); ++level)
+      transfers.push_back(std::make_unique<const LevelTransfer<dim>>(
+        this->space(level - 1), this->space(level), meshes[level - 1]));
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  MultigridLevels<dim>::n_levels() const
+  {
+    return meshes.size() + 1;
+  }
+
+
+
+  template <int dim>
+  const Space<dim> &
+  MultigridLevels<dim>::space(const unsigned int level) const
+  {
+    return level < spaces.size() ? *spaces[level] : finest;
+  }
+
+
+
+  template <int dim>
+  const QuadratureField<dim> &
+  MultigridLevels<dim>::points(const unsigned int level) const
+  {
+    return level < spaces.size() ? *coarse_points[level] : finest_points;
+  }
+
+
+
+  template <int dim>
+  const LevelTransfer<dim> &
+  MultigridLevels<dim>::transfer(const unsigned int level) const
+  {
+    return *transfers[level - 1];
+  }
+
+
+
+  template <int dim>
+  std::vector<PointValues<VoigtMatrix<dim>>>
+  MultigridLevels<dim>::on_coarser_levels(
+    const PointValues<VoigtMatrix<dim>> &stiffness) const
+  {
+    if (stiffness.is_uniform())
+      return std::vector<PointValues<VoigtMatrix<dim>>>(n_levels() - 1,
+                                                        stiffness);
+
+    std::vector<PointValues<VoigtMatrix<dim>>> values;
+    std::vector<VoigtMatrix<dim>>              means =
+      cell_means(finest, finest_points, stiffness);
+    for (unsigned int level = n_levels() - 1; level-- > 0;)
+      {
+        means =
+          means_over_children(space(level + 1).mesh(), meshes[level], means);
+        std::vector<std::uint32_t> which(points(level).n_local_points());
+        for (const auto &cell : space(level).mesh().active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              const auto begin = which.begin() + points(level).offset(cell) /
+                                                   n_stress_components<dim>;
+              std::fill(begin,
+                        begin + space(level).quadrature(cell).size(),
+                        cell->active_cell_index());
+            }
+        auto of_level = means;
+        values.emplace_back(std::move(of_level), std::move(which));
+      }
+    std::reverse(values.begin(), values.end());
+    return values;
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  MultigridLevels<dim>::memory_consumption() const
+  {
+    std::size_t bytes = 0;
+    for (unsigned int level = 0; level < spaces.size(); ++level)
+      {
+        bytes += space(level).mesh().memory_consumption() +
+                 space(level).dof_handler().memory_consumption() +
+                 space(level).constraints().memory_consumption();
+        bytes += space(level).matrix_free()->memory_consumption();
+      }
+    for (unsigned int level = 1; level < n_levels(); ++level)
+      bytes += transfer(level).memory_consumption();
+    return bytes;
+  }
+
+
+
+  template class MultigridLevels<2>;
+  template class MultigridLevels<3>;
+} // namespace Crevasse

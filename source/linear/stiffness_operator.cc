@@ -1,0 +1,377 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#include <crevasse/linear/stiffness_operator.h>
+
+#include <deal.II/base/utilities.h>
+#include <deal.II/matrix_free/fe_evaluation.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  template <int dim>
+  typename StiffnessOperator<dim>::Moduli
+  StiffnessOperator<dim>::pack(const VoigtMatrix<dim> &matrix)
+  {
+    Moduli packed;
+    for (unsigned int i = 0, k = 0; i < n_components; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        packed[k++] = matrix[i][j];
+    return packed;
+  }
+
+
+
+  template <int dim>
+  StiffnessOperator<dim>::StiffnessOperator(
+    const Space<dim>                    &space,
+    const QuadratureField<dim>          &points,
+    const PointValues<VoigtMatrix<dim>> &stiffness)
+    : space(space)
+    , loops(space.matrix_free())
+    , moduli(transform(stiffness, points.n_local_points(), pack))
+    , constrained_rows(loops->get_constrained_dofs())
+  {
+    std::sort(constrained_rows.begin(), constrained_rows.end());
+    if (!moduli.is_uniform())
+      {
+        first_points.resize(loops->n_cell_batches());
+        for (unsigned int batch = 0; batch < first_points.size(); ++batch)
+          for (unsigned int lane = 0;
+               lane < loops->n_active_entries_per_cell_batch(batch);
+               ++lane)
+            first_points[batch][lane] =
+              points.offset(loops->get_cell_iterator(batch, lane)) /
+              n_components;
+      }
+    compute_diagonal();
+  }
+
+
+
+  template <int dim>
+  void
+  StiffnessOperator<dim>::initialize_dof_vector(Vector &vector) const
+  {
+    loops->initialize_dof_vector(vector);
+  }
+
+
+
+  template <int dim>
+  template <bool uniform>
+  void
+  StiffnessOperator<dim>::multiply(
+    const unsigned int                      batch,
+    const unsigned int                      point,
+    const std::array<Number, n_components> &strain,
+    std::array<Number, n_components>       &stress) const
+  {
+    const auto symmetric_product = [&](const auto &packed) {
+      for (unsigned int i = 0, k = 0; i < n_components; ++i, ++k)
+        {
+          stress[i] = packed[k + i] * strain[i];
+          for (unsigned int j = 0; j < i; ++j, ++k)
+            {
+              stress[i] += packed[k] * strain[j];
+              stress[j] += packed[k] * strain[i];
+            }
+        }
+    };
+    if constexpr (uniform)
+      symmetric_product(moduli[0]);
+    else if constexpr (Number::size() == 1)
+      symmetric_product(moduli[first_points[batch][0] + point]);
+    else
+      {
+        std::array<Number, std::tuple_size<Moduli>::value> of_lanes{};
+        for (unsigned int lane = 0;
+             lane < loops->n_active_entries_per_cell_batch(batch);
+             ++lane)
+          {
+            const Moduli &packed = moduli[first_points[batch][lane] + point];
+            for (unsigned int k = 0; k < packed.size(); ++k)
+              of_lanes[k][lane] = packed[k];
+          }
+        symmetric_product(of_lanes);
+      }
+  }
+
+
+
+  template <int dim>
+  template <int degree, bool mean_volume, bool uniform>
+  void
+  StiffnessOperator<dim>::apply_to_cells(
+    const Loops                                 &loops,
+    Vector                                      &result,
+    const Vector                                &v,
+    const std::pair<unsigned int, unsigned int> &cells) const
+  {
+    FEEvaluation<dim, degree, degree + 1, dim, double> evaluation(loops);
+    constexpr unsigned int           n_points = Utilities::pow(degree + 1, dim);
+    std::array<Number, n_components> strain{}, stress{};
+    std::array<SymmetricTensor<2, dim, Number>, n_points> stresses;
+    for (unsigned int batch = cells.first; batch < cells.second; ++batch)
+      {
+        evaluation.reinit(batch);
+        evaluation.gather_evaluate(v, EvaluationFlags::gradients);
+        Number volume(0.), dilatation(0.), pressure(0.);
+        if constexpr (mean_volume)
+          {
+            for (unsigned int q = 0; q < n_points; ++q)
+              {
+                dilatation += evaluation.get_divergence(q) * evaluation.JxW(q);
+                volume += evaluation.JxW(q);
+              }
+            dilatation /= volume;
+          }
+        for (unsigned int q = 0; q < n_points; ++q)
+          {
+            const auto gradient = evaluation.get_symmetric_gradient(q);
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int j = i; j < dim; ++j)
+                strain[voigt_index<dim>(i, j)] =
+                  (i == j ? 1. : 2.) * gradient[i][j];
+            if constexpr (mean_volume)
+              {
+                const Number added = (dilatation - trace(gradient)) / 3.;
+                for (unsigned int i = 0; i < dim; ++i)
+                  strain[i] += added;
+                if constexpr (dim == 2)
+                  strain[2] = added;
+              }
+            multiply<uniform>(batch, q, strain, stress);
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int j = i; j < dim; ++j)
+                stresses[q][i][j] = stress[voigt_index<dim>(i, j)];
+            if constexpr (mean_volume)
+              {
+                // The mean over the cell follows when it is known.
+                const Number own = (stress[0] + stress[1] + stress[2]) / 3.;
+                pressure += own * evaluation.JxW(q);
+                for (unsigned int i = 0; i < dim; ++i)
+                  stresses[q][i][i] -= own;
+              }
+            else
+              evaluation.submit_symmetric_gradient(stresses[q], q);
+          }
+        if constexpr (mean_volume)
+          for (unsigned int q = 0; q < n_points; ++q)
+            {
+              for (unsigned int i = 0; i < dim; ++i)
+                stresses[q][i][i] += pressure / volume;
+              evaluation.submit_symmetric_gradient(stresses[q], q);
+            }
+        evaluation.integrate_scatter(EvaluationFlags::gradients, result);
+      }
+  }
+
+
+
+  template <int dim>
+  template <int degree, bool mean_volume>
+  void
+  StiffnessOperator<dim>::apply(
+    const Loops                                 &loops,
+    Vector                                      &result,
+    const Vector                                &v,
+    const std::pair<unsigned int, unsigned int> &cells) const
+  {
+    if (moduli.is_uniform())
+      apply_to_cells<degree, mean_volume, true>(loops, result, v, cells);
+    else
+      apply_to_cells<degree, mean_volume, false>(loops, result, v, cells);
+  }
+
+
+
+  template <int dim>
+  void
+  StiffnessOperator<dim>::vmult(Vector              &result,
+                                const Vector        &v,
+                                const RangeFunction &before,
+                                const RangeFunction &after) const
+  {
+    const auto identity_then_after = [&](const unsigned int begin,
+                                         const unsigned int end) {
+      for (const auto *rows : {&constrained_rows, &held_rows})
+        for (auto row = std::lower_bound(rows->begin(), rows->end(), begin);
+             row != rows->end() && *row < end;
+             ++row)
+          result.local_element(*row) = v.local_element(*row);
+      if (after)
+        after(begin, end);
+    };
+    const auto loop = [&](const auto function) {
+      loops->cell_loop(function, this, result, v, before, identity_then_after);
+    };
+    if (space.finite_element().degree == 2)
+      loop(&StiffnessOperator::apply<2, false>);
+    else if (space.volumetric_strain() == VolumetricStrain::mean)
+      loop(&StiffnessOperator::apply<1, true>);
+    else
+      loop(&StiffnessOperator::apply<1, false>);
+  }
+
+
+
+  template <int dim>
+  void
+  StiffnessOperator<dim>::vmult(Vector &result, const Vector &v) const
+  {
+    const auto is_ours = [this](const Vector &vector) {
+      return vector.get_partitioner() == operator_diagonal.get_partitioner();
+    };
+    if (!is_ours(v) || !is_ours(result))
+      {
+        copy_of_v.reinit(operator_diagonal, true);
+        copy_of_result.reinit(operator_diagonal, true);
+        copy_of_v.copy_locally_owned_data_from(v);
+        vmult(copy_of_result, copy_of_v);
+        result.copy_locally_owned_data_from(copy_of_result);
+        return;
+      }
+    vmult(result,
+          v,
+          [&](const unsigned int begin, const unsigned int end) {
+            std::fill(result.begin() + begin, result.begin() + end, 0.);
+          },
+          {});
+  }
+
+
+
+  template <int dim>
+  void
+  StiffnessOperator<dim>::hold(std::vector<unsigned int> rows)
+  {
+    held_rows = std::move(rows);
+  }
+
+
+
+  template <int dim>
+  const std::vector<unsigned int> &
+  StiffnessOperator<dim>::held() const
+  {
+    return held_rows;
+  }
+
+
+
+  template <int dim>
+  const typename StiffnessOperator<dim>::Vector &
+  StiffnessOperator<dim>::diagonal() const
+  {
+    return operator_diagonal;
+  }
+
+
+
+  template <int dim>
+  std::vector<LinearOperator::Indices>
+  StiffnessOperator<dim>::couplings(
+    const LinearOperator::Indices &rows,
+    const LinearOperator::Indices &columns) const
+  {
+    std::map<types::global_dof_index, std::set<types::global_dof_index>> all;
+    LinearOperator::Indices of_cell, found;
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      {
+        if (cell->is_artificial())
+          continue;
+        space.get_unknowns(cell, of_cell);
+        found.clear();
+        const auto note = [&](const types::global_dof_index dof) {
+          if (std::binary_search(columns.begin(), columns.end(), dof))
+            found.push_back(dof);
+        };
+        for (const auto dof : of_cell)
+          if (const auto *masters =
+                space.constraints().get_constraint_entries(dof))
+            for (const auto &master : *masters)
+              note(master.first);
+          else
+            note(dof);
+        for (const auto dof : found)
+          all[dof].insert(found.begin(), found.end());
+      }
+
+    std::vector<LinearOperator::Indices> coupled(rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      for (const auto dof : all[rows[k]])
+        if (dof != rows[k])
+          coupled[k].push_back(dof);
+    return coupled;
+  }
+
+
+
+  template <int dim>
+  MPI_Comm
+  StiffnessOperator<dim>::get_mpi_communicator() const
+  {
+    return space.communicator();
+  }
+
+
+
+  template <int dim>
+  const LinearOperator::Matrix *
+  StiffnessOperator<dim>::matrix() const
+  {
+    return nullptr;
+  }
+
+
+
+  template <int dim>
+  types::global_dof_index
+  StiffnessOperator<dim>::m() const
+  {
+    return space.n_unknowns();
+  }
+
+
+
+  template <int dim>
+  double
+  StiffnessOperator<dim>::el(
+    const types::global_dof_index                  row,
+    [[maybe_unused]] const types::global_dof_index column) const
+  {
+    Assert(row == column, ExcNotImplemented());
+    return operator_diagonal(row);
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  StiffnessOperator<dim>::memory_consumption() const
+  {
+    return moduli.memory_consumption() +
+           first_points.size() * sizeof(first_points[0]) +
+           (constrained_rows.size() + held_rows.size()) * sizeof(unsigned int) +
+           operator_diagonal.memory_consumption() +
+           copy_of_v.memory_consumption() + copy_of_result.memory_consumption();
+  }
+
+
+
+  template class StiffnessOperator<2>;
+  template class StiffnessOperator<3>;
+} // namespace Crevasse

@@ -1,0 +1,151 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#include <crevasse/linear/stiffness_operator.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/matrix_free/fe_evaluation.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** εᵀKε with K packed as lower triangle. */
+    template <int dim, typename Moduli>
+    double
+    energy(const Moduli &packed, const VoigtVector<dim> &strain)
+    {
+      double sum = 0.;
+      for (unsigned int i = 0, k = 0; i < n_stress_components<dim>; ++i, ++k)
+        {
+          double row = 0.5 * packed[k + i] * strain[i];
+          for (unsigned int j = 0; j < i; ++j, ++k)
+            row += packed[k] * strain[j];
+          sum += 2. * row * strain[i];
+        }
+      return sum;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  template <int degree>
+  void
+  StiffnessOperator<dim>::add_cell_diagonals()
+  {
+    const FESystem<dim>      &fe     = space.finite_element();
+    const FiniteElement<dim> &scalar = fe.base_element(0);
+    const QGauss<dim>         rule(degree + 1);
+    const unsigned int        n_shapes = scalar.n_dofs_per_cell();
+    const bool                mean_volume =
+      space.volumetric_strain() == VolumetricStrain::mean;
+
+    FEEvaluation<dim, degree, degree + 1, dim, double> evaluation(*loops);
+    std::vector<Tensor<1, dim>>                        reference_gradients;
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      for (unsigned int i = 0; i < n_shapes; ++i)
+        reference_gradients.push_back(scalar.shape_grad(i, rule.point(q)));
+    std::vector<Tensor<1, dim>>          gradients(rule.size() * n_shapes);
+    std::vector<Tensor<1, dim>>          means(n_shapes);
+    std::vector<double>                  entries(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+
+    const auto strain_of = [&](const unsigned int    shape,
+                               const Tensor<1, dim> &gradient,
+                               const unsigned int    component) {
+      VoigtVector<dim> strain;
+      for (unsigned int d = 0; d < dim; ++d)
+        strain[voigt_index<dim>(component, d)] = gradient[d];
+      if (mean_volume)
+        for (unsigned int i = 0; i < 3; ++i)
+          strain[i] += (means[shape][component] - gradient[component]) / 3.;
+      return strain;
+    };
+
+    for (unsigned int batch = 0; batch < loops->n_cell_batches(); ++batch)
+      {
+        evaluation.reinit(batch);
+        for (unsigned int lane = 0;
+             lane < loops->n_active_entries_per_cell_batch(batch);
+             ++lane)
+          {
+            double volume = 0.;
+            std::fill(means.begin(), means.end(), Tensor<1, dim>());
+            for (unsigned int q = 0; q < rule.size(); ++q)
+              {
+                Tensor<2, dim> to_real;
+                const auto     of_lanes = evaluation.inverse_jacobian(q);
+                for (unsigned int d = 0; d < dim; ++d)
+                  for (unsigned int e = 0; e < dim; ++e)
+                    to_real[d][e] = of_lanes[d][e][lane];
+                const double weight = evaluation.JxW(q)[lane];
+                volume += weight;
+                for (unsigned int i = 0; i < n_shapes; ++i)
+                  {
+                    gradients[q * n_shapes + i] =
+                      to_real * reference_gradients[q * n_shapes + i];
+                    means[i] += weight * gradients[q * n_shapes + i];
+                  }
+              }
+            for (Tensor<1, dim> &mean : means)
+              mean /= volume;
+
+            std::fill(entries.begin(), entries.end(), 0.);
+            for (unsigned int q = 0; q < rule.size(); ++q)
+              {
+                const Moduli &packed =
+                  moduli[moduli.is_uniform() ? 0
+                                             : first_points[batch][lane] + q];
+                const double weight = evaluation.JxW(q)[lane];
+                for (unsigned int i = 0; i < n_shapes; ++i)
+                  for (unsigned int c = 0; c < dim; ++c)
+                    entries[fe.component_to_system_index(c, i)] +=
+                      weight *
+                      energy<dim>(packed,
+                                  strain_of(i, gradients[q * n_shapes + i], c));
+              }
+            loops->get_cell_iterator(batch, lane)->get_dof_indices(dofs);
+            for (unsigned int i = 0; i < dofs.size(); ++i)
+              if (const auto *masters =
+                    space.constraints().get_constraint_entries(dofs[i]))
+                for (const auto &[master, factor] : *masters)
+                  operator_diagonal(master) += factor * factor * entries[i];
+              else
+                operator_diagonal(dofs[i]) += entries[i];
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  StiffnessOperator<dim>::compute_diagonal()
+  {
+    initialize_dof_vector(operator_diagonal);
+    if (space.finite_element().degree == 2)
+      add_cell_diagonals<2>();
+    else
+      add_cell_diagonals<1>();
+    operator_diagonal.compress(VectorOperation::add);
+    for (const unsigned int row : constrained_rows)
+      operator_diagonal.local_element(row) = 1.;
+  }
+
+
+
+  template void
+  StiffnessOperator<2>::compute_diagonal();
+  template void
+  StiffnessOperator<3>::compute_diagonal();
+} // namespace Crevasse

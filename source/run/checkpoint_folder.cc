@@ -1,0 +1,301 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/run/checkpoint_folder.h>
+#include <crevasse/run/version.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text_file.h>
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+
+namespace Crevasse
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    /** Of the files; what was written by another one cannot be read. */
+    constexpr int format = 1;
+
+    constexpr const char *manifest_file = "manifest.json";
+    constexpr const char *being_written = ".new";
+
+
+
+    Summary
+    as_json(const FileCheck &check)
+    {
+      return {{"bytes", check.bytes}, {"crc32", check.crc}};
+    }
+
+
+
+    FileCheck
+    as_check(const Summary &json)
+    {
+      return {json.at("bytes").get<std::size_t>(),
+              json.at("crc32").get<std::uint32_t>()};
+    }
+
+
+
+    std::string
+    now()
+    {
+      const std::time_t seconds = std::time(nullptr);
+      char              text[40];
+      std::strftime(text,
+                    sizeof(text),
+                    "%Y-%m-%d %H:%M:%S UTC",
+                    std::gmtime(&seconds));
+      return text;
+    }
+
+
+
+    Summary
+    as_json(const CheckpointManifest &manifest)
+    {
+      Summary json   = {{"format", format},
+                        {"version", CREVASSE_VERSION},
+                        {"written", now()},
+                        {"number", manifest.number},
+                        {"period", manifest.period},
+                        {"step", manifest.step},
+                        {"ranks", manifest.ranks}};
+      json["common"] = as_json(manifest.common);
+      for (const FieldFile &file : manifest.fields)
+        {
+          Summary entry       = as_json(file.check);
+          entry["name"]       = file.name;
+          entry["first_cell"] = file.first_cell;
+          entry["cells"]      = file.n_cells;
+          json["fields"].push_back(entry);
+        }
+      json["tables"]     = manifest.tables;
+      json["scene_hash"] = checksum(manifest.scene.dump());
+      json["scene"]      = manifest.scene;
+      return json;
+    }
+
+
+
+    CheckpointManifest
+    as_manifest(const Summary &json)
+    {
+      CheckpointManifest manifest;
+      manifest.number = json.at("number");
+      manifest.period = json.at("period");
+      manifest.step   = json.at("step");
+      manifest.ranks  = json.at("ranks");
+      manifest.common = as_check(json.at("common"));
+      for (const Summary &entry : json.at("fields"))
+        manifest.fields.push_back({entry.at("name"),
+                                   as_check(entry),
+                                   entry.at("first_cell"),
+                                   entry.at("cells")});
+      manifest.tables = json.at("tables").get<decltype(manifest.tables)>();
+      manifest.scene  = json.at("scene");
+      return manifest;
+    }
+  } // namespace
+
+
+
+  CheckpointFolder::CheckpointFolder(const std::string &directory)
+    : directory(directory)
+    , path(directory + "/checkpoint")
+  {
+  }
+
+
+
+  std::string
+  CheckpointFolder::name(const unsigned int number) const
+  {
+    return path + '/' + std::to_string(number);
+  }
+
+
+
+  std::string
+  CheckpointFolder::file(const unsigned int number,
+                         const std::string &name) const
+  {
+    return this->name(number) + '/' + name;
+  }
+
+
+
+  std::string
+  CheckpointFolder::new_file(const unsigned int number,
+                             const std::string &name) const
+  {
+    return this->name(number) + being_written + '/' + name;
+  }
+
+
+
+  std::vector<unsigned int>
+  CheckpointFolder::numbers() const
+  {
+    std::vector<unsigned int> found;
+    std::error_code           error;
+    for (fs::directory_iterator entry(path, error), end; !error && entry != end;
+         entry.increment(error))
+      {
+        const std::string name = entry->path().filename().string();
+        if (name.find_first_not_of("0123456789") == std::string::npos &&
+            name.size() < 10)
+          found.push_back(std::stoul(name));
+      }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+
+
+  unsigned int
+  CheckpointFolder::begin() const
+  {
+    const std::vector<unsigned int> there = numbers();
+    const unsigned int number = there.empty() ? 1 : there.back() + 1;
+    const std::string  folder = name(number) + being_written;
+    std::error_code    error;
+    fs::remove_all(folder, error);
+    fs::create_directories(folder, error);
+    if (error)
+      throw FileError("Cannot make " + folder + " (" + error.message() + ").");
+    return number;
+  }
+
+
+
+  void
+  CheckpointFolder::finish(const CheckpointManifest &manifest) const
+  {
+    const std::string content = as_json(manifest).dump(2);
+    const std::string folder  = name(manifest.number) + being_written;
+    CheckedFile       file(folder + '/' + manifest_file);
+    const std::string text = std::to_string(checksum(content)) + '\n' + content;
+    file.write(text.data(), text.size());
+    file.finish();
+    write_through(folder);
+
+    std::error_code error;
+    fs::rename(folder, name(manifest.number), error);
+    if (error)
+      throw FileError("Cannot rename " + folder + " (" + error.message() +
+                      ").");
+    write_through(path);
+    write_through(directory);
+    for (const unsigned int other : numbers())
+      if (other + 1 < manifest.number)
+        fs::remove_all(name(other), error); // a nuisance at most if it stays
+  }
+
+
+
+  CheckpointManifest
+  CheckpointFolder::read(const unsigned int number) const
+  {
+    const std::string text    = read_text_file(file(number, manifest_file));
+    const auto        newline = std::min(text.find('\n'), text.size());
+    const std::string content = text.substr(std::min(newline + 1, text.size()));
+    if (text.substr(0, newline) != std::to_string(checksum(content)))
+      throw FileError(file(number, manifest_file) + " has another checksum");
+    const Summary json = Summary::parse(content);
+    if (json.at("format") != format)
+      throw FileError(
+        "it was written by version " + json.value("version", std::string("?")) +
+        " of the program, whose checkpoints this one cannot read");
+    const CheckpointManifest manifest = as_manifest(json);
+    std::string              fault;
+    read_checked(file(number, common_file), manifest.common, fault);
+    for (const FieldFile &fields : manifest.fields)
+      if (fault.empty())
+        read_checked(file(number, fields.name), fields.check, fault);
+    if (!fault.empty())
+      throw FileError(fault);
+    return manifest;
+  }
+
+
+
+  std::optional<CheckpointManifest>
+  CheckpointFolder::newest(std::vector<std::string> &warnings) const
+  {
+    const std::vector<unsigned int> all = numbers();
+    for (auto number = all.rbegin(); number != all.rend(); ++number)
+      try
+        {
+          return read(*number);
+        }
+      catch (const std::exception &fault)
+        {
+          warnings.push_back("checkpoint " + name(*number) +
+                             " is damaged and not used: " + fault.what());
+        }
+    return {};
+  }
+
+
+
+  void
+  CheckpointFolder::discard_after(const unsigned int number) const
+  {
+    std::error_code error; // they are in nobody's way
+    for (const unsigned int other : numbers())
+      if (other > number)
+        fs::remove_all(name(other), error);
+  }
+
+
+
+  std::map<std::string, std::size_t>
+  CheckpointFolder::measure_tables() const
+  {
+    std::map<std::string, std::size_t> sizes;
+    for (const auto &entry : fs::directory_iterator(directory))
+      if (entry.path().extension() == ".csv")
+        {
+          write_through(entry.path().string());
+          sizes[entry.path().filename().string()] = entry.file_size();
+        }
+    return sizes;
+  }
+
+
+
+  void
+  CheckpointFolder::cut_tables(const CheckpointManifest &manifest) const
+  {
+    for (const auto &[table, size] : manifest.tables)
+      {
+        const std::string name = directory + '/' + table;
+        std::error_code   error;
+        const auto        there = fs::file_size(name, error);
+        if (!error && there < size)
+          throw FileError(name + " has lost rows since checkpoint " +
+                          std::to_string(manifest.number) +
+                          " was written: it has " + std::to_string(there) +
+                          " bytes instead of " + std::to_string(size) + '.');
+        if (!error)
+          fs::resize_file(name, size, error);
+        if (error)
+          throw FileError(name + " cannot be continued (" + error.message() +
+                          ").");
+      }
+  }
+} // namespace Crevasse

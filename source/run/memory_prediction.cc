@@ -1,0 +1,387 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/linear/solver_choice.h>
+#include <crevasse/run/machine_memory.h>
+#include <crevasse/run/memory_prediction.h>
+#include <crevasse/scene/problems.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double mebibyte = 1024. * 1024.;
+
+    /** What the parts of a prediction depend on. */
+    template <int dim>
+    struct Scale
+    {
+      Scale(const Body<dim> &body, const Scene &scene)
+        : n_ranks(Utilities::MPI::n_mpi_processes(body.space.communicator()))
+        , degree(body.space.finite_element().degree)
+        , unknowns(body.space.n_unknowns())
+        , own_unknowns(body.space.locally_owned_unknowns().n_elements())
+        , own_cells(body.space.mesh().n_locally_owned_active_cells())
+        , own_points(body.points.n_local_points())
+        , strain(double(body.law.branches().size()) * n_stress_components<dim> *
+                 own_points)
+        , solver(choose_linear_solver(scene.linear_solver,
+                                      dim,
+                                      body.space.n_unknowns(),
+                                      n_ranks))
+      {
+      }
+
+      const unsigned int       n_ranks;
+      const unsigned int       degree;
+      const double             unknowns; ///< of all ranks
+      const double             own_unknowns;
+      const double             own_cells;
+      const double             own_points;
+      const double             strain; ///< numbers of r
+      const LinearSolverChoice solver;
+    };
+
+
+
+    /** Entries of this rank's rows of the stiffness: on average 3 (Q1) or 4
+     * (Q2) nodes along each direction share a cell with a node, each with dim
+     * components. */
+    template <int dim>
+    double
+    matrix_entries(const Scale<dim> &scale)
+    {
+      return scale.own_unknowns * dim *
+             Utilities::fixed_power<dim>(double(scale.degree + 2));
+    }
+
+
+
+    constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
+
+
+
+    /** CHOLMOD's factor on one rank and what its making takes for a moment:
+     * fitted to runs with 29 250 and 115 842 unknowns in two dimensions, 12 675
+     * and 28 611 in three, where the laws are those of nested dissection. */
+    template <int dim>
+    double
+    bytes_of_cholesky(const double n, const unsigned int degree)
+    {
+      if (dim == 2)
+        return 127. * n * std::log2(std::max(n, 2.));
+      return (degree == 1 ? 152. : 228.) * std::pow(n, 4. / 3.);
+    }
+
+
+
+    /** Of what solves with one stiffness: a factor; multigrid's coarser
+     * matrices and smoothers, as much as the matrix again; or what geometric
+     * multigrid keeps on all meshes, without a matrix. */
+    template <int dim>
+    double
+    bytes_of_solver(const Scale<dim> &scale)
+    {
+      // Vectors, and indices and weights of the loops over cells; measured.
+      if (scale.solver.type == LinearSolverChoice::gmg)
+        return sizeof(double) * (scale.degree == 1 ? 60. : 25.) *
+               scale.own_unknowns;
+      if (scale.solver.type == LinearSolverChoice::amg)
+        return bytes_per_entry * matrix_entries(scale);
+      const double cholesky =
+        bytes_of_cholesky<dim>(scale.unknowns, scale.degree);
+      if (scale.solver.type == LinearSolverChoice::cholesky)
+        return cholesky;
+      // Fitted to the same runs on two ranks.
+      constexpr double relative_size = dim == 2 ? 1.3 : 2.1;
+      return relative_size * cholesky / scale.n_ranks;
+    }
+
+
+
+    /** How many stiffnesses there are with what solves with them: more than one
+     * if those of instants are kept. */
+    template <int dim>
+    double
+    n_systems(const Body<dim> &body,
+              const StepList  &steps,
+              const Scene     &scene,
+              const double     bytes_of_one)
+    {
+      if (!body.material.stiffness_varies())
+        return 1.;
+      // Two stages a step, of which one may be another step's.
+      return 1. + std::min(2. * steps.n_steps(),
+                           scene.linear_solver.memory_for_instants * mebibyte /
+                             bytes_of_one);
+    }
+
+
+
+    /** The stress of all samples of a period is kept to compare with the next;
+     * the integrator keeps r, a stage and a rate for each stage. What solvers
+     * and observers need besides is measured. */
+    template <int dim>
+    double
+    bytes_of_fields(const Scale<dim> &scale,
+                    const Body<dim>  &body,
+                    const StepList   &steps)
+    {
+      const double     stress  = n_stress_components<dim> * scale.own_points;
+      const bool       creeps  = body.effects.viscosity.on;
+      constexpr double vectors = 30.;
+      return sizeof(double) *
+             ((steps.n_steps() + (creeps ? 8. : 2.)) * stress +
+              (creeps ? 4. : 0.) * scale.strain + vectors * scale.own_unknowns);
+    }
+
+
+
+    template <int dim>
+    double
+    bytes_of_search(const Scale<dim>     &scale,
+                    const StepList       &steps,
+                    const Scene          &scene,
+                    const PeriodicChoice &choice)
+    {
+      double values = 0.;
+      // Images and residuals, and their differences while they are combined.
+      if (choice.method == "anderson")
+        values +=
+          4. * (scene.periodic_state.anderson_depth + 1.) * scale.strain;
+      if (choice.uses_fourier())
+        values += steps.n_steps() * (scale.strain + 2. * scale.own_unknowns);
+      return sizeof(double) * values;
+    }
+
+
+
+    template <int dim>
+    double
+    bytes_of_output(const Scale<dim> &scale,
+                    const Body<dim>  &body,
+                    const StepList   &steps,
+                    const Scene      &scene)
+    {
+      if (!body.effects.field_output.on)
+        return 0.;
+      std::set<unsigned int> instants = {steps.n_steps()};
+      for (const double t : scene.output.field_times)
+        instants.insert(steps.nearest(t));
+
+      // Displacement, stress and, with viscosity, r of each.
+      const double fields = body.effects.viscosity.on ? 2. : 1.;
+      const double kept   = scale.own_unknowns +
+                          fields * n_stress_components<dim> * scale.own_points;
+      // Two tensors, displacement, principal stresses with directions, J₂ and
+      // pressure at the nodes of each cell, twice: as patches and as text.
+      const double columns =
+        2. * n_stress_components<dim> + dim * (2. + dim) + 2.;
+      const double nodes =
+        scale.own_cells * Utilities::fixed_power<dim>(scale.degree + 1.);
+      return sizeof(double) * (instants.size() * kept + 2. * columns * nodes);
+    }
+
+
+
+    /** The part of the unknowns whose needs are so many bytes: a factor grows
+     * faster than the rest. */
+    template <int dim>
+    double
+    affordable_part(const MemoryPrediction &needed, const double bytes)
+    {
+      const double growth   = dim == 2 ? 1.1 : 4. / 3.;
+      const double constant = needed.libraries;
+      const double linear   = needed.total() - constant - needed.solver;
+      double       low = 0., high = 1.;
+      while (high - low > 1e-3)
+        {
+          const double part = 0.5 * (low + high);
+          const double all =
+            constant + part * linear + std::pow(part, growth) * needed.solver;
+          (all > bytes ? high : low) = part;
+        }
+      return low;
+    }
+
+
+
+    std::string
+    gigabytes(const double bytes)
+    {
+      char text[40];
+      std::snprintf(text, sizeof(text), "%.3g GB", 1e-9 * bytes);
+      return text;
+    }
+
+
+
+    /** What needs most, and what to do about it. */
+    template <int dim>
+    std::string
+    largest_part(const MemoryPrediction &needed, const Scale<dim> &scale)
+    {
+      const bool has_factor = !scale.solver.is_multigrid();
+      const std::vector<std::pair<double, std::string>> parts = {
+        {needed.libraries, "the libraries of so many processes: take fewer"},
+        {needed.mesh, "the mesh: make it coarser"},
+        {needed.fields,
+         "the stress at all steps of a period: lower [Time integration] Steps "
+         "per period, or make the mesh coarser"},
+        {needed.matrix, "the stiffness: make the mesh coarser"},
+        {needed.solver,
+         has_factor ? "factors of the stiffness: take [Linear solver] Type = "
+                      "amg, lower Memory for instants, or make the mesh coarser"
+                    : "multigrid: make the mesh coarser"},
+        {needed.search,
+         "the search of the periodic state: lower [Periodic state] Anderson "
+         "depth, or take Method = march"},
+        {needed.output,
+         "fields of the last period: take [Output] Fields = none, or fewer "
+         "Field times"}};
+      return std::max_element(parts.begin(), parts.end())->second;
+    }
+
+
+
+    /** Where more is needed than there is nothing is begun: it would end
+     * without a message, or take the machine with it. */
+    template <int dim>
+    void
+    require_enough(const MemoryPrediction &needed,
+                   const Body<dim>        &body,
+                   const Scene            &scene)
+    {
+      const MPI_Comm   communicator = body.space.communicator();
+      const double     all   = sum_on_machine(needed.total(), communicator);
+      const double     there = available_memory(communicator);
+      constexpr double uncertainty = 1.25;
+      if (Utilities::MPI::max(all / there, communicator) <= uncertainty)
+        return;
+
+      const double part =
+        Utilities::MPI::min(affordable_part<dim>(needed,
+                                                 needed.total() * there / all),
+                            communicator);
+      const auto fit =
+        static_cast<unsigned long>(part * body.space.n_unknowns());
+      throw SceneError(
+        "The run needs about " +
+        gigabytes(Utilities::MPI::max(all, communicator)) +
+        " of memory on a machine that has " +
+        gigabytes(Utilities::MPI::min(there, communicator)) +
+        " left, most of it for " +
+        largest_part(needed, Scale<dim>(body, scene)) +
+        "; or take processes on more machines. With these settings about " +
+        std::to_string(fit) + " unknowns fit; the mesh has " +
+        std::to_string(body.space.n_unknowns()) + ".");
+    }
+  } // namespace
+
+
+
+  double
+  MemoryPrediction::total() const
+  {
+    return libraries + mesh + fields + matrix + solver + search + output;
+  }
+
+
+
+  template <int dim>
+  MemoryPrediction
+  predict_memory(const Body<dim>      &body,
+                 const StepList       &steps,
+                 const Scene          &scene,
+                 const PeriodicChoice &choice)
+  {
+    const Scale<dim> scale(body, scene);
+    MemoryPrediction bytes;
+    bytes.libraries = scale.n_ranks > 1 ? 195e6 : 180e6;
+    bytes.mesh      = body.space.mesh().memory_consumption() +
+                 body.space.dof_handler().memory_consumption();
+    bytes.fields        = bytes_of_fields(scale, body, steps);
+    const double matrix = scale.solver.type == LinearSolverChoice::gmg
+                            ? 0.
+                            : bytes_per_entry * matrix_entries(scale);
+    const double solver = bytes_of_solver(scale);
+    const double n      = n_systems(body, steps, scene, matrix + solver);
+    bytes.matrix        = n * matrix;
+    bytes.solver        = n * solver;
+    bytes.search        = bytes_of_search(scale, steps, scene, choice);
+    bytes.output        = bytes_of_output(scale, body, steps, scene);
+    return bytes;
+  }
+
+
+
+  template <int dim>
+  void
+  describe_memory(const Body<dim>      &body,
+                  const StepList       &steps,
+                  const Scene          &scene,
+                  const PeriodicChoice &choice,
+                  Log                  &log)
+  {
+    const MPI_Comm         communicator = body.space.communicator();
+    const MemoryPrediction needed  = predict_memory(body, steps, scene, choice);
+    const auto             largest = [communicator](const double bytes) {
+      return 1e-6 * Utilities::MPI::max(bytes, communicator);
+    };
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    char               text[240];
+    std::snprintf(text,
+                  sizeof(text),
+                  "  memory: about %.0f MB%s: libraries %.0f, mesh %.0f, "
+                  "fields %.0f, matrix %.0f, %s %.0f, periodic state %.0f, "
+                  "output %.0f",
+                  largest(needed.total()),
+                  n_ranks > 1 ? " on each process" : "",
+                  largest(needed.libraries),
+                  largest(needed.mesh),
+                  largest(needed.fields),
+                  largest(needed.matrix),
+                  Scale<dim>(body, scene).solver.is_multigrid() ? "multigrid"
+                                                                : "factor",
+                  largest(needed.solver),
+                  largest(needed.search),
+                  largest(needed.output));
+    log.line(text);
+    require_enough(needed, body, scene);
+  }
+
+
+
+#define INSTANTIATE(dim)                                                 \
+  template MemoryPrediction predict_memory<dim>(const Body<dim> &,       \
+                                                const StepList &,        \
+                                                const Scene &,           \
+                                                const PeriodicChoice &); \
+  template void             describe_memory<dim>(const Body<dim> &,      \
+                                     const StepList &,       \
+                                     const Scene &,          \
+                                     const PeriodicChoice &, \
+                                     Log &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+} // namespace Crevasse

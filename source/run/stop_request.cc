@@ -1,0 +1,205 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/run/stop_request.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+
+namespace Crevasse
+{
+  namespace
+  {
+    const auto program_begin = std::chrono::steady_clock::now();
+
+
+
+    /** What is left of the time since the program began; 0: any. */
+    double
+    time_left(const double wall_time)
+    {
+      const std::chrono::duration<double> elapsed =
+        std::chrono::steady_clock::now() - program_begin;
+      return wall_time == 0. ? 0. : std::max(wall_time - elapsed.count(), 1e-9);
+    }
+
+
+
+    const std::string signals[] = {"", "SIGTERM", "SIGINT", "SIGUSR1"};
+
+
+
+    volatile std::sig_atomic_t asked_to_stop = 0, asked_to_write = 0;
+
+
+
+    void
+    note_stop(const int signal)
+    {
+      asked_to_stop = signal;
+    }
+
+
+
+    void
+    note_write(int)
+    {
+      asked_to_write = 1;
+    }
+
+
+
+    /** @param once whether the next one does what it does without us. */
+    void
+    handle(const int signal, void (*handler)(int), const bool once)
+    {
+      struct sigaction action = {};
+      action.sa_handler       = handler;
+      action.sa_flags         = SA_RESTART | (once ? SA_RESETHAND : 0);
+      sigaction(signal, &action, nullptr);
+    }
+  } // namespace
+
+
+
+  StopRequests::StopRequests(const MPI_Comm communicator,
+                             const double   wall_time)
+    : communicator(communicator)
+    , first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    , wall_time(time_left(wall_time))
+  {
+    asked_to_stop = asked_to_write = 0;
+    handle(SIGTERM, note_stop, true);
+    handle(SIGINT, note_stop, true);
+    handle(SIGUSR1, note_write, false);
+  }
+
+
+
+  StopRequests::~StopRequests()
+  {
+    for (const int signal : {SIGTERM, SIGINT, SIGUSR1})
+      handle(signal, SIG_DFL, false);
+  }
+
+
+
+  void
+  StopRequests::look_in(const std::string &directory)
+  {
+    file = directory + "/stop";
+    std::error_code not_there;
+    if (first_rank)
+      std::filesystem::remove(file, not_there);
+  }
+
+
+
+  StopRequests::Request
+  StopRequests::of_signals()
+  {
+    if (asked_to_stop != 0)
+      {
+        why = asked_to_stop == SIGINT ? "SIGINT" : "SIGTERM";
+        // Whichever comes next ends the program at once.
+        handle(SIGTERM, SIG_DFL, false);
+        handle(SIGINT, SIG_DFL, false);
+        return stop;
+      }
+    if (asked_to_write == 0)
+      return none;
+    asked_to_write = 0;
+    why            = "SIGUSR1";
+    return checkpoint;
+  }
+
+
+
+  StopRequests::Request
+  StopRequests::of_file()
+  {
+    std::error_code not_there;
+    if (file.empty() || !std::filesystem::exists(file, not_there))
+      return none;
+    std::filesystem::remove(file, not_there);
+    why = "the file " + file;
+    return stop;
+  }
+
+
+
+  StopRequests::Request
+  StopRequests::of_time(const double seconds_to_write)
+  {
+    constexpr double margin = 1.5;
+    const double     now    = since_begin.wall_time();
+    if (last_poll >= 0.)
+      longest = std::max(longest, now - last_poll);
+    last_poll = now;
+    if (wall_time == 0. ||
+        now + margin * (longest + seconds_to_write) < wall_time)
+      return none;
+    why = "--wall-time";
+    return stop;
+  }
+
+
+
+  StopRequests::Request
+  StopRequests::poll(const double seconds_to_write)
+  {
+    int request = of_signals();
+    if (first_rank)
+      request =
+        std::max({request, int(of_file()), int(of_time(seconds_to_write))});
+    // The same number says what and who.
+    constexpr int n_signals = 4;
+    const auto    who  = std::find(std::begin(signals), std::end(signals), why);
+    const int     code = request * n_signals +
+                     (request == none ? 0 : int(who - signals) % n_signals);
+    const int all = dealii::Utilities::MPI::max(code, communicator);
+    if (all != code)
+      why = signals[all % n_signals];
+    return Request(all / n_signals);
+  }
+
+
+
+  void
+  StopRequests::skip_interval()
+  {
+    last_poll = -1.;
+  }
+
+
+
+  void
+  StopRequests::stop_if_asked()
+  {
+    skip_interval();
+    const bool stops = poll(0.) == stop;
+    skip_interval();
+    if (stops)
+      throw StoppedOnRequest("stopped on request (" + why +
+                             "), without a checkpoint.");
+  }
+
+
+
+  const std::string &
+  StopRequests::reason() const
+  {
+    return why;
+  }
+} // namespace Crevasse

@@ -1,0 +1,181 @@
+"""Runs that are interrupted and resumed, and how they compare with those that
+were not."""
+
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import time
+
+from crevasse_run import (ENVIRONMENT, PROGRAM, SOURCE, Results, check,
+                          overrides)
+
+SCENE = SOURCE / "prm/raous1980.prm"
+COMMON = ["Contact/Solver=automatic", "Periodic state/Tolerance=0",
+          "Geometry/Subdivisions=24, 24",
+          "Output/Probes=mouth: 1, 0; inside: 0.75, 0"]
+
+# A mean load and a viscosity that redistributes the stress: contact opens and
+# closes, and every period differs from the one before.
+REDISTRIBUTES = ["Material/Viscosity=isotropic",
+                 "Material/Viscous modulus=780000*if(x<0.3,0.2,1)",
+                 "Material/Viscous Poisson ratio=0.4",
+                 "Loads/Traction=0; 10*(sin(2*pi*t/600) - 0.1)"]
+
+
+def periods(number):
+    return [f"Periodic state/Maximum periods={number}"]
+
+
+CASES = {
+    "march": periods(8),
+    "anderson": REDISTRIBUTES + periods(8) + ["Periodic state/Method=anderson"],
+    "adaptive steps": REDISTRIBUTES + periods(5) + [
+        "Time integration/Step control=adaptive",
+        "Time integration/Relative tolerance=1e-3"],
+    "events": periods(5) + ["Time integration/Scheme=rk4",
+                            "Time integration/Locate contact events=true"],
+    "sdirk2": REDISTRIBUTES + periods(6) + ["Time integration/Scheme=sdirk2"],
+    "direct in time": REDISTRIBUTES + periods(1) + [
+        "Time integration/Scheme=trapezoid", "Periodic state/Method=fourier",
+        "Material/Viscosity=relaxation time", "Material/Relaxation time=60",
+        "Geometry/Subdivisions=24, 24"],
+    "readapted": REDISTRIBUTES + periods(6) + [
+        "Refinement/Strategy=adaptive", "Refinement/Cycles=2",
+        "Refinement/Readapt every=2", "Geometry/Subdivisions=8, 8"],
+    "crack tip": REDISTRIBUTES + periods(4) + [
+        "Crack tip/Stress intensity=true", "Output/Load work=true",
+        "Refinement/Strategy=tip", "Refinement/Cycles=2",
+        "Discretisation/Singular functions=1"],
+    "stiffness varies": periods(4) + [
+        "Material/Young modulus=13000*(1+0.1*if(x<0.5,1,0)*sin(2*pi*t/600))"],
+    "arkode": periods(5) + ["Time integration/Scheme=arkode explicit"],
+    "arkode adaptive": periods(5) + [
+        "Time integration/Scheme=arkode implicit",
+        "Time integration/Step control=adaptive",
+        "Time integration/Relative tolerance=1e-3"],
+    "active set": REDISTRIBUTES + periods(4) + ["Contact/Solver=active set",
+                                                "Linear solver/Type=amg"],
+}
+
+
+def command(directory, settings, n_ranks=1, scene=SCENE, more=()):
+    prefix = [] if n_ranks == 1 else ["mpirun", "-np", str(n_ranks)]
+    return [*prefix, str(PROGRAM), str(scene), "--quiet", "--output",
+            str(directory), *overrides(settings), *map(str, more)]
+
+
+def execute(directory, settings, n_ranks=1, more=(), **options):
+    """Exit status and what was written to the standard error."""
+    process = subprocess.run(
+        command(directory, settings, n_ranks, more=more, **options), text=True,
+        capture_output=True, stdin=subprocess.DEVNULL, timeout=300,
+        env=ENVIRONMENT)
+    return process.returncode, process.stderr
+
+
+def fresh(name):
+    directory = pathlib.Path("results") / name
+    shutil.rmtree(directory, ignore_errors=True)
+    return directory
+
+
+def reference(name, settings):
+    """An uninterrupted run, and what it took."""
+    directory = fresh(name)
+    begin = time.time()
+    code, error = execute(directory, settings)
+    check(code in (0, 3), f"{name}: exit status {code}\n{error}")
+    return Results(directory), time.time() - begin
+
+
+def wait_for(directory, n_rows, process):
+    """Until a table has so many rows, or the program has ended."""
+    table = directory / "probe_mouth.csv"
+    latest = time.time() + 120
+    while process.poll() is None and time.time() < latest:
+        if table.exists() and table.read_bytes().count(b"\n") >= n_rows:
+            return
+        time.sleep(2e-3)
+
+
+def interrupt(directory, settings, way, moment, n_ranks=1):
+    """Begins a run, or goes on with it if it has a checkpoint, and interrupts
+    it at a moment: after so many rows of its tables if that is an integer, or
+    after so many seconds. Returns its status and what it said."""
+    more = ["--resume"] if has_checkpoint(directory) else []
+    if way == "wall time":
+        more += ["--wall-time", max(moment, 1e-3)]
+    process = subprocess.Popen(command(directory, settings, n_ranks, more=more),
+                               stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, text=True,
+                               stdin=subprocess.DEVNULL, env=ENVIRONMENT)
+    if isinstance(moment, int):
+        wait_for(directory, moment, process)
+    elif way != "wall time":
+        time.sleep(moment)
+    if way == "stop file" and directory.exists():
+        (directory / "stop").touch()
+    elif way == "checkpoint and kill":
+        process.send_signal(signal.SIGUSR1)
+        time.sleep(0.05)
+        process.kill()
+    elif way in ("SIGTERM", "SIGINT", "SIGKILL"):
+        process.send_signal(getattr(signal, way))
+    error = process.communicate(timeout=120)[1]
+    return process.returncode, error
+
+
+def has_checkpoint(directory):
+    return any(path.name.isdigit()
+               for path in (directory / "checkpoint").glob("*"))
+
+
+def finish(directory, settings, n_ranks=1):
+    """Goes on to the end."""
+    more = ["--resume"] if has_checkpoint(directory) else []
+    code, error = execute(directory, settings, n_ranks, more=more)
+    check(code in (0, 3), f"{directory}: exit status {code}\n{error}")
+    return Results(directory)
+
+
+def content(path):
+    """Of a file of results, without seconds and dates."""
+    text = path.read_bytes()
+    if path.name == "periods.csv":
+        text = b"\n".join(line.rpartition(b",")[0] for line in text.splitlines())
+    return re.sub(rb"<!--.*?-->", b"", text, flags=re.DOTALL)
+
+
+def check_same_bytes(one, other, what):
+    """All tables and fields."""
+    names = sorted(path.name for pattern in ("*.csv", "solution*")
+                   for path in one.directory.glob(pattern))
+    check(len(names) > 3, f"{what}: there are results: {names}")
+    for name in names:
+        check(content(one.directory / name) == content(other.directory / name),
+              f"{what}: {other.directory / name} differs")
+    print(f"{what}: {len(names)} files are the same byte for byte")
+
+
+def largest_difference(one, other):
+    """Of all columns of the probes' and the crack tip's tables, relative to
+    the largest value of each kind."""
+    worst = 0.
+    for path in one.directory.glob("*.csv"):
+        if not path.name.startswith(("probe_", "crack_tip")):
+            continue
+        mine, theirs = one.table(path.name), other.table(path.name)
+        for kind in ("u_", "s_", "K_I", "opening", "pressure", "strain_energy"):
+            columns = [column for column in mine if column.startswith(kind)]
+            size = max([abs(x) for column in columns for x in mine[column]],
+                       default=0.)
+            if size == 0.:
+                continue
+            for column in columns:
+                check(len(mine[column]) == len(theirs[column]),
+                      f"{path.name}: as many rows")
+                worst = max(worst, *(abs(a - b) / size for a, b in
+                                     zip(mine[column], theirs[column])))
+    return worst
