@@ -89,8 +89,10 @@ namespace Crevasse
 
   StopRequests::~StopRequests()
   {
-    for (const int signal : {SIGTERM, SIGINT, SIGUSR1})
+    for (const int signal : {SIGTERM, SIGINT})
       handle(signal, SIG_DFL, false);
+    // There is nothing left to write; the default would kill the program.
+    handle(SIGUSR1, SIG_IGN, false);
   }
 
 
