@@ -11,11 +11,14 @@
 // Conjugate gradients with geometric multigrid, without a matrix, and with ML
 // on the assembled one: iterations, time and memory for a cracked block.
 //
-//     multigrid_study iterations [largest number of unknowns]
+//     multigrid_study iterations [LARGEST]
 //     multigrid_study DIMENSION DEGREE UNIFORM TIP JUMP gmg|ml
+//     [contact|ACCURACY]
 //
-// The first prints tables as Markdown, those of doc/multigrid.md; the second
-// one row, with the peak memory of its process.
+// The first prints the iterations of gmg for blocks of up to LARGEST unknowns
+// as Markdown; the second the row of one block, with the peak memory of its
+// process. Both are in doc/multigrid.md. With "contact" the lip closes in part;
+// with an ACCURACY the residual is reduced by so much instead of by 1e8.
 
 #include <crevasse/contact/active_set.h>
 #include <crevasse/discretisation/rigid_modes.h>
@@ -35,13 +38,13 @@ using namespace Crevasse;
 
 namespace
 {
-  constexpr double accuracy = 1e-8;
+  constexpr double usual_accuracy = 1e-8;
 
   struct Measurement
   {
     double      unknowns, bytes;
-    double      set_up, solve, contact; ///< seconds
-    std::size_t iterations, contact_iterations, sets;
+    double      set_up, solve, contact = 0.; ///< seconds
+    std::size_t iterations, contact_iterations = 0, sets = 0;
   };
 
   /** A solver with everything that it needs besides the block. */
@@ -90,7 +93,10 @@ namespace
 
   template <int dim>
   Measurement
-  measure(const BlockKind &kind, const bool with_ml)
+  measure(const BlockKind &kind,
+          const bool       with_ml,
+          const double     accuracy,
+          const bool       with_contact)
   {
     const CrackedBlock<dim> block(MPI_COMM_WORLD, kind);
     const Vector            b = block.loads();
@@ -110,7 +116,10 @@ namespace
     result.solve      = timer.wall_time();
     result.iterations = solver.linear->n_iterations();
 
-    ActiveSet contact(*solver.problem, *solver.linear, accuracy, 1e-3, 100);
+    if (!with_contact)
+      return result;
+    ActiveSet contact(
+      *solver.problem, *solver.linear, usual_accuracy, 1e-3, 100);
     std::vector<double> forces;
     timer.restart();
     contact.solve(b, q, forces);
@@ -121,70 +130,91 @@ namespace
   }
 
   Measurement
-  measure(const unsigned int dim, const BlockKind &kind, const bool with_ml)
+  measure(const unsigned int dim,
+          const BlockKind   &kind,
+          const bool         with_ml,
+          const double       accuracy,
+          const bool         with_contact)
   {
-    return dim == 2 ? measure<2>(kind, with_ml) : measure<3>(kind, with_ml);
+    const auto of_dimension = dim == 2 ? measure<2> : measure<3>;
+    return of_dimension(kind, with_ml, accuracy, with_contact);
   }
 
   void
-  print(const BlockKind &kind, const char *name, const Measurement &m)
+  print(const unsigned int dim,
+        const BlockKind   &kind,
+        const char        *name,
+        const Measurement &m)
   {
     dealii::Utilities::System::MemoryStats memory;
     dealii::Utilities::System::get_memory_stats(memory);
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::printf(
-        "| Q%u | %u | %u | %g | %.0f | %s | %.2f | %zu | %.2f | %zu "
-        "in %zu sets | %.2f | %.0f | %.0f |\n",
-        kind.degree,
-        kind.n_uniform,
-        kind.n_tip,
-        kind.jump,
-        m.unknowns,
-        name,
-        m.set_up,
-        m.iterations,
-        m.solve,
-        m.contact_iterations,
-        m.sets,
-        m.contact,
-        m.bytes,
-        memory.VmHWM * 1e-3);
-    std::fflush(stdout);
+    const double peak =
+      dealii::Utilities::MPI::sum(memory.VmHWM * 1e-3, MPI_COMM_WORLD);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
+      return;
+    std::printf("| %uD Q%u, %u + %u, %g | %.0f | %s | %.2f | %zu | %.2f |",
+                dim,
+                kind.degree,
+                kind.n_uniform,
+                kind.n_tip,
+                kind.jump,
+                m.unknowns,
+                name,
+                m.set_up,
+                m.iterations,
+                m.solve);
+    if (m.sets > 0)
+      std::printf(" %zu in %zu sets | %.2f |",
+                  m.contact_iterations,
+                  m.sets,
+                  m.contact);
+    std::printf(" %.0f | %.0f |\n", m.bytes, peak);
   }
 
+  /** Of the lattice of nodes, without what is refined at the tip. */
   double
-  cells_of(const unsigned int dim, const unsigned int n_uniform)
+  unknowns_of(const unsigned int dim, const BlockKind &kind)
   {
-    return std::pow(2., dim * (n_uniform + 1.));
+    const double nodes = kind.degree * std::pow(2., kind.n_uniform + 1) + 1.;
+    return dim * std::pow(nodes, dim);
+  }
+
+  /** A line of blocks, finer and finer. */
+  void
+  print_iterations(const unsigned int dim,
+                   const BlockKind   &kind,
+                   const bool         at_tip,
+                   const double       most_unknowns)
+  {
+    std::printf(
+      "| %uD Q%u%s | %g |", dim, kind.degree, at_tip ? ", tip" : "", kind.jump);
+    for (BlockKind finer = kind; unknowns_of(dim, finer) < most_unknowns;
+         ++finer.n_uniform)
+      {
+        finer.n_tip         = at_tip ? finer.n_uniform : 0;
+        const Measurement m = measure(dim, finer, false, usual_accuracy, false);
+        std::printf(" %.0f: %zu;", m.unknowns, m.iterations);
+        std::fflush(stdout);
+      }
+    std::printf(" |\n");
   }
 
   void
   print_all(const double most_unknowns)
   {
+    std::printf("| element | jump | unknowns: iterations |\n|---|---|---|\n");
     for (const unsigned int dim : {2, 3})
-      {
-        std::printf(
-          "\n%uD\n\n| element | refinements | at the tip | jump | "
-          "unknowns | solver | set-up s | iterations | s | with "
-          "contact | s | bytes per unknown | peak MB |\n"
-          "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
-          dim);
-        for (const unsigned int degree : {1, 2})
+      for (const unsigned int degree : {1, 2})
+        for (const bool at_tip : {false, true})
           for (const double jump : {1., 1e2, 1e4})
-            for (const bool tip : {false, true})
-              for (unsigned int n = (dim == 2 ? 4 : 2) - (degree - 1);
-                   cells_of(dim, n) * std::pow(degree, dim) * dim <
-                   most_unknowns;
-                   ++n)
-                for (const bool with_ml : {false, true})
-                  {
-                    const BlockKind kind{
-                      degree, n, tip ? n : 0, jump, VolumetricStrain::full};
-                    print(kind,
-                          with_ml ? "ml" : "gmg",
-                          measure(dim, kind, with_ml));
-                  }
-      }
+            print_iterations(dim,
+                             {degree,
+                              (dim == 2 ? 5 : 3) - degree,
+                              0,
+                              jump,
+                              VolumetricStrain::full},
+                             at_tip,
+                             most_unknowns);
   }
 } // namespace
 
@@ -195,16 +225,25 @@ main(int argc, char **argv)
   const auto number = [&](const int i) { return std::atof(argv[i]); };
   if (argc >= 2 && std::string(argv[1]) == "iterations")
     print_all(argc > 2 ? number(2) : 2e6);
-  else if (argc == 7)
+  else if (argc == 7 || argc == 8)
     {
-      const BlockKind kind{static_cast<unsigned int>(number(2)),
+      const BlockKind   kind{static_cast<unsigned int>(number(2)),
                            static_cast<unsigned int>(number(3)),
                            static_cast<unsigned int>(number(4)),
                            number(5),
                            VolumetricStrain::full};
-      print(kind,
+      const std::string last         = argc == 8 ? argv[7] : "";
+      const bool        with_contact = last == "contact";
+      const double      accuracy =
+        last.empty() || with_contact ? usual_accuracy : number(7);
+      print(number(1),
+            kind,
             argv[6],
-            measure(number(1), kind, std::string(argv[6]) == "ml"));
+            measure(number(1),
+                    kind,
+                    std::string(argv[6]) == "ml",
+                    accuracy,
+                    with_contact));
     }
   else
     {
