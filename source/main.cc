@@ -66,7 +66,9 @@ namespace
           const Checkpoints  &checkpoints)
   {
     output.take_up();
-    checkpoints.folder().cut_tables(checkpoints.resumed_manifest());
+    const CheckpointManifest &manifest = checkpoints.resumed_manifest();
+    checkpoints.folder().set_aside_after(manifest.number);
+    checkpoints.folder().cut_tables(manifest);
     write_used_parameters(output.directory(), used);
   }
 
@@ -76,13 +78,14 @@ namespace
   bool
   has_finished(const OutputChoice &output,
                const Scene        &scene,
+               const Summary      &parameters,
                const MPI_Comm      communicator,
                Log                &log)
   {
     std::string why;
     collectively(communicator, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        why = output.why_finished(scene);
+        why = output.why_finished(scene, parameters);
     });
     if (!why.empty())
       log.line("--resume: " + why);
@@ -109,7 +112,7 @@ namespace
                             scene.output.checkpoint_every);
     if (command.resume)
       {
-        if (has_finished(output, scene, communicator, log))
+        if (has_finished(output, scene, parameters, communicator, log))
           return;
         checkpoints.resume(communicator);
       }

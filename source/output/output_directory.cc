@@ -47,7 +47,7 @@ namespace Crevasse
     namespace fs = std::filesystem;
     // What is in the way is told now, not when the run comes to write it.
     static const std::regex ours(
-      "summary\\.json|used\\.prm|log\\.txt|solution\\.pvd|"
+      "summary\\.json(\\.part)?|used\\.prm|log\\.txt|solution\\.pvd|"
       "solution_[0-9.]+\\.p?vtu|(probe_.*|contact|periods|relaxation|load_work|"
       "crack_tip)"
       "\\.csv|"

@@ -10,18 +10,13 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/output/summary.h>
-#include <crevasse/scene/problems.h>
-
-#include <fstream>
+#include <crevasse/scene/text_file.h>
 
 namespace Crevasse
 {
   void
   write_summary(const Summary &summary, const std::string &file_name)
   {
-    std::ofstream file(file_name);
-    file << summary.dump(2) << std::endl;
-    if (!file)
-      throw FileError("Cannot write " + file_name + ".");
+    write_atomically(summary.dump(2) + '\n', file_name);
   }
 } // namespace Crevasse

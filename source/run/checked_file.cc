@@ -138,9 +138,11 @@ namespace Crevasse
     const int descriptor = open(name.c_str(), O_RDONLY);
     if (descriptor < 0)
       fail(name);
-    const int error = fsync(descriptor);
+    // Some file systems cannot do it for directories, and say so.
+    const int error = fsync(descriptor) == 0 ? 0 : errno;
     close(descriptor);
-    if (error != 0)
+    errno = error;
+    if (error != 0 && error != EINVAL && error != ENOTSUP)
       fail(name);
   }
 } // namespace Crevasse

@@ -30,6 +30,15 @@ namespace Crevasse
 
     constexpr const char *manifest_file = "manifest.json";
     constexpr const char *being_written = ".new";
+    constexpr const char *set_aside     = ".damaged";
+
+
+
+    /** A checkpoint that may be in order, for another program. */
+    struct OtherFormat : FileError
+    {
+      using FileError::FileError;
+    };
 
 
 
@@ -207,6 +216,15 @@ namespace Crevasse
 
 
 
+  void
+  CheckpointFolder::abandon(const unsigned int number) const
+  {
+    std::error_code error; // told already is what went wrong
+    fs::remove_all(name(number) + being_written, error);
+  }
+
+
+
   CheckpointManifest
   CheckpointFolder::read(const unsigned int number) const
   {
@@ -217,9 +235,12 @@ namespace Crevasse
       throw FileError(file(number, manifest_file) + " has another checksum");
     const Summary json = Summary::parse(content);
     if (json.at("format") != format)
-      throw FileError(
-        "it was written by version " + json.value("version", std::string("?")) +
-        " of the program, whose checkpoints this one cannot read");
+      throw OtherFormat(
+        "--resume: the checkpoint " + name(number) +
+        " was written by version " + json.value("version", std::string("?")) +
+        " of the program, whose checkpoints this one, " CREVASSE_VERSION
+        ", cannot read. Resume with that version, or begin anew in another "
+        "output directory.");
     const CheckpointManifest manifest = as_manifest(json);
     std::string              fault;
     read_checked(file(number, common_file), manifest.common, fault);
@@ -238,41 +259,69 @@ namespace Crevasse
   {
     const std::vector<unsigned int> all = numbers();
     for (auto number = all.rbegin(); number != all.rend(); ++number)
-      try
-        {
-          return read(*number);
-        }
-      catch (const std::exception &fault)
-        {
+      {
+        const auto warn = [&](const std::exception &fault) {
           warnings.push_back("checkpoint " + name(*number) +
                              " is damaged and not used: " + fault.what());
-        }
+        };
+        // Whatever else is thrown is no fault of the checkpoint.
+        try
+          {
+            return read(*number);
+          }
+        catch (const OtherFormat &)
+          {
+            throw;
+          }
+        catch (const FileError &fault)
+          {
+            warn(fault);
+          }
+        catch (const Summary::exception &fault)
+          {
+            warn(fault);
+          }
+      }
     return {};
   }
 
 
 
   void
-  CheckpointFolder::discard_after(const unsigned int number) const
+  CheckpointFolder::set_aside_after(const unsigned int number) const
   {
-    std::error_code error; // they are in nobody's way
     for (const unsigned int other : numbers())
-      if (other > number)
-        fs::remove_all(name(other), error);
+      {
+        if (other <= number)
+          continue;
+        const std::string damaged = name(other) + set_aside;
+        std::error_code   error;
+        fs::remove_all(damaged, error);
+        fs::rename(name(other), damaged, error);
+        if (error)
+          throw FileError("Cannot rename " + name(other) + " (" +
+                          error.message() + ").");
+      }
   }
 
 
 
   std::map<std::string, std::size_t>
-  CheckpointFolder::measure_tables() const
+  CheckpointFolder::measure_tables(const std::vector<std::string> &names) const
   {
     std::map<std::string, std::size_t> sizes;
-    for (const auto &entry : fs::directory_iterator(directory))
-      if (entry.path().extension() == ".csv")
-        {
-          write_through(entry.path().string());
-          sizes[entry.path().filename().string()] = entry.file_size();
-        }
+    for (const std::string &table : names)
+      {
+        const std::string name = directory + '/' + table;
+        std::error_code   error;
+        if (!fs::exists(name, error))
+          continue;
+        write_through(name);
+        sizes[table] = fs::file_size(name, error);
+        if (error)
+          throw FileError("Cannot tell the size of " + name + " (" +
+                          error.message() + ").");
+      }
     return sizes;
   }
 

@@ -15,6 +15,7 @@
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace Crevasse
@@ -68,7 +69,8 @@ namespace Crevasse
         read_checked(all.file(manifest.number, CheckpointFolder::common_file),
                      manifest.common,
                      fault);
-      all.discard_after(manifest.number);
+      if (!fault.empty())
+        throw FileError(fault + ", though it was in order a moment ago.");
     });
     manifest = Utilities::MPI::broadcast(communicator, manifest, 0);
     archive  = std::make_unique<CommonArchive>(communicator,
@@ -135,12 +137,37 @@ namespace Crevasse
   StopRequests::Request
   Checkpoints::ask(const unsigned int period, const unsigned int step)
   {
-    const StopRequests::Request request = stop_requests.poll(seconds_to_write);
-    const bool                  is_due = every > 0 && step == 0 && period > 1 &&
+    const StopRequests::Request request =
+      stop_requests.poll(is_on() ? expected_bytes * seconds_per_byte : 0.);
+    const bool is_due = every > 0 && step == 0 && period > 1 &&
                         (period - 1) % every == 0 &&
                         last != Position(period, step);
     return request == StopRequests::none && is_due ? StopRequests::checkpoint
                                                    : request;
+  }
+
+
+
+  void
+  Checkpoints::expect(const double bytes)
+  {
+    expected_bytes = bytes;
+  }
+
+
+
+  void
+  Checkpoints::set_tables(const std::vector<std::string> &names)
+  {
+    names_of_tables = names;
+  }
+
+
+
+  const std::vector<std::string> &
+  Checkpoints::tables() const
+  {
+    return names_of_tables;
   }
 
 
@@ -183,13 +210,15 @@ namespace Crevasse
   Checkpoints::has_written(const CheckpointManifest &written,
                            const double              seconds)
   {
-    last             = Position(written.period, written.step);
-    manifest         = written;
-    seconds_to_write = seconds;
+    last     = Position(written.period, written.step);
+    manifest = written;
     stop_requests.skip_interval();
     std::size_t bytes = written.common.bytes;
     for (const FieldFile &file : written.fields)
       bytes += file.check.bytes;
+    // Early ones are small: there is no stress of a whole period yet.
+    seconds_per_byte = seconds / bytes;
+    expected_bytes   = std::max(expected_bytes, double(bytes));
     char text[160];
     std::snprintf(
       text,

@@ -54,9 +54,9 @@ namespace Crevasse
       "results are\n"
       "     written then\n"
       "  4  cannot read or write a file\n"
-      "  5  stopped on request (SIGTERM, SIGINT, a file \"stop\" in the output "
-      "directory,\n"
-      "     --wall-time), checkpoint written: --resume goes on";
+      "  5  stopped on request (SIGTERM, SIGINT, SIGHUP, --wall-time, a file\n"
+      "     \"stop\" in the output directory), checkpoint written: --resume "
+      "goes on";
 
 
 

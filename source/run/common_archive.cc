@@ -73,6 +73,8 @@ namespace Crevasse
     std::uint64_t size = item.size();
     if (!loads)
       {
+        if (Utilities::MPI::this_mpi_process(mpi_communicator) != 0)
+          return;
         const char *begin = reinterpret_cast<const char *>(&size);
         all.insert(all.end(), begin, begin + sizeof(size));
         all.insert(all.end(), item.begin(), item.end());

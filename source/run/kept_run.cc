@@ -58,13 +58,16 @@ namespace Crevasse
 
 
   template <int dim>
-  KeptRun<dim>::KeptRun(Checkpoints     &checkpoints,
-                        const Body<dim> &body,
-                        const Header    &header)
+  KeptRun<dim>::KeptRun(Checkpoints       &checkpoints,
+                        const Body<dim>   &body,
+                        const unsigned int n_stresses,
+                        const Header      &header)
     : checkpoints(checkpoints)
     , body(body)
     , header(header)
   {
+    checkpoints.expect(sizeof(double) * n_stress_components<dim> *
+                       double(body.points.n_points()) * n_stresses);
   }
 
 
@@ -164,12 +167,14 @@ namespace Crevasse
             folder.new_file(manifest.number, CheckpointFolder::common_file));
           file.write(archive.bytes().data(), archive.bytes().size());
           manifest.common = file.finish();
-          manifest.tables = folder.measure_tables();
+          manifest.tables = folder.measure_tables(checkpoints.tables());
           folder.finish(manifest);
         });
       }
     catch (const FileError &error)
       {
+        if (rank == 0)
+          folder.abandon(manifest.number);
         checkpoints.log().error(
           std::string("crevasse: warning: no checkpoint was written: ") +
           error.what());

@@ -10,8 +10,8 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/output/output_directory.h>
-#include <crevasse/output/summary.h>
 #include <crevasse/run/output_choice.h>
+#include <crevasse/run/scene_difference.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text_file.h>
 
@@ -98,7 +98,8 @@ namespace Crevasse
 
 
   std::string
-  OutputChoice::why_finished(const Scene &scene) const
+  OutputChoice::why_finished(const Scene   &scene,
+                             const Summary &parameters) const
   {
     const std::string name = path + "/summary.json";
     std::error_code   unknown;
@@ -106,8 +107,10 @@ namespace Crevasse
       return "";
     const Summary summary =
       Summary::parse(read_text_file(name), nullptr, false);
-    const unsigned int periods = summary.value("periods", 0U);
-    if (summary.is_discarded() || periods == 0)
+    // Not an object: it is not whole, and the run has not ended.
+    const unsigned int periods =
+      summary.is_object() ? summary.value("periods", 0U) : 0;
+    if (periods == 0)
       return "";
     const unsigned int allowed   = scene.periodic_state.maximum_periods;
     const double       tolerance = scene.periodic_state.tolerance;
@@ -116,7 +119,14 @@ namespace Crevasse
     const bool         is_enough = converged == true && tolerance > 0. &&
                            error.is_number() && error <= tolerance;
     if (!is_enough && periods < allowed)
-      return "";
+      return ""; // the checkpoint knows its scene
+    if (!summary.contains("scene"))
+      throw FileError(
+        "--resume: the run in " + path +
+        " has ended, but its summary.json does not tell with which scene; "
+        "another version of the program wrote it. Begin anew without "
+        "--resume, in another output directory.");
+    require_same_scene(summary["scene"], parameters);
     return "the run in " + path + " has ended after " +
            std::to_string(periods) + (periods == 1 ? " period" : " periods") +
            (is_enough ? ", periodic."

@@ -103,6 +103,7 @@ namespace Crevasse
     const bool writes =
       Utilities::MPI::this_mpi_process(body.space.communicator()) == 0;
     const auto file = [&](const std::string &name) {
+      names_of_tables.push_back(name);
       return writes ? directory + '/' + name : std::string();
     };
 
@@ -171,6 +172,15 @@ namespace Crevasse
   Outputs<dim>::observers() const
   {
     return all;
+  }
+
+
+
+  template <int dim>
+  const std::vector<std::string> &
+  Outputs<dim>::tables() const
+  {
+    return names_of_tables;
   }
 
 

@@ -133,8 +133,7 @@ namespace Crevasse
       differences_that_matter(before, now);
     if (!differences.empty())
       throw SceneError(
-        "--resume: the scene is not the one that the checkpoint was written "
-        "for:\n  " +
+        "--resume: the scene is not the one that the run was begun with:\n  " +
         Text::join(differences, "\n  ") +
         "\nSet these back, or begin anew without --resume, in another output "
         "directory.");

@@ -219,6 +219,9 @@ namespace Crevasse
       return;
     if (direct)
       direct->add_to(summary);
+    // By which --resume tells whether they are of the scene that is asked for.
+    if (checkpoints.is_on())
+      summary["scene"] = checkpoints.scene();
     write(summary, state, directory);
     conclude(state.result);
     if (state.result.converged)
@@ -251,6 +254,7 @@ namespace Crevasse
                          state,
                          log,
                          directory);
+    checkpoints.set_tables(outputs.tables());
     search(solvers,
            direct,
            together(outputs.observers(), others),
@@ -424,9 +428,12 @@ namespace Crevasse
                              body.points,
                              body.loads,
                              solvers);
-    KeptRun<dim>       kept(checkpoints, body, [&](StateArchive &archive) {
-      serialize(state, solvers, evolution, archive);
-    });
+    KeptRun<dim>       kept(checkpoints,
+                      body,
+                      n_kept_stresses(),
+                      [&](StateArchive &archive) {
+                        serialize(state, solvers, evolution, archive);
+                      });
     const StatePart    part(&kept, [&](StateArchive &archive) {
       solvers.serialize(archive);
     });
@@ -453,25 +460,6 @@ namespace Crevasse
           state,
           leg);
     rate_evaluations += evolution.n_rate_evaluations();
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::serialize(const RunState       &state,
-                             const Solvers<dim>   &solvers,
-                             const Evolution<dim> &evolution,
-                             StateArchive         &archive) const
-  {
-    RunState now         = state;
-    now.solvers          = solvers.statistics();
-    now.rate_evaluations = rate_evaluations + evolution.n_rate_evaluations();
-    for (const auto &[name, seconds] :
-         phases.get_summary_data(TimerOutput::total_wall_time))
-      now.seconds[name] += seconds;
-    now.seconds["total"] += timer.wall_time();
-    now.serialize(archive);
   }
 
 

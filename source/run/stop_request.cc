@@ -13,15 +13,46 @@
 #include <crevasse/run/stop_request.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cerrno>
 #include <chrono>
-#include <csignal>
+#include <cstdint>
+#include <ctime>
 #include <filesystem>
+#include <iterator>
 
 namespace Crevasse
 {
   namespace
   {
     const auto program_begin = std::chrono::steady_clock::now();
+
+
+
+    constexpr int requests_to_stop[] = {SIGTERM, SIGINT, SIGHUP};
+
+
+
+    /** Those that are ignored: nohup has it so, and shells for what runs in the
+     * background. */
+    std::vector<int>
+    ignored_signals()
+    {
+      std::vector<int> ignored;
+      for (const int signal : requests_to_stop)
+        {
+          struct sigaction action = {};
+          sigaction(signal, nullptr, &action);
+          if (action.sa_handler == SIG_IGN)
+            ignored.push_back(signal);
+        }
+      return ignored;
+    }
+
+
+
+    /** When the program began: Open MPI's MPI_Init forgets it of SIGHUP. */
+    const std::vector<int> ignored_at_begin = ignored_signals();
 
 
 
@@ -36,18 +67,65 @@ namespace Crevasse
 
 
 
-    const std::string signals[] = {"", "SIGTERM", "SIGINT", "SIGUSR1"};
+    const std::string signals[] = {"",
+                                   "SIGTERM",
+                                   "SIGINT",
+                                   "SIGHUP",
+                                   "SIGUSR1"};
 
 
 
-    volatile std::sig_atomic_t asked_to_stop = 0, asked_to_write = 0;
+    std::string
+    name_of(const int signal)
+    {
+      return signal == SIGINT   ? "SIGINT"
+             : signal == SIGHUP ? "SIGHUP"
+                                : "SIGTERM";
+    }
 
 
 
+    // Set by handlers, in whichever thread they run.
+    std::atomic<int>          asked_to_stop(0), asked_to_write(0);
+    std::atomic<std::int64_t> time_of_first(0); ///< request to stop; 0: none
+    static_assert(std::atomic<int>::is_always_lock_free &&
+                    std::atomic<std::int64_t>::is_always_lock_free,
+                  "else handlers must not use them");
+
+
+
+    /** Since some moment before the program began. */
+    std::int64_t
+    milliseconds()
+    {
+      timespec now = {};
+      clock_gettime(CLOCK_MONOTONIC, &now);
+      return 1000 * std::int64_t(now.tv_sec) + now.tv_nsec / 1000000 + 1;
+    }
+
+
+
+    /** The first request is noted. The same one often comes twice: timeout
+     * sends it to the program and to its group, batch systems to whoever
+     * forwards it. What comes a second later is meant: then the signal does
+     * what it does without us. Nothing here but what a handler may do. */
     void
     note_stop(const int signal)
     {
-      asked_to_stop = signal;
+      constexpr std::int64_t patience = 1000;
+      const int              error    = errno;
+      const std::int64_t     now      = milliseconds();
+      std::int64_t           first    = 0;
+      if (time_of_first.compare_exchange_strong(first, now))
+        asked_to_stop = signal;
+      else if (now - first >= patience)
+        {
+          struct sigaction without_us = {};
+          without_us.sa_handler       = SIG_DFL;
+          sigaction(signal, &without_us, nullptr);
+          raise(signal); // as soon as this handler returns
+        }
+      errno = error;
     }
 
 
@@ -60,13 +138,12 @@ namespace Crevasse
 
 
 
-    /** @param once whether the next one does what it does without us. */
     void
-    handle(const int signal, void (*handler)(int), const bool once)
+    handle(const int signal, void (*handler)(int))
     {
       struct sigaction action = {};
       action.sa_handler       = handler;
-      action.sa_flags         = SA_RESTART | (once ? SA_RESETHAND : 0);
+      action.sa_flags         = SA_RESTART;
       sigaction(signal, &action, nullptr);
     }
   } // namespace
@@ -80,19 +157,29 @@ namespace Crevasse
     , wall_time(time_left(wall_time))
   {
     asked_to_stop = asked_to_write = 0;
-    handle(SIGTERM, note_stop, true);
-    handle(SIGINT, note_stop, true);
-    handle(SIGUSR1, note_write, false);
+    time_of_first                  = 0;
+    for (const int signal : ignored_at_begin)
+      handle(signal, SIG_IGN);
+    for (const int signal : requests_to_stop)
+      {
+        struct sigaction before = {};
+        sigaction(signal, nullptr, &before);
+        if (before.sa_handler == SIG_IGN)
+          continue;
+        actions_before.emplace_back(signal, before);
+        handle(signal, note_stop);
+      }
+    handle(SIGUSR1, note_write);
   }
 
 
 
   StopRequests::~StopRequests()
   {
-    for (const int signal : {SIGTERM, SIGINT})
-      handle(signal, SIG_DFL, false);
+    for (const auto &[signal, action] : actions_before)
+      sigaction(signal, &action, nullptr);
     // There is nothing left to write; the default would kill the program.
-    handle(SIGUSR1, SIG_IGN, false);
+    handle(SIGUSR1, SIG_IGN);
   }
 
 
@@ -113,16 +200,12 @@ namespace Crevasse
   {
     if (asked_to_stop != 0)
       {
-        why = asked_to_stop == SIGINT ? "SIGINT" : "SIGTERM";
-        // Whichever comes next ends the program at once.
-        handle(SIGTERM, SIG_DFL, false);
-        handle(SIGINT, SIG_DFL, false);
+        why = name_of(asked_to_stop);
         return stop;
       }
-    if (asked_to_write == 0)
+    if (asked_to_write.exchange(0) == 0)
       return none;
-    asked_to_write = 0;
-    why            = "SIGUSR1";
+    why = "SIGUSR1";
     return checkpoint;
   }
 
@@ -166,7 +249,7 @@ namespace Crevasse
       request =
         std::max({request, int(of_file()), int(of_time(seconds_to_write))});
     // The same number says what and who.
-    constexpr int n_signals = 4;
+    constexpr int n_signals = std::size(signals);
     const auto    who  = std::find(std::begin(signals), std::end(signals), why);
     const int     code = request * n_signals +
                      (request == none ? 0 : int(who - signals) % n_signals);

@@ -12,8 +12,8 @@
 #include <crevasse/output/output_directory.h>
 #include <crevasse/run/sweep_folder.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text_file.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -53,19 +53,6 @@ namespace Crevasse
                         '.');
     }
   } // namespace
-
-
-
-  void
-  write_atomically(const std::string &text, const std::string &file_name)
-  {
-    const std::string part = file_name + ".part";
-    std::ofstream     file(part, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file || std::rename(part.c_str(), file_name.c_str()) != 0)
-      throw FileError("Cannot write " + file_name + ": is the disk full?");
-  }
 
 
 

@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/run/sweep_folder.h>
 #include <crevasse/run/sweep_table.h>
 #include <crevasse/scene/text.h>
+#include <crevasse/scene/text_file.h>
 
 #include <algorithm>
 #include <cmath>

@@ -13,6 +13,7 @@
 #include <crevasse/scene/text_file.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -71,5 +72,18 @@ namespace Crevasse
     const std::string result          = text.str();
     return result.compare(0, 3, byte_order_mark) == 0 ? result.substr(3)
                                                       : result;
+  }
+
+
+
+  void
+  write_atomically(const std::string &text, const std::string &file_name)
+  {
+    const std::string part = file_name + ".part";
+    std::ofstream     file(part, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file || std::rename(part.c_str(), file_name.c_str()) != 0)
+      throw FileError("Cannot write " + file_name + ": is the disk full?");
   }
 } // namespace Crevasse

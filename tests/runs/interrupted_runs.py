@@ -100,17 +100,44 @@ def wait_for(directory, n_rows, process):
         time.sleep(2e-3)
 
 
-def interrupt(directory, settings, way, moment, n_ranks=1):
+def wait_for_checkpoint(before, directory, process):
+    """Until there is a new one, or for a second, or the program has ended."""
+    latest = time.time() + 1
+    while (process.poll() is None and time.time() < latest
+           and checkpoints(directory) <= before):
+        time.sleep(2e-3)
+
+
+def set_signals(ignored):
+    """For a program that begins: whoever called this one may ignore some."""
+    for name in ("SIGTERM", "SIGINT", "SIGHUP"):
+        signal.signal(getattr(signal, name), signal.SIG_IGN if name in ignored
+                      else signal.SIG_DFL)
+
+
+def send_later(process):
+    """The same request again, a second later in the same step."""
+    process.send_signal(signal.SIGTERM)
+    time.sleep(1e-3)
+    process.send_signal(signal.SIGSTOP)
+    time.sleep(1.1)
+    process.send_signal(signal.SIGTERM)
+    process.send_signal(signal.SIGCONT)
+
+
+def interrupt(directory, settings, way, moment, n_ranks=1, ignored=()):
     """Begins a run, or goes on with it if it has a checkpoint, and interrupts
     it at a moment: after so many rows of its tables if that is an integer, or
-    after so many seconds. Returns its status and what it said."""
+    after so many seconds. Returns its status and what it said. It is begun with
+    the signals of these names ignored."""
     more = ["--resume"] if has_checkpoint(directory) else []
     if way == "wall time":
         more += ["--wall-time", max(moment, 1e-3)]
     process = subprocess.Popen(command(directory, settings, n_ranks, more=more),
                                stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, text=True,
-                               stdin=subprocess.DEVNULL, env=ENVIRONMENT)
+                               stdin=subprocess.DEVNULL, env=ENVIRONMENT,
+                               preexec_fn=lambda: set_signals(ignored))
     if isinstance(moment, int):
         wait_for(directory, moment, process)
     elif way != "wall time":
@@ -118,25 +145,47 @@ def interrupt(directory, settings, way, moment, n_ranks=1):
     if way == "stop file" and directory.exists():
         (directory / "stop").touch()
     elif way == "checkpoint and kill":
+        before = checkpoints(directory)
         process.send_signal(signal.SIGUSR1)
-        time.sleep(0.05)
+        wait_for_checkpoint(before, directory, process)
         process.kill()
-    elif way in ("SIGTERM", "SIGINT", "SIGKILL"):
+    elif way == "SIGTERM, later again":
+        send_later(process)
+    elif way == "SIGTERM twice":  # as timeout does
+        process.send_signal(signal.SIGTERM)
+        time.sleep(1e-3)
+        process.send_signal(signal.SIGTERM)
+    elif way in ("SIGTERM", "SIGINT", "SIGHUP", "SIGKILL"):
         process.send_signal(getattr(signal, way))
     error = process.communicate(timeout=120)[1]
     return process.returncode, error
 
 
+def checkpoints(directory):
+    """Their numbers."""
+    return {int(path.name) for path in (directory / "checkpoint").glob("*")
+            if path.name.isdigit()}
+
+
 def has_checkpoint(directory):
-    return any(path.name.isdigit()
-               for path in (directory / "checkpoint").glob("*"))
+    return len(checkpoints(directory)) > 0
+
+
+def times_resumed(directory):
+    log = directory / "log.txt"
+    return log.read_text().count("resumed from") if log.exists() else 0
 
 
 def finish(directory, settings, n_ranks=1):
     """Goes on to the end."""
-    more = ["--resume"] if has_checkpoint(directory) else []
-    code, error = execute(directory, settings, n_ranks, more=more)
+    goes_on = (has_checkpoint(directory)
+               and not (directory / "summary.json").exists())
+    before = times_resumed(directory)
+    code, error = execute(directory, settings, n_ranks,
+                          more=["--resume"] if has_checkpoint(directory) else [])
     check(code in (0, 3), f"{directory}: exit status {code}\n{error}")
+    check(not goes_on or times_resumed(directory) == before + 1,
+          f"{directory}: was not resumed")
     return Results(directory)
 
 

@@ -2,20 +2,37 @@
 as many ranks, else to 1e-10. Damaged checkpoints are recognised, scenes that differ
 are refused."""
 
+import functools
+import json
+import pathlib
 import random
 import shutil
+import zlib
 
-from crevasse_run import check, check_below
+from crevasse_run import Results, check, check_below
 from interrupted_runs import (CASES, COMMON, check_same_bytes, execute, finish,
-                              fresh, interrupt, largest_difference, reference)
+                              checkpoints, fresh, interrupt,
+                              largest_difference, reference, times_resumed)
 
-WAYS = ["SIGTERM", "SIGINT", "stop file", "wall time", "checkpoint and kill"]
+WAYS = ["SIGTERM", "SIGINT", "SIGHUP", "SIGTERM twice", "stop file", "wall time",
+        "checkpoint and kill"]
 DICE = random.Random(1980)
 
 
 def newest(directory):
-    return max((path for path in (directory / "checkpoint").iterdir()
-                if path.name.isdigit()), key=lambda path: int(path.name))
+    return directory / "checkpoint" / str(max(checkpoints(directory)))
+
+
+def copy(directory, name):
+    """A copy of results, into the folder results/<name>."""
+    return pathlib.Path(shutil.copytree(directory, fresh(name)))
+
+
+@functools.cache
+def kept_march():
+    """Settings with checkpoints, and a whole run with them, to be copied."""
+    settings = COMMON + CASES["march"] + ["Output/Checkpoint every=2"]
+    return settings, reference("kept_march", settings)[0]
 
 
 def rows(results):
@@ -23,6 +40,9 @@ def rows(results):
 
 
 def test_interruptions():
+    """Each way does what it is there for in some of the cases at least: in the
+    others the run may end before."""
+    has_worked = set()
     for number, (name, extra) in enumerate(CASES.items()):
         settings = COMMON + extra
         whole, seconds = reference(f"{name} whole".replace(" ", "_"), settings)
@@ -33,21 +53,46 @@ def test_interruptions():
             moment = (DICE.uniform(0.2, 0.5) * seconds if way == "wall time" else
                       int((leg + DICE.uniform(0.1, 0.9)) / 2 * rows(whole)))
             code, error = interrupt(directory, settings, way, moment)
-            check(code in (0, 3, 5, -9), f"{name}: {way}: {code} {error}")
+            stopped = -9 if way == "checkpoint and kill" else 5
+            check(code in (0, 3, stopped), f"{name}: {way}: {code} {error}")
+            if code == stopped and (stopped == 5 or checkpoints(directory)):
+                has_worked.add(way)
             codes.append(f"{way} at {moment}: {code}")
             if (directory / "summary.json").exists():
                 break
         check_same_bytes(whole, finish(directory, settings), f"{name}, {codes}")
+    check(has_worked == set(WAYS), f"never: {set(WAYS) - has_worked}")
+
+
+def test_signals():
+    """One more a second later ends the run at once; what was ignored is."""
+    settings, whole = kept_march()
+    moment = rows(whole) // 3
+    for attempt in range(4):  # the first may come too late to be told apart
+        code, _ = interrupt(fresh("again"), settings, "SIGTERM, later again",
+                            moment)
+        print(f"a second SIGTERM, attempt {attempt}: {code}")
+        if code == -15:
+            break
+    check(code == -15, f"a second SIGTERM: {code}")
+    code, error = interrupt(fresh("ignored"), settings, "SIGHUP", moment,
+                            ignored=["SIGHUP"])
+    check(code in (0, 3), f"SIGHUP under nohup: {code} {error}")
 
 
 def test_kills():
+    n_kills = n_resumed = 0
     settings = COMMON + CASES["anderson"] + ["Output/Checkpoint every=1"]
     whole, _ = reference("kills_whole", settings)
     for seed in range(3):
         directory = fresh(f"kill_{seed}")
-        interrupt(directory, settings, "SIGKILL",
-                  random.Random(seed).randrange(rows(whole)))
+        code, _ = interrupt(directory, settings, "SIGKILL",
+                            random.Random(seed).randrange(rows(whole)))
+        n_kills += code == -9
         check_same_bytes(whole, finish(directory, settings), f"kill {seed}")
+        n_resumed += times_resumed(directory)
+    check(n_kills > 0 and n_resumed > 0,
+          f"killed {n_kills} times, resumed {n_resumed} times")
 
 
 def test_ranks():
@@ -69,19 +114,16 @@ def test_ranks():
 
 
 def test_damage():
-    settings = COMMON + CASES["march"] + ["Output/Checkpoint every=2"]
-    whole, _ = reference("damage_whole", settings)
+    settings, whole = kept_march()
     check([path.name for path in sorted(
         (whole.directory / "checkpoint").iterdir())] == ["2", "3"],
         "the last two checkpoints are kept")
-    # As if it had been killed in its last period.
-    interrupted = fresh("damage")
-    shutil.copytree(whole.directory, interrupted)
-    (interrupted / "summary.json").unlink()
+    # As if it had been killed in its last period, while it wrote its summary.
+    interrupted = copy(whole.directory, "damage")
+    (interrupted / "summary.json").write_text('{\n  "version": ')
     for number, damage in enumerate(("truncated", "flipped", "manifest",
                                      "missing")):
-        directory = fresh(f"damage_{damage}")
-        shutil.copytree(interrupted, directory)
+        directory = copy(interrupted, f"damage_{damage}")
         victim = newest(directory) / ("manifest.json" if damage == "manifest"
                                       else "fields_0.bin")
         content = bytearray(victim.read_bytes())
@@ -97,47 +139,85 @@ def test_damage():
         check(code in (0, 3) and "damaged" in error
               and f"checkpoint/{newest(interrupted).name}" in error,
               f"{damage}: {code} {error}")
-        check("resumed from" in (directory / "log.txt").read_text(), damage)
-        check_same_bytes(whole, type(whole)(directory), damage)
-    directory = fresh("damage_all")
-    shutil.copytree(interrupted, directory)
+        check(times_resumed(directory) == 1, damage)
+        check(newest(interrupted).name + ".damaged" in
+              {path.name for path in (directory / "checkpoint").iterdir()},
+              f"{damage}: it is set aside")
+        check_same_bytes(whole, Results(directory), damage)
+    directory = copy(interrupted, "damage_all")
     for path in (directory / "checkpoint").iterdir():
         (path / "common.bin").write_bytes(b"nothing")
     code, error = execute(directory, settings, more=["--resume"])
     check(code == 4 and "no checkpoint" in error and error.count("damaged") == 2,
           f"nothing left: {code} {error}")
+    check(len(checkpoints(directory)) == 2, "nothing is renamed in vain")
 
 
-def test_other_scenes():
-    settings = COMMON + CASES["march"] + ["Output/Checkpoint every=2"]
-    whole, _ = reference("scenes", settings)
-    (whole.directory / "summary.json").unlink()
-    code, error = execute(whole.directory, settings + [
+def test_other_format():
+    """Of another version of the program: told, and left alone."""
+    settings, whole = kept_march()
+    directory = copy(whole.directory, "format")
+    (directory / "summary.json").unlink()
+    manifest = newest(directory) / "manifest.json"
+    content = manifest.read_text().split("\n", 1)[1].replace(
+        '"format": 1', '"format": 999')
+    manifest.write_text(f"{zlib.crc32(content.encode())}\n{content}")
+    before = checkpoints(directory)
+    code, error = execute(directory, settings, more=["--resume"])
+    check(code == 4 and "version" in error and "damaged" not in error,
+          f"another format: {code} {error}")
+    check(checkpoints(directory) == before, "left alone")
+
+
+def check_refused(directory, settings, what):
+    code, error = execute(directory, settings + [
         "Material/Poisson ratio=0.31", "Time integration/Scheme=euler",
         "Title=Another title", "Linear solver/Type=mumps"], more=["--resume"])
-    check(code == 2, f"refused: {code} {error}")
+    check(code == 2, f"{what}: {code} {error}")
     for line in ('[Material] Poisson ratio: was "0.2", is "0.31"',
                  '[Time integration] Scheme: was "heun", is "euler"'):
-        check(line in error, f"{line}\n{error}")
+        check(line in error, f"{what}: {line}\n{error}")
     check("Title" not in error and "Linear solver" not in error, error)
 
 
+def test_other_scenes():
+    """Of a run that has ended, with checkpoints or without, or that has not."""
+    settings, whole = kept_march()
+    directory = copy(whole.directory, "scenes")
+    check_refused(directory, settings, "ended")
+    (directory / "summary.json").unlink()
+    check_refused(directory, settings, "not ended")
+    directory = copy(whole.directory, "scenes_without_checkpoints")
+    shutil.rmtree(directory / "checkpoint")
+    check_refused(directory, settings, "ended, no checkpoint")
+
+
 def test_finished():
-    settings = COMMON + CASES["march"] + ["Output/Checkpoint every=2"]
-    whole, _ = reference("finished", settings)
+    settings, kept = kept_march()
+    whole = Results(copy(kept.directory, "finished"))
+    scene = whole.summary["scene"]
+    check(scene["Material"]["Poisson ratio"] == "0.2", json.dumps(scene))
     before = (whole.directory / "periods.csv").read_bytes()
     code, error = execute(whole.directory, settings, more=["--resume"])
     check(code == 0, f"nothing to do: {code} {error}")
     check((whole.directory / "periods.csv").read_bytes() == before, "untouched")
+    # No table of the run, though it looks like one.
+    (whole.directory / "notes.csv").write_text("mine\n")
+    (whole.directory / "folder.csv").mkdir()
     longer = settings + ["Periodic state/Maximum periods=11"]
     code, error = execute(whole.directory, longer, more=["--resume"])
     check(code in (0, 3), f"longer: {code} {error}")
     at_once, _ = reference("longer", longer)
     check_same_bytes(at_once, whole, "more periods")
+    check((whole.directory / "notes.csv").read_text() == "mine\n", "kept")
+    tables = json.loads((newest(whole.directory) / "manifest.json")
+                        .read_text().split("\n", 1)[1])["tables"]
+    check(set(tables) == {"probe_mouth.csv", "probe_inside.csv", "contact.csv",
+                          "periods.csv"}, str(tables))
     code, error = execute(fresh("nowhere"), settings, more=["--resume"])
     check(code == 4 and "--resume" in error, f"nothing there: {code} {error}")
 
 
-for test in (test_interruptions, test_kills, test_damage, test_other_scenes,
-             test_finished, test_ranks):
+for test in (test_interruptions, test_signals, test_kills, test_damage,
+             test_other_format, test_other_scenes, test_finished, test_ranks):
     test()

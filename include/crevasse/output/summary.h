@@ -20,7 +20,7 @@ namespace Crevasse
   /** summary.json, its keys in the order in which they were set. */
   using Summary = nlohmann::ordered_json;
 
-  /** @throw FileError */
+  /** As a whole or not at all. @throw FileError */
   void
   write_summary(const Summary &summary, const std::string &file_name);
 } // namespace Crevasse

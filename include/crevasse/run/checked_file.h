@@ -74,7 +74,8 @@ namespace Crevasse
   checksum(const std::string &text);
 
   /** Makes sure that names of files made or moved there, or what was written to
-   * a file, survive a loss of power. @throw FileError */
+   * a file, survive a loss of power, where the file system is able to.
+   * @throw FileError */
   void
   write_through(const std::string &name);
 } // namespace Crevasse

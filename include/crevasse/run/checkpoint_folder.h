@@ -71,15 +71,22 @@ namespace Crevasse
     void
     finish(const CheckpointManifest &manifest) const;
 
-    /** The newest checkpoint that is in order.
+    /** Removes what there is of a checkpoint that was begun, but not finished:
+     * what cannot be used should not fill the disk. */
+    void
+    abandon(const unsigned int number) const;
+
+    /** The newest checkpoint that is in order. Nothing is changed.
      *
-     * @param[out] warnings about those that are not. */
+     * @param[out] warnings about those that are damaged.
+     * @throw FileError if another version of the program wrote it. */
     std::optional<CheckpointManifest>
     newest(std::vector<std::string> &warnings) const;
 
-    /** Removes those that are newer. */
+    /** Renames those that are newer, which are damaged, to NUMBER.damaged, so
+     * that a run that goes on before them can use their numbers. */
     void
-    discard_after(const unsigned int number) const;
+    set_aside_after(const unsigned int number) const;
 
     /** Of a file of a checkpoint. */
     std::string
@@ -90,10 +97,11 @@ namespace Crevasse
 
     static constexpr const char *common_file = "common.bin";
 
-    /** The sizes of all tables of the run, which are written through to the
-     * disk. @throw FileError */
+    /** The sizes of these tables of the run, which are written through to the
+     * disk; those that somebody has removed are left out.
+     * @throw FileError */
     std::map<std::string, std::size_t>
-    measure_tables() const;
+    measure_tables(const std::vector<std::string> &names) const;
 
     /** Cuts the tables to what they had. @throw FileError if one has less. */
     void
@@ -103,7 +111,8 @@ namespace Crevasse
     std::vector<unsigned int>
     numbers() const;
 
-    /** @throw FileError if it is not in order. */
+    /** @throw FileError if it is not in order, OtherFormat if it cannot be
+     * told. */
     CheckpointManifest
     read(const unsigned int number) const;
 

@@ -44,8 +44,8 @@ namespace Crevasse
                 const Summary     &scene,
                 const unsigned int every);
 
-    /** Takes the run up from the newest checkpoint that is in order.
-     * Collective.
+    /** Takes the run up from the newest checkpoint that is in order. Nothing
+     * in the folder is changed. Collective.
      * @throw FileError if there is none, SceneError if its scene differs from
      * this one in what matters. */
     void
@@ -75,6 +75,19 @@ namespace Crevasse
     /** What is to be done between two steps. Collective. */
     StopRequests::Request
     ask(const unsigned int period, const unsigned int step);
+
+    /** How large they may become, in bytes of all ranks: this tells how long
+     * the next one may take. */
+    void
+    expect(const double bytes);
+
+    /** Names the tables that the run writes, which go on when it is taken
+     * up. */
+    void
+    set_tables(const std::vector<std::string> &names);
+
+    const std::vector<std::string> &
+    tables() const;
 
     /** Whether any are written. */
     bool
@@ -115,7 +128,11 @@ namespace Crevasse
     std::unique_ptr<CommonArchive>      archive; ///< of the run to be resumed
     CheckpointManifest                  manifest;
     std::optional<Position>             last; ///< of which there is one
-    double                              seconds_to_write = 0.;
+    std::vector<std::string>            names_of_tables;
+
+    double expected_bytes = 0.;
+    /** That of a slow disk, until it is measured. */
+    double seconds_per_byte = 1. / 50e6;
   };
 } // namespace Crevasse
 

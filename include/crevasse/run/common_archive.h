@@ -54,6 +54,7 @@ namespace Crevasse
     void
     on_cells(dealii::Vector<double> &values) override;
 
+    /** What was written, on the first rank; others keep nothing of it. */
     const std::vector<char> &
     bytes() const;
 

@@ -31,10 +31,12 @@ namespace Crevasse
 
     /** All arguments must outlive this object.
      *
+     * @param n_stresses the fields of a stress that a checkpoint may have.
      * @param header which a run that is taken up has read already. */
-    KeptRun(Checkpoints     &checkpoints,
-            const Body<dim> &body,
-            const Header    &header);
+    KeptRun(Checkpoints       &checkpoints,
+            const Body<dim>   &body,
+            const unsigned int n_stresses,
+            const Header      &header);
 
     /** @throw StoppedOnRequest if that is asked for, with a checkpoint. */
     void

@@ -12,6 +12,7 @@
 #ifndef crevasse_run_output_choice_h
 #define crevasse_run_output_choice_h
 
+#include <crevasse/output/summary.h>
 #include <crevasse/run/command_line.h>
 #include <crevasse/scene/scene.h>
 
@@ -41,9 +42,12 @@ namespace Crevasse
     holds_other_results(const std::string &used_parameters) const;
 
     /** Why a run that has ended there is not to be gone on with; empty if it
-     * has not ended, or if the scene now allows it more periods. */
+     * has not ended, or if the scene now allows it more periods.
+     *
+     * @param parameters all of the scene; see scene_as_json().
+     * @throw SceneError if the run that has ended had another scene. */
     std::string
-    why_finished(const Scene &scene) const;
+    why_finished(const Scene &scene, const Summary &parameters) const;
 
     /** Makes the directory that of a run that has not ended, which goes on
      * there. @throw FileError */

@@ -63,6 +63,10 @@ namespace Crevasse
     const std::vector<Observer *> &
     observers() const;
 
+    /** The names of the tables that go on from step to step. */
+    const std::vector<std::string> &
+    tables() const;
+
     /** Writes the fields, prints what was found, and adds it to the summary:
      * extremes, drift, elastic_comparison. */
     void
@@ -110,6 +114,7 @@ namespace Crevasse
     const std::vector<ProbeEvaluator<dim>> &probes;
     std::vector<std::unique_ptr<Observer>>  owned;
     std::vector<Observer *>                 all;
+    std::vector<std::string>                names_of_tables;
 
     // Some of the above, where they are on.
     ContactTable<dim> *contact_table   = nullptr;

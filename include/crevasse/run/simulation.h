@@ -127,6 +127,12 @@ namespace Crevasse
               const Evolution<dim> &evolution,
               StateArchive         &archive) const;
 
+    /** How many fields of the size of a stress a checkpoint may have: stress at
+     * the instants of a period, viscous strain and rates, and what Anderson's
+     * method remembers. */
+    unsigned int
+    n_kept_stresses() const;
+
     /** Marches, or whatever the method is, and tells the summary about it. */
     void
     compute_periods(Solvers<dim>                  &solvers,

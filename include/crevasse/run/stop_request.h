@@ -16,8 +16,11 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
+#include <csignal>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace Crevasse
 {
@@ -32,9 +35,10 @@ namespace Crevasse
    * Whether somebody wants the run to end, or to be kept: signals, a file
    * "stop" in the output directory, or the end of the time that was granted.
    *
-   * SIGTERM and SIGINT end the run at the next opportunity, a second one at
-   * once; SIGUSR1 has a checkpoint written. Handlers only set a flag. One small
-   * reduction makes all ranks know at the same moment.
+   * SIGTERM, SIGINT and SIGHUP end the run at the next opportunity, another one
+   * of them at once if it comes a second or more after the first; SIGUSR1 has a
+   * checkpoint written. Handlers only set a flag. One small reduction makes all
+   * ranks know at the same moment.
    */
   class StopRequests
   {
@@ -46,11 +50,14 @@ namespace Crevasse
       stop       = 2
     };
 
-    /** Catches the signals from now on; there is one such object.
+    /** Catches the signals from now on, but for those to stop that the program
+     * was begun to ignore; there is one such object.
      *
      * @param wall_time in seconds since the program began; 0: any. */
     StopRequests(const MPI_Comm communicator, const double wall_time);
 
+    /** Signals do again what they did before, but for SIGUSR1, which is
+     * ignored. */
     ~StopRequests();
 
     StopRequests(const StopRequests &) = delete;
@@ -98,6 +105,8 @@ namespace Crevasse
     const double   wall_time;
     std::string    file; ///< to look for; empty: none
     std::string    why;
+
+    std::vector<std::pair<int, struct sigaction>> actions_before;
 
     const dealii::Timer since_begin;
     double              last_poll = -1.; ///< negative: does not count

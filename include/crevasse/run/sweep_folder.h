@@ -20,10 +20,6 @@
 
 namespace Crevasse
 {
-  /** Writes a file as a whole or not at all. @throw FileError */
-  void
-  write_atomically(const std::string &text, const std::string &file_name);
-
   /**
    * The results folder of one run of a sweep. `finished.json` is written last,
    * and is what an interrupted sweep goes by: it holds the result and the

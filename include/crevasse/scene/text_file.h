@@ -27,6 +27,11 @@ namespace Crevasse
    * @throw FileError with the system's reason. */
   std::string
   read_text_file(const std::string &file_name);
+
+  /** Writes a file as a whole or not at all: what is not whole yet is named
+   * @p file_name + ".part". @throw FileError */
+  void
+  write_atomically(const std::string &text, const std::string &file_name);
 } // namespace Crevasse
 
 #endif
