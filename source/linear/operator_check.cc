@@ -87,21 +87,16 @@ namespace Crevasse
   {
     constexpr double          tolerance = 1e-10;
     const StrainOperator<dim> D(space, points);
-    const Vector              v = noise(A, space);
-    Vector                    product, displacement, force, stress;
-    A.initialize_dof_vector(product);
+    const Vector              v = noise(D, space);
+    Vector                    product(v), force(v), stress;
     A.vmult(product, v);
 
-    D.initialize(displacement);
-    D.initialize(force);
+    force = 0.;
     points.initialize(stress);
-    displacement.copy_locally_owned_data_from(v);
     D.for_each_strain(
-      displacement,
-      [&](const std::size_t offset, const VoigtVector<dim> &strain) {
-        points.set(stress,
-                   offset,
-                   stiffness[offset / n_stress_components<dim>] * strain);
+      v, [&](const std::size_t offset, const VoigtVector<dim> &strain) {
+        const std::size_t point = offset / n_stress_components<dim>;
+        points.set(stress, offset, stiffness[point] * strain);
       });
     D.add_transpose(force, [&](const std::size_t offset) {
       return points.get(stress, offset);
