@@ -9,7 +9,6 @@ output directory are not repeated."""
 
 import csv
 import json
-import os
 import pathlib
 import shutil
 import statistics
@@ -20,11 +19,10 @@ from plotting import (BLUE, GREEN, GREY, VERMILION, print_table, pyplot,
                       save, study_options)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1",
-                   OMPI_ALLOW_RUN_AS_ROOT="1",
-                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   OMPI_MCA_rmaps_base_oversubscribe="1",
-                   OMPI_MCA_mpi_yield_when_idle="1")
+sys.path.insert(0, str(ROOT / "tests/runs"))
+
+from mpi_environment import ENVIRONMENT
+
 COMMON = {"Contact/Solver": "automatic", "Periodic state/Method": "march",
           "Periodic state/Maximum periods": 1, "Periodic state/Tolerance": 0,
           "Output/Fields": "none"}
