@@ -17,6 +17,8 @@
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/linear/gmg_cg.h>
 #include <crevasse/linear/mumps.h>
+#include <crevasse/linear/operator_check.h>
+#include <crevasse/scene/problems.h>
 
 #include <algorithm>
 #include <crevasse_tests/cracked_block.h>
@@ -93,6 +95,7 @@ namespace
         Vector                       expected(v), result(v);
         matrix.vmult(expected, v);
         A.vmult(result, v);
+        require_same_product(A, block.space, block.points, stiffness);
         check_below(name<dim>(kind) + (varies ? ", varying" : "") +
                       ": product with A",
                     relative_difference(result, expected),
@@ -109,6 +112,29 @@ namespace
                     dealii::Utilities::MPI::max(worst, MPI_COMM_WORLD),
                     1e-12);
       }
+  }
+
+  /** What the program asks of A before it solves with it. */
+  void
+  check_that_errors_are_found()
+  {
+    const CrackedBlock<2>      block(MPI_COMM_WORLD,
+                                {1, 2, 2, 1., VolumetricStrain::mean});
+    const StiffnessOperator<2> A(block.space, block.points, block.stiffness);
+    bool                       is_found = false;
+    try
+      {
+        require_same_product(A,
+                             block.space,
+                             block.points,
+                             PointValues<VoigtMatrix<2>>((1. + 1e-9) *
+                                                         block.stiffness[0]));
+      }
+    catch (const NumericalError &)
+      {
+        is_found = true;
+      }
+    check("An error of 1e-9 in the product is found", is_found);
   }
 
   /** Conjugate gradients need (Bx, y) = (x, By) and (x, Bx) > 0 for the
@@ -311,6 +337,7 @@ main(int argc, char **argv)
         compare_with_matrix<3>({1, 1, n_tip, 1., VolumetricStrain::mean});
         compare_with_matrix<3>({2, 1, n_tip, 1e2, VolumetricStrain::full});
       }
+    check_that_errors_are_found();
     check_preconditioner();
     check_supports_on_levels();
 #ifdef DEBUG
