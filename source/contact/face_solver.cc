@@ -10,52 +10,11 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/contact/face_solver.h>
-
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_control.h>
-
-#include <algorithm>
+#include <crevasse/linear/cg_iteration.h>
 
 namespace Crevasse
 {
   using namespace dealii;
-
-  namespace
-  {
-    /** P A, for vectors whose held entries are zero. */
-    struct ProjectedMatrix
-    {
-      void
-      vmult(Vector &result, const Vector &v) const
-      {
-        stiffness.vmult(result, v);
-        face.project(held, result);
-      }
-
-      const LinearOperator    &stiffness;
-      const FaceSolver        &face;
-      const std::vector<bool> &held;
-    };
-
-
-
-    /** P B, where B is the linear solver's approximation of A⁻¹. */
-    struct ProjectedPreconditioner
-    {
-      void
-      vmult(Vector &result, const Vector &v) const
-      {
-        solver.precondition(result, v);
-        face.project(held, result);
-      }
-
-      LinearSolver            &solver;
-      const FaceSolver        &face;
-      const std::vector<bool> &held;
-    };
-  } // namespace
-
-
 
   FaceSolver::FaceSolver(const SignoriniProblem &problem,
                          LinearSolver           &linear_solver)
@@ -93,23 +52,22 @@ namespace Crevasse
         held_dofs.push_back(problem.bounds.dofs[k]);
     solver.hold(held_dofs);
 
-    constexpr unsigned int maximum_iterations = 1000;
-    SolverControl          control(maximum_iterations, residual_norm);
-    SolverCG<Vector>       cg(control);
-    try
-      {
-        cg.solve(ProjectedMatrix{problem.stiffness, *this, held},
-                 correction,
-                 projected_residual,
-                 ProjectedPreconditioner{solver, *this, held});
-      }
-    catch (const SolverControl::NoConvergence &)
-      {
-        // What was reached is judged by the caller.
-      }
+    // P A and P B, for vectors whose held entries are zero.
+    const CgResult result = iterate_cg(
+      [&](Vector &product, const Vector &v) {
+        problem.stiffness.vmult(product, v);
+        project(held, product);
+      },
+      [&](Vector &product, const Vector &v) {
+        solver.precondition(product, v);
+        project(held, product);
+      },
+      correction,
+      projected_residual,
+      residual_norm);
     ++solves;
-    iterations += control.last_step();
-    return control.last_check() == SolverControl::success;
+    iterations += result.n_iterations;
+    return result.has_converged;
   }
 
 

@@ -236,14 +236,24 @@ namespace Crevasse
                         const unsigned int            component,
                         const Point<dim>             &place)
   {
-    if (!affine_constraints.is_constrained(dof))
-      affine_constraints.add_line(dof);
-    else if (!affine_constraints.get_constraint_entries(dof)->empty())
+    if (is_tied(dof))
       throw SceneError(
         "[Boundary] Fixed points: component " + std::to_string(component + 1) +
         " at " + Text::from_point(place) +
         " is already tied to another one by an inclined plane of symmetry or a "
         "hanging node; fix another component or another vertex.");
+    if (!affine_constraints.is_constrained(dof))
+      affine_constraints.add_line(dof);
+  }
+
+
+
+  template <int dim>
+  bool
+  Space<dim>::is_tied(const types::global_dof_index dof) const
+  {
+    const auto *entries = affine_constraints.get_constraint_entries(dof);
+    return entries != nullptr && !entries->empty();
   }
 
 
@@ -456,50 +466,6 @@ namespace Crevasse
   Space<dim>::face_quadrature() const
   {
     return face_rule;
-  }
-
-
-
-  template <int dim>
-  std::vector<FixedPoint<dim>>
-  Space<dim>::nearest_supports(const Mesh<dim> &other) const
-  {
-    std::vector<FixedPoint<dim>> moved = supports;
-    for (FixedPoint<dim> &support : moved)
-      {
-        std::pair<double, Point<dim>> nearest(
-          std::numeric_limits<double>::max(), Point<dim>());
-        for (const auto &cell : other.active_cell_iterators())
-          if (cell->is_locally_owned())
-            for (const unsigned int v : cell->vertex_indices())
-              {
-                const double distance = cell->vertex(v).distance(support.point);
-                if (distance < nearest.first)
-                  nearest = {distance, cell->vertex(v)};
-              }
-        for (const auto &of_rank :
-             Utilities::MPI::all_gather(communicator(), nearest))
-          if (of_rank.first < nearest.first ||
-              (of_rank.first == nearest.first &&
-               std::lexicographical_compare(of_rank.second.begin_raw(),
-                                            of_rank.second.end_raw(),
-                                            nearest.second.begin_raw(),
-                                            nearest.second.end_raw())))
-            nearest = of_rank;
-        support.point = nearest.second;
-      }
-    return moved;
-  }
-
-
-
-  template <int dim>
-  std::shared_ptr<const Space<dim>>
-  Space<dim>::on_coarser(std::shared_ptr<const Mesh<dim>> coarser_mesh) const
-  {
-    const auto moved = nearest_supports(*coarser_mesh);
-    return std::make_shared<const Space<dim>>(
-      std::move(coarser_mesh), fe.degree, boundary_roles, moved, volumetric);
   }
 
 

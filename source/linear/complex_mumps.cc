@@ -47,10 +47,19 @@ namespace Crevasse
 
 
 
-    ZMUMPS_COMPLEX *
-    for_mumps(std::vector<Complex> &values)
+    /** MUMPS and LAPACK count the entries of a dense matrix with ints. */
+    void
+    require_countable(const std::size_t n_condensed)
     {
-      return reinterpret_cast<ZMUMPS_COMPLEX *>(values.data());
+      constexpr std::size_t most = 46340; // the root of the largest int
+      if (n_condensed > most)
+        throw NumericalError(
+          "The lip has " + std::to_string(n_condensed) +
+          " nodes; a period is solved directly, harmonic by harmonic, for at "
+          "most " +
+          std::to_string(most) +
+          ". Use [Periodic state] Method = anderson or march, or a coarser "
+          "mesh at the lip.");
     }
   } // namespace
 
@@ -77,8 +86,9 @@ namespace Crevasse
     factorise_and_condense(UpperTriangle<Complex> triangle,
                            const Ordering        *ordering)
     {
+      require_countable(last_unknowns.size());
       std::vector<int>     positions;
-      std::vector<Complex> complement;
+      std::vector<Complex> complement; // on rank 0
       if (ordering != nullptr)
         {
           positions    = *ordering;
@@ -90,7 +100,8 @@ namespace Crevasse
           icntl(19)          = 1; // Schur complement on rank 0
           data.size_schur    = last_unknowns.size();
           data.listvar_schur = last_unknowns.data();
-          complement.resize(last_unknowns.size() * last_unknowns.size());
+          if (is_root())
+            complement.resize(last_unknowns.size() * last_unknowns.size());
           data.schur = for_mumps(complement);
         }
       factorise(triangle);
@@ -104,14 +115,14 @@ namespace Crevasse
     void
     invert(const std::vector<Complex> &complement)
     {
-      const unsigned int   n = last_unknowns.size();
-      std::vector<Complex> entries(n * n);
+      const std::size_t n = last_unknowns.size();
+      inverse.reinit(n, n);
       collectively(communicator, [&]() {
         if (!is_root())
           return;
         LAPACKFullMatrix<Complex> matrix(n, n);
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i)
+          for (std::size_t j = 0; j < n; ++j)
             // MUMPS writes one triangle of a symmetric one.
             matrix(i, j) = complement[std::max(i, j) * n + std::min(i, j)];
         try
@@ -126,15 +137,17 @@ namespace Crevasse
               "stiffness is too ill-conditioned. Check the moduli of "
               "[Material] for extreme contrasts.");
           }
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            entries[i * n + j] = 0.5 * (matrix(i, j) + matrix(j, i));
+        for (std::size_t i = 0; i < n; ++i)
+          for (std::size_t j = 0; j < n; ++j)
+            inverse(i, j) = 0.5 * (matrix(i, j) + matrix(j, i));
       });
-      const int error =
-        MPI_Bcast(entries.data(), 2 * n * n, MPI_DOUBLE, 0, communicator);
-      AssertThrowMPI(error);
-      inverse.reinit(n, n);
-      inverse.fill(entries.data());
+      // One message for each row: the count of all entries may be no int.
+      for (std::size_t i = 0; i < n && n_ranks > 1; ++i)
+        {
+          const int error = MPI_Bcast(
+            &inverse(i, 0), n, MPI_CXX_DOUBLE_COMPLEX, 0, communicator);
+          AssertThrowMPI(error);
+        }
     }
 
     /** Solves for the right-hand side that rank 0 has. */
@@ -183,15 +196,7 @@ namespace Crevasse
             ? std::make_shared<Ordering>(positions, positions + factor->data.n)
             : std::make_shared<Ordering>();
       }
-    try
-      {
-        check(real, imaginary);
-      }
-    catch (const NumericalError &)
-      {
-        factor->end(); // All ranks are here; a destructor would not call it.
-        throw;
-      }
+    check(real, imaginary);
   }
 
 

@@ -8,18 +8,14 @@
 // either version 2.1 of the License, or (at your option) any later version.
 //
 // ---------------------------------------------------------------------
+#include <crevasse/linear/cg_iteration.h>
 #include <crevasse/linear/conjugate_gradients.h>
 #include <crevasse/scene/problems.h>
-
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_control.h>
 
 #include <sstream>
 
 namespace Crevasse
 {
-  using namespace dealii;
-
   bool
   ConjugateGradients::is_direct() const
   {
@@ -41,50 +37,25 @@ namespace Crevasse
                                     const Vector &right_hand_side,
                                     const double  residual_norm)
   {
-    struct Product
-    {
-      void
-      vmult(Vector &result, const Vector &v) const
-      {
-        solver.multiply(result, v);
-      }
-
-      const ConjugateGradients &solver;
-    };
-    struct Preconditioner
-    {
-      void
-      vmult(Vector &result, const Vector &v) const
-      {
-        solver.precondition(result, v);
-      }
-
-      ConjugateGradients &solver;
-    };
-
-    constexpr unsigned int maximum_iterations = 1000;
-    SolverControl          control(maximum_iterations, residual_norm);
-    SolverCG<Vector>       cg(control);
     hold({});
-    try
-      {
-        cg.solve(Product{*this},
-                 solution,
-                 right_hand_side,
-                 Preconditioner{*this});
-      }
-    catch (const SolverControl::NoConvergence &error)
+    const CgResult result = iterate_cg(
+      [this](Vector &product, const Vector &v) { multiply(product, v); },
+      [this](Vector &product, const Vector &v) { precondition(product, v); },
+      solution,
+      right_hand_side,
+      residual_norm);
+    if (!result.has_converged)
       {
         std::ostringstream message;
         message << "The conjugate gradients with multigrid did not reach the "
                    "residual "
-                << residual_norm << " in " << error.last_step
-                << " iterations: they ended at " << error.last_residual
+                << residual_norm << " in " << result.n_iterations
+                << " iterations: they ended at " << result.residual_norm
                 << ". Check [Material] for extreme contrasts and the mesh for "
                    "degenerate cells; raise [Contact] Tolerance; or use "
                    "[Linear solver] Type = cholesky or mumps.";
         throw NumericalError(message.str());
       }
-    return control.last_step();
+    return result.n_iterations;
   }
 } // namespace Crevasse

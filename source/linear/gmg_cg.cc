@@ -13,6 +13,7 @@
 #include <crevasse/linear/amg_cg.h>
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/linear/gmg_cg.h>
+#include <crevasse/linear/held_rows.h>
 #include <crevasse/linear/mumps.h>
 #include <crevasse/linear/solver_choice.h>
 
@@ -327,6 +328,8 @@ namespace Crevasse
     for (unsigned int level = shared_levels->n_levels(); level-- > 0;)
       {
         transfer->held[level] = rows;
+        if (level + 1 == shared_levels->n_levels())
+          held_on_finest = rows;
         if (level > 0)
           rows = shared_levels->transfer(level).at_same_nodes(rows);
         if (level > 0 && level < coarser.size())
@@ -346,10 +349,11 @@ namespace Crevasse
         cycle->defect[level]);
     finest.initialize_dof_vector(cycle->defect[finest_level]);
     cycle->defect[finest_level].copy_locally_owned_data_from(right_hand_side);
-    // Not for those who need all of A.
-    finest.hold(transfer->held[finest_level]);
-    cycle->cycle();
-    finest.hold({});
+    {
+      // Not for those who need all of A.
+      const HeldRows<dim> during_cycle(finest, held_on_finest);
+      cycle->cycle();
+    }
     solution.copy_locally_owned_data_from(cycle->solution[finest_level]);
   }
 
@@ -372,7 +376,6 @@ namespace Crevasse
     constexpr unsigned int n_cycle_vectors = 3;
     std::size_t            bytes = coarsest_matrix.memory_consumption() +
                         coarsest_solver->memory_consumption() +
-                        shared_levels->memory_consumption() +
                         smoothers->memory_consumption() +
                         (n_cycle_vectors + 1) * layout.memory_consumption();
     for (const auto &A : coarser)

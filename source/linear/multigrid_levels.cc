@@ -34,13 +34,17 @@ namespace Crevasse
         enough_unknowns /
           (dim * Utilities::pow(space.finite_element().degree, dim))))
   {
-    std::reverse(meshes.begin(), meshes.end());
     for (const CoarserMesh<dim> &coarser : meshes)
-      {
-        spaces.push_back(space.on_coarser(coarser.mesh));
-        coarse_points.push_back(
-          std::make_unique<const QuadratureField<dim>>(*spaces.back()));
-      }
+      if (auto on_coarser = space.on_coarser(coarser.mesh))
+        spaces.push_back(std::move(on_coarser));
+      else
+        break; // No matrix without a kernel is coarser.
+    meshes.resize(spaces.size());
+    std::reverse(meshes.begin(), meshes.end());
+    std::reverse(spaces.begin(), spaces.end());
+    for (const auto &on_coarser : spaces)
+      coarse_points.push_back(
+        std::make_unique<const QuadratureField<dim>>(*on_coarser));
     for (unsigned int level = 1; level < n_levels(); ++level)
       transfers.push_back(std::make_unique<const LevelTransfer<dim>>(
         this->space(level - 1), this->space(level), meshes[level - 1]));

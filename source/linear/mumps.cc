@@ -29,14 +29,12 @@ namespace Crevasse
       factorise(triangle);
       // Without pivoting each pivot has its sign by Sylvester's law.
       const int n_negative = data.infog[11];
-      if (n_negative == 0)
-        return;
-      end();
-      throw NumericalError(
-        "MUMPS: the stiffness is not positive definite (" +
-        std::to_string(n_negative) +
-        " negative pivots). Check the moduli of [Material] and the supports "
-        "of [Boundary].");
+      if (n_negative != 0)
+        throw NumericalError(
+          "MUMPS: the stiffness is not positive definite (" +
+          std::to_string(n_negative) +
+          " negative pivots). Check the moduli of [Material] and the supports "
+          "of [Boundary].");
     }
   };
 

@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/linear/abandoned_factors.h>
 #include <crevasse/linear/mumps_instance.h>
 #include <crevasse/scene/problems.h>
 
@@ -25,19 +26,23 @@ namespace Crevasse
     static_assert(sizeof(Complex) == sizeof(ZMUMPS_COMPLEX),
                   "MUMPS has the complex numbers of the language");
 
-    double *
-    for_mumps(std::vector<double> &values)
+    void
+    run_mumps(DMUMPS_STRUC_C &data)
     {
-      return values.data();
+      dmumps_c(&data);
     }
 
 
 
-    ZMUMPS_COMPLEX *
-    for_mumps(std::vector<Complex> &values)
+    void
+    run_mumps(ZMUMPS_STRUC_C &data)
     {
-      return reinterpret_cast<ZMUMPS_COMPLEX *>(values.data());
+      zmumps_c(&data);
     }
+
+
+
+    constexpr int free_everything = -2; // job
 
 
 
@@ -134,18 +139,13 @@ namespace Crevasse
   template <typename Number>
   MumpsInstance<Number>::~MumpsInstance()
   {
-    if (!has_ended && (n_ranks == 1 || std::uncaught_exceptions() == 0))
-      end();
-  }
-
-
-
-  template <typename Number>
-  void
-  MumpsInstance<Number>::end()
-  {
-    has_ended = true;
-    call(-2);
+    if (n_ranks == 1 || std::uncaught_exceptions() == 0)
+      call(free_everything);
+    else
+      abandon_factor([left = data]() mutable {
+        left.job = free_everything;
+        run_mumps(left);
+      });
   }
 
 
@@ -164,10 +164,7 @@ namespace Crevasse
   MumpsInstance<Number>::call(const int job)
   {
     data.job = job;
-    if constexpr (std::is_same<Number, double>::value)
-      dmumps_c(&data);
-    else
-      zmumps_c(&data);
+    run_mumps(data);
   }
 
 
@@ -180,25 +177,17 @@ namespace Crevasse
     data.irn_loc = triangle.rows.data();
     data.jcn_loc = triangle.columns.data();
     data.a_loc   = for_mumps(triangle.values);
-    try
+    run(1, "the analysis");
+    // MUMPS predicts the memory; where it falls short, it wants more.
+    constexpr int largest_relaxation = 400; // per cent
+    call(2);
+    while (needs_larger_buffers(data.infog[0]) &&
+           icntl(14) < largest_relaxation)
       {
-        run(1, "the analysis");
-        // MUMPS predicts the memory; where it falls short, it wants more.
-        constexpr int largest_relaxation = 400; // per cent
+        icntl(14) = 2 * icntl(14) + 10;
         call(2);
-        while (needs_larger_buffers(data.infog[0]) &&
-               icntl(14) < largest_relaxation)
-          {
-            icntl(14) = 2 * icntl(14) + 10;
-            call(2);
-          }
-        require("the factorisation");
       }
-    catch (const NumericalError &)
-      {
-        end(); // All ranks are here; a destructor would not call it.
-        throw;
-      }
+    require("the factorisation");
     // INFO(16): what the factorisation was given on this rank, in 10⁶ bytes,
     // rounded down.
     bytes = std::size_t(1000000) * (data.info[15] + 1);
@@ -322,6 +311,22 @@ namespace Crevasse
   MumpsInstance<Number>::memory_consumption() const
   {
     return bytes;
+  }
+
+
+
+  double *
+  for_mumps(std::vector<double> &values)
+  {
+    return values.data();
+  }
+
+
+
+  ZMUMPS_COMPLEX *
+  for_mumps(std::vector<std::complex<double>> &values)
+  {
+    return reinterpret_cast<ZMUMPS_COMPLEX *>(values.data());
   }
 
 

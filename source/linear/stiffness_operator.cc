@@ -264,10 +264,10 @@ namespace Crevasse
 
 
   template <int dim>
-  const std::vector<unsigned int> &
-  StiffnessOperator<dim>::held() const
+  void
+  StiffnessOperator<dim>::swap_held(std::vector<unsigned int> &rows) noexcept
   {
-    return held_rows;
+    held_rows.swap(rows);
   }
 
 
@@ -287,6 +287,7 @@ namespace Crevasse
     const LinearOperator::Indices &rows,
     const LinearOperator::Indices &columns) const
   {
+    // Of columns, among which the rows are.
     std::map<types::global_dof_index, std::set<types::global_dof_index>> all;
     LinearOperator::Indices of_cell, found;
     for (const auto &cell : space.dof_handler().active_cell_iterators())

@@ -18,6 +18,7 @@
 #include <crevasse/linear/gmg_cg.h>
 #include <crevasse/linear/matrix_operator.h>
 #include <crevasse/linear/mumps.h>
+#include <crevasse/linear/operator_check.h>
 #include <crevasse/run/contact_system.h>
 
 #include <utility>
@@ -75,9 +76,13 @@ namespace Crevasse
   {
     TimerOutput::Scope phase(settings.phases, "multigrid set-up");
     if (levels == nullptr)
-      levels = std::make_shared<const MultigridLevels<dim>>(space, points);
+      {
+        levels = std::make_shared<const MultigridLevels<dim>>(space, points);
+        bytes_of_levels = levels->memory_consumption();
+      }
     auto matrix_free =
       std::make_unique<StiffnessOperator<dim>>(space, points, stiffness);
+    require_same_product(*matrix_free, space, points, stiffness);
     open_solver = std::make_unique<GmgCg<dim>>(levels, *matrix_free, stiffness);
     linear_operator = std::move(matrix_free);
     ++setups.multigrid_setups;
@@ -213,7 +218,7 @@ namespace Crevasse
   ContactSystem<dim>::memory_consumption() const
   {
     return matrix.memory_consumption() + linear_operator->memory_consumption() +
-           contact->memory_consumption() +
+           bytes_of_levels + contact->memory_consumption() +
            (open_solver != nullptr ? open_solver->memory_consumption() : 0);
   }
 

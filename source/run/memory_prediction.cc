@@ -10,18 +10,13 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/linear/solver_choice.h>
-#include <crevasse/run/machine_memory.h>
 #include <crevasse/run/memory_prediction.h>
-#include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace Crevasse
 {
@@ -30,6 +25,22 @@ namespace Crevasse
   namespace
   {
     constexpr double mebibyte = 1024. * 1024.;
+
+    /** What A without a matrix keeps of K: half of it for each point, where
+     * points share no values. */
+    template <int dim>
+    double
+    bytes_of_packed_stiffness(const Body<dim>          &body,
+                              const LinearSolverChoice &solver)
+    {
+      constexpr double n = n_stress_components<dim>;
+      if (solver.type != LinearSolverChoice::gmg ||
+          !body.material.at(0.).stiffness->is_individual())
+        return 0.;
+      return sizeof(double) * n * (n + 1.) / 2. * body.points.n_local_points();
+    }
+
+
 
     /** What the parts of a prediction depend on. */
     template <int dim>
@@ -48,6 +59,7 @@ namespace Crevasse
                                       dim,
                                       body.space.n_unknowns(),
                                       n_ranks))
+        , packed_stiffness(bytes_of_packed_stiffness(body, solver))
       {
       }
 
@@ -59,6 +71,7 @@ namespace Crevasse
       const double             own_points;
       const double             strain; ///< numbers of r
       const LinearSolverChoice solver;
+      const double             packed_stiffness; ///< bytes
     };
 
 
@@ -104,7 +117,8 @@ namespace Crevasse
       // Vectors, and indices and weights of the loops over cells; measured.
       if (scale.solver.type == LinearSolverChoice::gmg)
         return sizeof(double) * (scale.degree == 1 ? 60. : 25.) *
-               scale.own_unknowns;
+                 scale.own_unknowns +
+               scale.packed_stiffness;
       if (scale.solver.type == LinearSolverChoice::amg)
         return bytes_per_entry * matrix_entries(scale);
       const double cholesky =
@@ -200,101 +214,6 @@ namespace Crevasse
         scale.own_cells * Utilities::fixed_power<dim>(scale.degree + 1.);
       return sizeof(double) * (instants.size() * kept + 2. * columns * nodes);
     }
-
-
-
-    /** The part of the unknowns whose needs are so many bytes: a factor grows
-     * faster than the rest. */
-    template <int dim>
-    double
-    affordable_part(const MemoryPrediction &needed, const double bytes)
-    {
-      const double growth   = dim == 2 ? 1.1 : 4. / 3.;
-      const double constant = needed.libraries;
-      const double linear   = needed.total() - constant - needed.solver;
-      double       low = 0., high = 1.;
-      while (high - low > 1e-3)
-        {
-          const double part = 0.5 * (low + high);
-          const double all =
-            constant + part * linear + std::pow(part, growth) * needed.solver;
-          (all > bytes ? high : low) = part;
-        }
-      return low;
-    }
-
-
-
-    std::string
-    gigabytes(const double bytes)
-    {
-      char text[40];
-      std::snprintf(text, sizeof(text), "%.3g GB", 1e-9 * bytes);
-      return text;
-    }
-
-
-
-    /** What needs most, and what to do about it. */
-    template <int dim>
-    std::string
-    largest_part(const MemoryPrediction &needed, const Scale<dim> &scale)
-    {
-      const bool has_factor = !scale.solver.is_multigrid();
-      const std::vector<std::pair<double, std::string>> parts = {
-        {needed.libraries, "the libraries of so many processes: take fewer"},
-        {needed.mesh, "the mesh: make it coarser"},
-        {needed.fields,
-         "the stress at all steps of a period: lower [Time integration] Steps "
-         "per period, or make the mesh coarser"},
-        {needed.matrix, "the stiffness: make the mesh coarser"},
-        {needed.solver,
-         has_factor ? "factors of the stiffness: take [Linear solver] Type = "
-                      "amg, lower Memory for instants, or make the mesh coarser"
-                    : "multigrid: make the mesh coarser"},
-        {needed.search,
-         "the search of the periodic state: lower [Periodic state] Anderson "
-         "depth, or take Method = march"},
-        {needed.output,
-         "fields of the last period: take [Output] Fields = none, or fewer "
-         "Field times"}};
-      return std::max_element(parts.begin(), parts.end())->second;
-    }
-
-
-
-    /** Where more is needed than there is nothing is begun: it would end
-     * without a message, or take the machine with it. */
-    template <int dim>
-    void
-    require_enough(const MemoryPrediction &needed,
-                   const Body<dim>        &body,
-                   const Scene            &scene)
-    {
-      const MPI_Comm   communicator = body.space.communicator();
-      const double     all   = sum_on_machine(needed.total(), communicator);
-      const double     there = available_memory(communicator);
-      constexpr double uncertainty = 1.25;
-      if (Utilities::MPI::max(all / there, communicator) <= uncertainty)
-        return;
-
-      const double part =
-        Utilities::MPI::min(affordable_part<dim>(needed,
-                                                 needed.total() * there / all),
-                            communicator);
-      const auto fit =
-        static_cast<unsigned long>(part * body.space.n_unknowns());
-      throw SceneError(
-        "The run needs about " +
-        gigabytes(Utilities::MPI::max(all, communicator)) +
-        " of memory on a machine that has " +
-        gigabytes(Utilities::MPI::min(there, communicator)) +
-        " left, most of it for " +
-        largest_part(needed, Scale<dim>(body, scene)) +
-        "; or take processes on more machines. With these settings about " +
-        std::to_string(fit) + " unknowns fit; the mesh has " +
-        std::to_string(body.space.n_unknowns()) + ".");
-    }
   } // namespace
 
 
@@ -334,54 +253,14 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  void
-  describe_memory(const Body<dim>      &body,
-                  const StepList       &steps,
-                  const Scene          &scene,
-                  const PeriodicChoice &choice,
-                  Log                  &log)
-  {
-    const MPI_Comm         communicator = body.space.communicator();
-    const MemoryPrediction needed  = predict_memory(body, steps, scene, choice);
-    const auto             largest = [communicator](const double bytes) {
-      return 1e-6 * Utilities::MPI::max(bytes, communicator);
-    };
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    char               text[240];
-    std::snprintf(text,
-                  sizeof(text),
-                  "  memory: about %.0f MB%s: libraries %.0f, mesh %.0f, "
-                  "fields %.0f, matrix %.0f, %s %.0f, periodic state %.0f, "
-                  "output %.0f",
-                  largest(needed.total()),
-                  n_ranks > 1 ? " on each process" : "",
-                  largest(needed.libraries),
-                  largest(needed.mesh),
-                  largest(needed.fields),
-                  largest(needed.matrix),
-                  Scale<dim>(body, scene).solver.is_multigrid() ? "multigrid"
-                                                                : "factor",
-                  largest(needed.solver),
-                  largest(needed.search),
-                  largest(needed.output));
-    log.line(text);
-    require_enough(needed, body, scene);
-  }
-
-
-
-#define INSTANTIATE(dim)                                                 \
-  template MemoryPrediction predict_memory<dim>(const Body<dim> &,       \
-                                                const StepList &,        \
-                                                const Scene &,           \
-                                                const PeriodicChoice &); \
-  template void             describe_memory<dim>(const Body<dim> &,      \
-                                     const StepList &,       \
-                                     const Scene &,          \
-                                     const PeriodicChoice &, \
-                                     Log &)
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
+  template MemoryPrediction
+  predict_memory<2>(const Body<2> &,
+                    const StepList &,
+                    const Scene &,
+                    const PeriodicChoice &);
+  template MemoryPrediction
+  predict_memory<3>(const Body<3> &,
+                    const StepList &,
+                    const Scene &,
+                    const PeriodicChoice &);
 } // namespace Crevasse

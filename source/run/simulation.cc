@@ -9,7 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
-
+#include <crevasse/linear/abandoned_factors.h>
 #include <crevasse/periodic/period_map.h>
 #include <crevasse/run/elastic_reference.h>
 #include <crevasse/run/integrator_choice.h>
@@ -331,6 +331,7 @@ namespace Crevasse
       }
     catch (const NumericalError &error)
       {
+        end_abandoned_factors();
         const std::string what =
           std::string(
             "the stationary contact problem for beta, with the "
@@ -404,6 +405,7 @@ namespace Crevasse
       {
         if (!periodic_choice.may_fall_back)
           throw;
+        end_abandoned_factors();
         log.line("  warning: the direct method failed, anderson takes over: " +
                  std::string(error.what()));
         periodic_choice.method = "anderson";

@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/linear/abandoned_factors.h>
 #include <crevasse/run/adaptive_run.h>
 #include <crevasse/run/failure.h>
 #include <crevasse/run/stress_samples.h>
@@ -134,6 +135,7 @@ namespace Crevasse
     catch (const std::exception &error)
       {
         require_all_ranks(error, for_failures);
+        end_abandoned_factors();
         run.result.message = error.what();
         run.exception      = std::current_exception();
         log.line("crevasse: " + run.result.message);

@@ -7,18 +7,24 @@ byte for byte.
 Works in the folder killed_runs of the working directory. Prints for each try where
 it was killed, and in the end how many had a checkpoint to go on from."""
 
+import argparse
 import os
 import pathlib
 import random
 import sys
 import time
 
+PARSER = argparse.ArgumentParser()
+PARSER.add_argument("program")  # These two are what crevasse_run reads.
+PARSER.add_argument("source")
+PARSER.add_argument("tries", type=int, nargs="?", default=50)
+TRIES = PARSER.parse_args().tries
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "runs"))
 
 from interrupted_runs import (CASES, COMMON, check_same_bytes, finish, fresh,
                               has_checkpoint, interrupt, reference)
 
-TRIES = int(sys.argv[3]) if len(sys.argv) > 3 else 50
 NAMES = ["march", "anderson", "adaptive steps", "readapted", "crack tip"]
 
 

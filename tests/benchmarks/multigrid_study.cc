@@ -70,10 +70,10 @@ namespace
       stiffness = std::make_unique<StiffnessOperator<dim>>(block.space,
                                                            block.points,
                                                            block.stiffness);
-      linear    = std::make_unique<GmgCg<dim>>(
-        std::make_shared<MultigridLevels<dim>>(block.space, block.points),
-        *stiffness,
-        block.stiffness);
+      levels =
+        std::make_shared<MultigridLevels<dim>>(block.space, block.points);
+      linear =
+        std::make_unique<GmgCg<dim>>(levels, *stiffness, block.stiffness);
       problem = std::make_unique<SignoriniProblem>(*stiffness, block.bounds);
     }
 
@@ -82,10 +82,12 @@ namespace
     {
       return linear->memory_consumption() +
              (stiffness == nullptr ? matrix.memory_consumption()
-                                   : stiffness->memory_consumption());
+                                   : stiffness->memory_consumption() +
+                                       levels->memory_consumption());
     }
 
     SparseMatrix                            matrix;
+    std::shared_ptr<MultigridLevels<dim>>   levels;
     std::unique_ptr<StiffnessOperator<dim>> stiffness;
     std::unique_ptr<LinearSolver>           linear;
     std::unique_ptr<SignoriniProblem>       problem;

@@ -6,18 +6,16 @@ table from the run on one rank, relative to the largest value of the column.
 import argparse
 import csv
 import json
-import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "runs"))
+
+from mpi_environment import ENVIRONMENT
+
 SCENES = pathlib.Path(__file__).resolve().parents[2] / "prm"
-ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1",
-                   OMPI_ALLOW_RUN_AS_ROOT="1",
-                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   OMPI_MCA_rmaps_base_oversubscribe="1",
-                   OMPI_MCA_mpi_yield_when_idle="1")
 TABLES = ("probe_*.csv", "contact.csv", "crack_tip.csv", "periods.csv")
 OF_COST = {"seconds", "vi_solves"}  # columns
 BOUND = 1e-8

@@ -5,18 +5,12 @@ the figures on which it judges."""
 import csv
 import json
 import math
-import os
 import pathlib
 import shutil
 import subprocess
 import sys
 
-# More ranks than cores, which must not spin while they wait; perhaps as root.
-ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1",
-                   OMPI_ALLOW_RUN_AS_ROOT="1",
-                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   OMPI_MCA_rmaps_base_oversubscribe="1",
-                   OMPI_MCA_mpi_yield_when_idle="1")
+from mpi_environment import ENVIRONMENT
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()

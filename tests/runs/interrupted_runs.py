@@ -8,8 +8,8 @@ import signal
 import subprocess
 import time
 
-from crevasse_run import (ENVIRONMENT, PROGRAM, SOURCE, Results, check,
-                          overrides)
+from crevasse_run import PROGRAM, SOURCE, Results, check, overrides
+from mpi_environment import ENVIRONMENT
 
 SCENE = SOURCE / "prm/raous1980.prm"
 COMMON = ["Contact/Solver=automatic", "Periodic state/Tolerance=0",

@@ -13,9 +13,12 @@
 // and a part of the lip closed; on any number of ranks.
 
 #include <crevasse/contact/active_set.h>
+#include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/linear/gmg_cg.h>
 #include <crevasse/linear/mumps.h>
+#include <crevasse/linear/operator_check.h>
+#include <crevasse/scene/problems.h>
 
 #include <algorithm>
 #include <crevasse_tests/cracked_block.h>
@@ -42,17 +45,18 @@ namespace
     return text;
   }
 
-  /** Entries between -1 and 1 where nothing is constrained. */
+  /** Entries between -1 and 1 where nothing is constrained, other ones for
+   * each phase. */
   template <int dim>
   Vector
-  some_vector(const CrackedBlock<dim> &block)
+  some_vector(const CrackedBlock<dim> &block, const double phase = 1.)
   {
     Vector v;
     block.strain_operator.initialize(v);
     for (const auto i : v.locally_owned_elements())
       v(i) = block.space.constraints().is_constrained(i)
                ? 0.
-               : std::sin(1. + 7. * double(i));
+               : std::sin(phase + 7. * double(i));
     return v;
   }
 
@@ -91,6 +95,7 @@ namespace
         Vector                       expected(v), result(v);
         matrix.vmult(expected, v);
         A.vmult(result, v);
+        require_same_product(A, block.space, block.points, stiffness);
         check_below(name<dim>(kind) + (varies ? ", varying" : "") +
                       ": product with A",
                     relative_difference(result, expected),
@@ -106,6 +111,109 @@ namespace
         check_below("its diagonal",
                     dealii::Utilities::MPI::max(worst, MPI_COMM_WORLD),
                     1e-12);
+      }
+  }
+
+  /** What the program asks of A before it solves with it. */
+  void
+  check_that_errors_are_found()
+  {
+    const CrackedBlock<2>      block(MPI_COMM_WORLD,
+                                {1, 2, 2, 1., VolumetricStrain::mean});
+    const StiffnessOperator<2> A(block.space, block.points, block.stiffness);
+    bool                       is_found = false;
+    try
+      {
+        require_same_product(A,
+                             block.space,
+                             block.points,
+                             PointValues<VoigtMatrix<2>>((1. + 1e-9) *
+                                                         block.stiffness[0]));
+      }
+    catch (const NumericalError &)
+      {
+        is_found = true;
+      }
+    check("An error of 1e-9 in the product is found", is_found);
+  }
+
+  /** Conjugate gradients need (Bx, y) = (x, By) and (x, Bx) > 0 for the
+   * preconditioner B and all vectors that vanish where something is constrained
+   * or held; here with half of the lip held, hanging nodes and jumps. */
+  void
+  check_preconditioner()
+  {
+    const CrackedBlock<2> block(MPI_COMM_WORLD,
+                                {2, 4, 3, 1e2, VolumetricStrain::full});
+    StiffnessOperator<2>  A(block.space, block.points, block.stiffness);
+    GmgCg<2>              gmg(std::make_shared<MultigridLevels<2>>(block.space,
+                                                      block.points),
+                 A,
+                 block.stiffness);
+    std::vector<dealii::types::global_dof_index> held;
+    for (std::size_t k = 0; k < block.bounds.dofs.size(); k += 2)
+      if (!block.space.constraints().is_constrained(block.bounds.dofs[k]))
+        held.push_back(block.bounds.dofs[k]);
+    gmg.hold(held);
+
+    std::vector<Vector> x, Bx;
+    for (const double phase : {1., 2., 4.})
+      {
+        x.push_back(some_vector(block, phase));
+        for (const auto dof : held)
+          x.back()(dof) = 0.;
+        Bx.push_back(x.back());
+        gmg.precondition(Bx.back(), x.back());
+      }
+    double asymmetry = 0.;
+    bool   positive  = true;
+    for (unsigned int i = 0; i < x.size(); ++i)
+      {
+        positive = positive && x[i] * Bx[i] > 0.;
+        for (unsigned int j = 0; j < i; ++j)
+          asymmetry = std::max(asymmetry,
+                               std::abs(Bx[i] * x[j] - x[i] * Bx[j]) /
+                                 (Bx[i].l2_norm() * x[j].l2_norm()));
+      }
+    check_below("Preconditioner: asymmetry", asymmetry, 1e-10);
+    check("Preconditioner: positive", positive);
+  }
+
+  /** A square whose left half has cells of 1/64 and its right half of 1/32. */
+  std::shared_ptr<const Mesh<2>>
+  half_refined_square()
+  {
+    auto mesh = std::make_shared<Mesh<2>>(MPI_COMM_WORLD);
+    dealii::GridGenerator::hyper_cube(*mesh);
+    mesh->refine_global(5);
+    for (const auto &cell : mesh->active_cell_iterators())
+      if (cell->is_locally_owned() && cell->center()[0] < 0.5)
+        cell->set_refine_flag();
+    mesh->execute_coarsening_and_refinement();
+    return mesh;
+  }
+
+  /** No level may move as a rigid body, though the first points have one
+   * nearest vertex on coarser meshes and the last is a hanging node there. */
+  void
+  check_supports_on_levels()
+  {
+    using Supports = std::vector<FixedPoint<2>>;
+    for (const Supports &supports :
+         {Supports{{{0., 0.}, {{true, true}}},
+                   {{1. / 64., 0.}, {{false, true}}}},
+          Supports{{{0.5, 1. / 32.}, {{true, true}}},
+                   {{1., 0.}, {{false, true}}}}})
+      {
+        const Space<2>           space(half_refined_square(), 1, {}, supports);
+        const QuadratureField<2> points(space);
+        const MultigridLevels<2> levels(space, points);
+        bool                     are_held = true;
+        for (unsigned int level = 0; level < levels.n_levels(); ++level)
+          are_held =
+            are_held && find_free_rigid_motions(levels.space(level)).empty();
+        check("Supports: there is a coarser level", levels.n_levels() > 1);
+        check("Supports: all levels are held", are_held);
       }
   }
 
@@ -229,6 +337,9 @@ main(int argc, char **argv)
         compare_with_matrix<3>({1, 1, n_tip, 1., VolumetricStrain::mean});
         compare_with_matrix<3>({2, 1, n_tip, 1e2, VolumetricStrain::full});
       }
+    check_that_errors_are_found();
+    check_preconditioner();
+    check_supports_on_levels();
 #ifdef DEBUG
     // Not optimised, the families would take minutes.
     solve<2>({2, 3, 0, 1., VolumetricStrain::full});

@@ -16,9 +16,11 @@
 #include <crevasse/contact/condensed_active_set.h>
 #include <crevasse/contact/projected_sor.h>
 #include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/linear/abandoned_factors.h>
 #include <crevasse/linear/amg_cg.h>
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/linear/mumps.h>
+#include <crevasse/linear/mumps_instance.h>
 #include <crevasse/scene/problems.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -161,6 +163,28 @@ namespace
     check("Cholesky is refused on several ranks only",
           refuses([&]() { Cholesky solver(plate.matrix); }) == several);
   }
+
+  /** MUMPS numbers its instances, and gives a number again when it is free. */
+  void
+  factors_left_by_exceptions()
+  {
+    const auto begin = [](int &number) {
+      const MumpsInstance<double> instance(MPI_COMM_WORLD, 1, "", "", "");
+      number = instance.data.instance_number;
+      throw NumericalError("on all ranks");
+    };
+    int abandoned = 0, next = 0;
+    for (int *number : {&abandoned, &next})
+      try
+        {
+          begin(*number);
+        }
+      catch (const NumericalError &)
+        {
+          end_abandoned_factors();
+        }
+    check("A factor left by an exception is freed", abandoned == next);
+  }
 } // namespace
 
 int
@@ -177,5 +201,6 @@ main(int argc, char **argv)
           compare<3>(degree, hanging_nodes);
         }
     refusals();
+    factors_left_by_exceptions();
   });
 }

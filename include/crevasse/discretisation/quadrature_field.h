@@ -31,9 +31,12 @@ namespace Crevasse
   public:
     static constexpr unsigned int n_components = n_stress_components<dim>;
 
+    /** Collective. @throw SceneError if deal.II's indices are too short for
+     * the numbers of all points. */
     explicit QuadratureField(const Space<dim> &space);
 
-    /** Gives @p field this layout, all zero.
+    /** Gives @p field this layout, all zero. Collective, and throws as the
+     * constructor does.
      *
      * @param n_branches how many times n_components a point has: the viscous
      * strain of a chain has those of a branch side by side, at the local index

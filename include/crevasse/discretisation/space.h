@@ -27,6 +27,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Crevasse
@@ -78,7 +79,9 @@ namespace Crevasse
 
     /** The same, without singular functions, on a coarser mesh of the same
      * body, for preconditioners. Fixed points that are no vertices there move
-     * to the nearest one. Collective. */
+     * to the nearest ones, different points to different vertices. Collective.
+     *
+     * @return null if they do not hold the body there. */
     std::shared_ptr<const Space>
     on_coarser(std::shared_ptr<const Mesh<dim>> coarser_mesh) const;
 
@@ -177,9 +180,17 @@ namespace Crevasse
     check_roles() const;
     void
     make_constraints();
-    /** Fixed points moved to the nearest vertices of another mesh. */
+    /** Whether a constraint makes this unknown depend on others. */
+    bool
+    is_tied(const dealii::types::global_dof_index dof) const;
+    /** Fixed points at the nearest vertices whose unknowns are not tied,
+     * different ones at different vertices; without those for which there are
+     * none. */
     std::vector<FixedPoint<dim>>
-    nearest_supports(const Mesh<dim> &other) const;
+    at_vertices(const std::vector<FixedPoint<dim>> &fixed_points) const;
+    std::optional<dealii::Point<dim>>
+    nearest_free_vertex(const FixedPoint<dim>                 &fixed_point,
+                        const std::vector<dealii::Point<dim>> &taken) const;
     void
     number_unknowns();
     void

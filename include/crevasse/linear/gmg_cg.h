@@ -48,7 +48,7 @@ namespace Crevasse
     void
     hold(const std::vector<dealii::types::global_dof_index> &dofs) override;
 
-    /** Without the levels, if others use them too. */
+    /** Without the levels, which other stiffnesses of the space may share. */
     std::size_t
     memory_consumption() const override;
 
@@ -88,7 +88,8 @@ namespace Crevasse
     std::unique_ptr<dealii::Multigrid<Vector>> cycle;
 
     std::vector<dealii::types::global_dof_index> held_dofs;
-    Vector layout; ///< of the finest level
+    std::vector<unsigned int> held_on_finest; ///< the same, as local indices
+    Vector                    layout;         ///< of the finest level
   };
 } // namespace Crevasse
 

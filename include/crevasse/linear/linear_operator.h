@@ -41,8 +41,10 @@ namespace Crevasse
     diagonal() const = 0;
 
     /** For each of the locally owned @p rows those of @p columns that A couples
-     * with it, without itself. Collective.
+     * with it, without itself: as a matrix those with an entry that is not 0,
+     * otherwise those that share a cell with it. Collective.
      *
+     * @param rows a subset of the columns.
      * @param columns ascending. */
     virtual std::vector<Indices>
     couplings(const Indices &rows, const Indices &columns) const = 0;

@@ -57,7 +57,8 @@ namespace Crevasse
     precondition(Vector &solution, const Vector &right_hand_side) = 0;
 
     /** Makes precondition() one for A without the rows and columns of these
-     * unknowns, if the method can do that at no price. Collective.
+     * unknowns, if the method can do that at no price. The right-hand side of
+     * precondition() must vanish there. Collective.
      *
      * @param dofs locally owned ones. */
     virtual void

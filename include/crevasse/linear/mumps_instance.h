@@ -36,6 +36,12 @@ namespace Crevasse
   UpperTriangle<double>
   upper_triangle(const dealii::TrilinosWrappers::SparseMatrix &matrix);
 
+  /** Numbers as MUMPS names them. */
+  double *
+  for_mumps(std::vector<double> &values);
+  ZMUMPS_COMPLEX *
+  for_mumps(std::vector<std::complex<double>> &values);
+
   /**
    * One instance of MUMPS: the factor LDLᵀ of a symmetric matrix, real or
    * complex, of which each rank has some rows, without pivoting. Right-hand
@@ -69,8 +75,8 @@ namespace Crevasse
     MumpsInstance &
     operator=(const MumpsInstance &) = delete;
 
-    /** Ends, but for exceptions on their way: then the other ranks may be
-     * elsewhere, and the end of the process frees the memory. */
+    /** Frees the factor; while an exception is on its way on several ranks,
+     * abandon_factor() puts that off. */
     ~MumpsInstance();
 
     /** A setting, with its number in MUMPS' manual. */
@@ -103,11 +109,6 @@ namespace Crevasse
     bool
     is_root() const;
 
-    /** Ends before an exception of all ranks, in which the destructor could
-     * not. */
-    void
-    end();
-
     /** Of the factor, on this rank. */
     std::size_t
     memory_consumption() const;
@@ -129,8 +130,7 @@ namespace Crevasse
     const int         n_local;
     const std::string matrix_name, if_memory_is_short, otherwise;
     std::vector<int>  counts, starts; ///< of all ranks; the first knows them
-    std::size_t       bytes     = 0;
-    bool              has_ended = false;
+    std::size_t       bytes = 0;
   };
 } // namespace Crevasse
 

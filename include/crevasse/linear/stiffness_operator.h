@@ -72,8 +72,9 @@ namespace Crevasse
     void
     hold(std::vector<unsigned int> rows);
 
-    const std::vector<unsigned int> &
-    held() const;
+    /** The same, in exchange for those held before. */
+    void
+    swap_held(std::vector<unsigned int> &rows) noexcept;
 
     /** 1 where constrained. The masters of hanging nodes have the squares of
      * their weights times the diagonal of these only. */

@@ -93,7 +93,8 @@ namespace Crevasse
     SolverStatistics
     statistics() const;
 
-    /** Bytes of the matrix and what solves with it, on this rank. */
+    /** Bytes of the matrix and what solves with it, on this rank; without what
+     * a similar system has made. */
     std::size_t
     memory_consumption() const;
 
@@ -103,7 +104,9 @@ namespace Crevasse
              const PointValues<VoigtMatrix<dim>> &stiffness,
              const ContactSystem                 *similar);
 
-    /** What takes the place of matrix and factor. */
+    /** What takes the place of matrix and factor.
+     * @throw NumericalError if the operator is not the one that it should be.
+     */
     void
     set_up_multigrid(const QuadratureField<dim>          &points,
                      const PointValues<VoigtMatrix<dim>> &stiffness);
@@ -118,6 +121,7 @@ namespace Crevasse
     const Space<dim>                           &space;
     std::shared_ptr<const Cholesky::Analysis>   analysis; ///< if there is one
     std::shared_ptr<const MultigridLevels<dim>> levels;   ///< likewise
+    std::size_t bytes_of_levels = 0; ///< where they were made only
 
     SparseMatrix                            matrix; ///< empty: matrix-free
     std::unique_ptr<const LinearOperator>   linear_operator; ///< A

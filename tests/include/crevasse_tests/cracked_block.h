@@ -11,19 +11,16 @@
 #ifndef crevasse_tests_cracked_block_h
 #define crevasse_tests_cracked_block_h
 
-#include <crevasse/contact/signorini_problem.h>
-#include <crevasse/discretisation/contact_boundary.h>
-#include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/point_values.h>
-#include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/material/isotropic.h>
 
 #include <deal.II/grid/grid_generator.h>
 
+#include <algorithm>
 #include <cmath>
+#include <crevasse_tests/contact_body.h>
 #include <memory>
-#include <string>
+#include <vector>
 
 /** Which cracked block, how fine, of what. */
 struct BlockKind
@@ -37,52 +34,24 @@ struct BlockKind
 };
 
 /** Half of a cracked unit cube (or square): its lower face is a lip for x < 1/2
- * and a plane of symmetry beyond, so that the tip is the line x = 1/2. */
+ * and a plane of symmetry beyond, so that the tip is the line x = 1/2. The
+ * usual traction, on the top, closes a part of the lip. */
 template <int dim>
-class CrackedBlock
+class CrackedBlock : public ContactBody<dim>
 {
 public:
   CrackedBlock(const MPI_Comm communicator, const BlockKind &kind)
-    : space(mesh(communicator, kind),
-            kind.degree,
-            roles(),
-            {fixed_point()},
-            kind.volumetric_strain)
-    , points(space)
-    , strain_operator(space, points)
-    , lip(space, Crevasse::Expression("0"))
+    : ContactBody<dim>(mesh(communicator, kind),
+                       kind.degree,
+                       roles(),
+                       {fixed_point()},
+                       kind.volumetric_strain,
+                       dim == 2 ? "0; 40*x - 10" : "0; (40*x - 10)*(1 + z); 0")
     , stiffness(moduli(kind.jump))
   {
-    for (const auto &node : lip.nodes())
-      {
-        bounds.dofs.push_back(node.dof);
-        bounds.sign.push_back(node.sign);
-        bounds.gap.push_back(0.);
-      }
   }
 
-  /** The nodal forces of a traction on the top, under which by default a part
-   * of the lip closes. */
-  Crevasse::Vector
-  loads(const std::string &traction = dim == 2
-                                        ? "0; 40*x - 10"
-                                        : "0; (40*x - 10)*(1 + z); 0") const
-  {
-    Crevasse::LoadParameters parameters;
-    parameters.traction = traction;
-    Crevasse::Vector b;
-    strain_operator.initialize(b);
-    Crevasse::ExternalLoads<dim>(space, strain_operator, parameters)
-      .evaluate(0., b);
-    return b;
-  }
-
-  const Crevasse::Space<dim>                              space;
-  const Crevasse::QuadratureField<dim>                    points;
-  const Crevasse::StrainOperator<dim>                     strain_operator;
-  const Crevasse::ContactBoundary<dim>                    lip;
   const Crevasse::PointValues<Crevasse::VoigtMatrix<dim>> stiffness;
-  Crevasse::UnilateralBounds                              bounds;
 
 private:
   static constexpr dealii::types::boundary_id behind_tip = 7;
@@ -143,8 +112,8 @@ private:
       Crevasse::isotropic_stiffness<dim>(13000., 0.2, dim == 2);
     if (jump == 1.)
       return Crevasse::PointValues<Matrix>(soft);
-    std::vector<std::uint32_t> which(points.n_local_points());
-    for (const auto &cell : space.mesh().active_cell_iterators())
+    std::vector<std::uint32_t> which(this->points.n_local_points());
+    for (const auto &cell : this->space.mesh().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           int sum = 0;
@@ -152,8 +121,10 @@ private:
             sum += static_cast<int>(4. * cell->center()[d]);
           const auto begin =
             which.begin() +
-            points.offset(cell) / Crevasse::n_stress_components<dim>;
-          std::fill(begin, begin + space.quadrature(cell).size(), sum % 2);
+            this->points.offset(cell) / Crevasse::n_stress_components<dim>;
+          std::fill(begin,
+                    begin + this->space.quadrature(cell).size(),
+                    sum % 2);
         }
     return Crevasse::PointValues<Matrix>({soft, jump * soft}, std::move(which));
   }

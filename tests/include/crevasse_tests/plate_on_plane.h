@@ -12,23 +12,20 @@
 #ifndef crevasse_tests_plate_on_plane_h
 #define crevasse_tests_plate_on_plane_h
 
-#include <crevasse/contact/signorini_problem.h>
-#include <crevasse/discretisation/contact_boundary.h>
-#include <crevasse/discretisation/external_loads.h>
-#include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/material/isotropic.h>
 
 #include <deal.II/grid/grid_generator.h>
 
+#include <crevasse_tests/contact_body.h>
 #include <memory>
-#include <string>
+#include <vector>
 
 /** A plate, in space a bar, five times as long as high, clamped at both ends,
  * its lower edge on a plane from which it may lift off, with the traction 10
  * cos 5πx on its top: parts of the lip are closed. */
 template <int dim>
-class PlateOnPlane
+class PlateOnPlane : public ContactBody<dim>
 {
 public:
   /** @param n numbers of cells along the lip, a multiple of 5.
@@ -37,46 +34,23 @@ public:
                const unsigned int n,
                const unsigned int degree,
                const bool         hanging_nodes = false)
-    : space(mesh(communicator, n, hanging_nodes), degree, roles(), {})
-    , points(space)
-    , strain_operator(space, points)
-    , lip(space, Crevasse::Expression("0"))
+    : ContactBody<dim>(mesh(communicator, n, hanging_nodes),
+                       degree,
+                       roles(),
+                       {},
+                       Crevasse::VolumetricStrain::full,
+                       dim == 2 ? "0; 10*cos(5*pi*x)"
+                                : "0; (10 + 30*z)*cos(5*pi*x); 0")
   {
     const auto K = Crevasse::isotropic_stiffness<dim>(13000., 0.2, dim == 2);
     Crevasse::assemble_stiffness(
-      space,
-      points,
+      this->space,
+      this->points,
       Crevasse::PointValues<Crevasse::VoigtMatrix<dim>>(K),
       matrix);
-    for (const auto &node : lip.nodes())
-      {
-        bounds.dofs.push_back(node.dof);
-        bounds.sign.push_back(node.sign);
-        bounds.gap.push_back(0.);
-      }
   }
 
-  /** The nodal forces of a traction on the top. */
-  Crevasse::Vector
-  loads(const std::string &traction = dim == 2
-                                        ? "0; 10*cos(5*pi*x)"
-                                        : "0; (10 + 30*z)*cos(5*pi*x); 0") const
-  {
-    Crevasse::LoadParameters parameters;
-    parameters.traction = traction;
-    Crevasse::Vector b;
-    strain_operator.initialize(b);
-    Crevasse::ExternalLoads<dim>(space, strain_operator, parameters)
-      .evaluate(0., b);
-    return b;
-  }
-
-  const Crevasse::Space<dim>           space;
-  const Crevasse::QuadratureField<dim> points;
-  const Crevasse::StrainOperator<dim>  strain_operator;
-  const Crevasse::ContactBoundary<dim> lip;
-  Crevasse::SparseMatrix               matrix;
-  Crevasse::UnilateralBounds           bounds;
+  Crevasse::SparseMatrix matrix;
 
 private:
   static Crevasse::BoundaryRoles

@@ -1,0 +1,38 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_linear_operator_check_h
+#define crevasse_linear_operator_check_h
+
+#include <crevasse/linear/stiffness_operator.h>
+
+namespace Crevasse
+{
+  /**
+   * Compares A v with ∫ DᵀK D v, by the strain operator with which stresses and
+   * loads are computed, for one v without smoothness, the same on any number of
+   * ranks: where contact is solved with A and its certificate too, an error of
+   * A would pass unseen. Costs about two products. Collective.
+   *
+   * @param stiffness K from which A was made.
+   * @throw NumericalError if they differ by more than 1e-10, relative to A v in
+   * the l₂ norm.
+   */
+  template <int dim>
+  void
+  require_same_product(const StiffnessOperator<dim>        &A,
+                       const Space<dim>                    &space,
+                       const QuadratureField<dim>          &points,
+                       const PointValues<VoigtMatrix<dim>> &stiffness);
+} // namespace Crevasse
+
+#endif

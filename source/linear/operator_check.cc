@@ -1,0 +1,130 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/linear/operator_check.h>
+#include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
+
+#include <deal.II/base/function.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
+
+#include <array>
+#include <cmath>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Between −1 and 1; neighbouring nodes have nothing in common. */
+    template <int dim>
+    class Noise : public Function<dim>
+    {
+    public:
+      /** @param length of the smallest cells. */
+      explicit Noise(const double length)
+        : Function<dim>(dim)
+        , length(length)
+      {
+      }
+
+      double
+      value(const Point<dim> &x, const unsigned int component) const override
+      {
+        constexpr std::array<double, 3> factors = {{12.9898, 78.233, 37.719}};
+        double                          phase   = 1. + component;
+        for (unsigned int d = 0; d < dim; ++d)
+          phase += factors[d] * x[d] / length;
+        return std::sin(1e4 * std::sin(phase));
+      }
+
+    private:
+      const double length;
+    };
+
+
+
+    /** Zero where constrained, in the layout of both operators. */
+    template <int dim>
+    Vector
+    noise(const StrainOperator<dim> &D, const Space<dim> &space)
+    {
+      Vector everywhere = space.nodal_vector();
+      VectorTools::interpolate(space.mapping(),
+                               space.dof_handler(),
+                               Noise<dim>(GridTools::minimal_cell_diameter(
+                                 space.mesh(), space.mapping())),
+                               everywhere);
+      Vector v;
+      D.initialize(v);
+      for (const auto i : v.locally_owned_elements())
+        if (!space.constraints().is_constrained(i))
+          v(i) = everywhere(i);
+      return v;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  require_same_product(const StiffnessOperator<dim>        &A,
+                       const Space<dim>                    &space,
+                       const QuadratureField<dim>          &points,
+                       const PointValues<VoigtMatrix<dim>> &stiffness)
+  {
+    constexpr double          tolerance = 1e-10;
+    const StrainOperator<dim> D(space, points);
+    const Vector              v = noise(D, space);
+    Vector                    product(v), force(v), stress;
+    A.vmult(product, v);
+
+    force = 0.;
+    points.initialize(stress);
+    D.for_each_strain(
+      v, [&](const std::size_t offset, const VoigtVector<dim> &strain) {
+        const std::size_t point = offset / n_stress_components<dim>;
+        points.set(stress, offset, stiffness[point] * strain);
+      });
+    D.add_transpose(force, [&](const std::size_t offset) {
+      return points.get(stress, offset);
+    });
+
+    force.add(-1., product);
+    const double size  = product.l2_norm();
+    const double error = force.l2_norm();
+    if (!(error <= tolerance * size))
+      throw NumericalError(
+        "The product with the stiffness without a matrix differs from that of "
+        "strains and stresses by " +
+        Text::from_number(error / size) + " (allowed " +
+        Text::from_number(tolerance) +
+        "): an error of the program or of its compilation. Use [Linear solver] "
+        "Type = amg, cholesky or mumps, and report it.");
+  }
+
+
+
+  template void
+  require_same_product<2>(const StiffnessOperator<2> &,
+                          const Space<2> &,
+                          const QuadratureField<2> &,
+                          const PointValues<VoigtMatrix<2>> &);
+  template void
+  require_same_product<3>(const StiffnessOperator<3> &,
+                          const Space<3> &,
+                          const QuadratureField<3> &,
+                          const PointValues<VoigtMatrix<3>> &);
+} // namespace Crevasse

@@ -1,0 +1,83 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_tests_contact_body_h
+#define crevasse_tests_contact_body_h
+
+#include <crevasse/contact/signorini_problem.h>
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/strain_operator.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+/** A discretised body whose lip touches its plane without a gap. */
+template <int dim>
+class ContactBody
+{
+public:
+  /** @param traction on the loaded boundary, unless loads() is told another.
+   * The rest is what a Space needs. */
+  ContactBody(std::shared_ptr<const Crevasse::Mesh<dim>>    mesh,
+              const unsigned int                            degree,
+              const Crevasse::BoundaryRoles                &roles,
+              const std::vector<Crevasse::FixedPoint<dim>> &fixed_points,
+              const Crevasse::VolumetricStrain              volumetric_strain,
+              const std::string                            &traction)
+    : space(std::move(mesh), degree, roles, fixed_points, volumetric_strain)
+    , points(space)
+    , strain_operator(space, points)
+    , lip(space, Crevasse::Expression("0"))
+    , usual_traction(traction)
+  {
+    for (const auto &node : lip.nodes())
+      {
+        bounds.dofs.push_back(node.dof);
+        bounds.sign.push_back(node.sign);
+        bounds.gap.push_back(0.);
+      }
+  }
+
+  /** The nodal forces of a traction. */
+  Crevasse::Vector
+  loads(const std::string &traction) const
+  {
+    Crevasse::LoadParameters parameters;
+    parameters.traction = traction;
+    Crevasse::Vector b;
+    strain_operator.initialize(b);
+    Crevasse::ExternalLoads<dim>(space, strain_operator, parameters)
+      .evaluate(0., b);
+    return b;
+  }
+
+  Crevasse::Vector
+  loads() const
+  {
+    return loads(usual_traction);
+  }
+
+  const Crevasse::Space<dim>           space;
+  const Crevasse::QuadratureField<dim> points;
+  const Crevasse::StrainOperator<dim>  strain_operator;
+  const Crevasse::ContactBoundary<dim> lip;
+  Crevasse::UnilateralBounds           bounds;
+
+private:
+  const std::string usual_traction;
+};
+
+#endif
