@@ -231,13 +231,16 @@ namespace Crevasse
     hold_and_compute_residual(right_hand_side, solution);
 
     bool exactly = false; // whether every set is solved to the last digit
+    bool settled = false; // whether the set stayed what it was
     for (unsigned int n = 1;; ++n)
       {
         correction = residual;
         face.project(active, correction);
         const double norm   = correction.l2_norm();
         const double target = residual_target();
-        const bool   last   = exactly || linear_tolerance * norm <= target;
+        // A set that a rough solution confirms most often is the right one.
+        const bool last =
+          exactly || settled || linear_tolerance * norm <= target;
         if (!std::isfinite(norm))
           return n;
         bool reached = true;
@@ -256,6 +259,7 @@ namespace Crevasse
         const bool        changed = is_other(next);
         if ((!changed && (last || !reached)) || n >= maximum_iterations)
           return n;
+        settled = !changed;
         if (!changed)
           continue;
         std::vector<bool> further = extrapolated(next);

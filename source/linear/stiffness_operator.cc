@@ -23,13 +23,23 @@ namespace Crevasse
 
   template <int dim>
   typename StiffnessOperator<dim>::Moduli
-  StiffnessOperator<dim>::pack(const VoigtMatrix<dim> &matrix)
+  StiffnessOperator<dim>::moduli_of(
+    const Space<dim>                    &space,
+    const QuadratureField<dim>          &points,
+    const PointValues<VoigtMatrix<dim>> &stiffness)
   {
-    Moduli packed;
-    for (unsigned int i = 0, k = 0; i < n_components; ++i)
-      for (unsigned int j = 0; j <= i; ++j)
-        packed[k++] = matrix[i][j];
-    return packed;
+    const bool with_out_of_plane =
+      space.volumetric_strain() == VolumetricStrain::mean;
+    bool is_isotropic = true;
+    for (const VoigtMatrix<dim> &K : stiffness.distinct())
+      is_isotropic =
+        is_isotropic && IsotropicModuli<dim>::represents(K, with_out_of_plane);
+    const auto to = [&](const auto pack) -> Moduli {
+      return transform(stiffness, points.n_local_points(), pack);
+    };
+    if (Utilities::MPI::min(is_isotropic ? 1 : 0, space.communicator()) == 1)
+      return to([](const auto &K) { return IsotropicModuli<dim>(K); });
+    return to([](const auto &K) { return GeneralModuli<dim>(K); });
   }
 
 
@@ -41,11 +51,11 @@ namespace Crevasse
     const PointValues<VoigtMatrix<dim>> &stiffness)
     : space(space)
     , loops(space.matrix_free())
-    , moduli(transform(stiffness, points.n_local_points(), pack))
+    , moduli(moduli_of(space, points, stiffness))
     , constrained_rows(loops->get_constrained_dofs())
   {
     std::sort(constrained_rows.begin(), constrained_rows.end());
-    if (!moduli.is_uniform())
+    if (!stiffness.is_uniform())
       {
         first_points.resize(loops->n_cell_batches());
         for (unsigned int batch = 0; batch < first_points.size(); ++batch)
@@ -71,50 +81,44 @@ namespace Crevasse
 
 
   template <int dim>
-  template <bool uniform>
+  template <typename PointModuli>
   void
   StiffnessOperator<dim>::multiply(
+    const PointValues<PointModuli>         &moduli,
     const unsigned int                      batch,
     const unsigned int                      point,
     const std::array<Number, n_components> &strain,
     std::array<Number, n_components>       &stress) const
   {
-    const auto symmetric_product = [&](const auto &packed) {
-      for (unsigned int i = 0, k = 0; i < n_components; ++i, ++k)
-        {
-          stress[i] = packed[k + i] * strain[i];
-          for (unsigned int j = 0; j < i; ++j, ++k)
-            {
-              stress[i] += packed[k] * strain[j];
-              stress[j] += packed[k] * strain[i];
-            }
-        }
-    };
-    if constexpr (uniform)
-      symmetric_product(moduli[0]);
+    if (moduli.is_uniform())
+      PointModuli::multiply(moduli[0].values, strain, stress);
     else if constexpr (Number::size() == 1)
-      symmetric_product(moduli[first_points[batch][0] + point]);
+      PointModuli::multiply(moduli[first_points[batch][0] + point].values,
+                            strain,
+                            stress);
     else
       {
-        std::array<Number, std::tuple_size<Moduli>::value> of_lanes{};
+        std::array<Number, PointModuli::n_values> of_lanes{};
         for (unsigned int lane = 0;
              lane < loops->n_active_entries_per_cell_batch(batch);
              ++lane)
           {
-            const Moduli &packed = moduli[first_points[batch][lane] + point];
-            for (unsigned int k = 0; k < packed.size(); ++k)
-              of_lanes[k][lane] = packed[k];
+            const auto &values =
+              moduli[first_points[batch][lane] + point].values;
+            for (unsigned int k = 0; k < values.size(); ++k)
+              of_lanes[k][lane] = values[k];
           }
-        symmetric_product(of_lanes);
+        PointModuli::multiply(of_lanes, strain, stress);
       }
   }
 
 
 
   template <int dim>
-  template <int degree, bool mean_volume, bool uniform>
+  template <int degree, bool mean_volume, typename PointModuli>
   void
   StiffnessOperator<dim>::apply_to_cells(
+    const PointValues<PointModuli>              &moduli,
     const Loops                                 &loops,
     Vector                                      &result,
     const Vector                                &v,
@@ -153,7 +157,7 @@ namespace Crevasse
                 if constexpr (dim == 2)
                   strain[2] = added;
               }
-            multiply<uniform>(batch, q, strain, stress);
+            multiply(moduli, batch, q, strain, stress);
             for (unsigned int i = 0; i < dim; ++i)
               for (unsigned int j = i; j < dim; ++j)
                 stresses[q][i][j] = stress[voigt_index<dim>(i, j)];
@@ -190,10 +194,11 @@ namespace Crevasse
     const Vector                                &v,
     const std::pair<unsigned int, unsigned int> &cells) const
   {
-    if (moduli.is_uniform())
-      apply_to_cells<degree, mean_volume, true>(loops, result, v, cells);
-    else
-      apply_to_cells<degree, mean_volume, false>(loops, result, v, cells);
+    std::visit(
+      [&](const auto &of_points) {
+        apply_to_cells<degree, mean_volume>(of_points, loops, result, v, cells);
+      },
+      moduli);
   }
 
 
@@ -364,7 +369,11 @@ namespace Crevasse
   std::size_t
   StiffnessOperator<dim>::memory_consumption() const
   {
-    return moduli.memory_consumption() +
+    return std::visit(
+             [](const auto &of_points) {
+               return of_points.memory_consumption();
+             },
+             moduli) +
            first_points.size() * sizeof(first_points[0]) +
            (constrained_rows.size() + held_rows.size()) * sizeof(unsigned int) +
            operator_diagonal.memory_consumption() +

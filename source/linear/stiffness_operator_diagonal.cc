@@ -13,35 +13,34 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/matrix_free/fe_evaluation.h>
 
+#include <numeric>
+
 namespace Crevasse
 {
   using namespace dealii;
 
   namespace
   {
-    /** εᵀKε with K packed as lower triangle. */
-    template <int dim, typename Moduli>
+    /** εᵀKε. */
+    template <int dim, typename PointModuli>
     double
-    energy(const Moduli &packed, const VoigtVector<dim> &strain)
+    energy(const PointModuli &moduli, const VoigtVector<dim> &strain)
     {
-      double sum = 0.;
-      for (unsigned int i = 0, k = 0; i < n_stress_components<dim>; ++i, ++k)
-        {
-          double row = 0.5 * packed[k + i] * strain[i];
-          for (unsigned int j = 0; j < i; ++j, ++k)
-            row += packed[k] * strain[j];
-          sum += 2. * row * strain[i];
-        }
-      return sum;
+      std::array<double, n_stress_components<dim>> e, s;
+      for (unsigned int i = 0; i < e.size(); ++i)
+        e[i] = strain[i];
+      PointModuli::multiply(moduli.values, e, s);
+      return std::inner_product(e.begin(), e.end(), s.begin(), 0.);
     }
   } // namespace
 
 
 
   template <int dim>
-  template <int degree>
+  template <int degree, typename PointModuli>
   void
-  StiffnessOperator<dim>::add_cell_diagonals()
+  StiffnessOperator<dim>::add_cell_diagonals(
+    const PointValues<PointModuli> &moduli)
   {
     const FESystem<dim>      &fe     = space.finite_element();
     const FiniteElement<dim> &scalar = fe.base_element(0);
@@ -103,7 +102,7 @@ namespace Crevasse
             std::fill(entries.begin(), entries.end(), 0.);
             for (unsigned int q = 0; q < rule.size(); ++q)
               {
-                const Moduli &packed =
+                const PointModuli &of_point =
                   moduli[moduli.is_uniform() ? 0
                                              : first_points[batch][lane] + q];
                 const double weight = evaluation.JxW(q)[lane];
@@ -111,7 +110,7 @@ namespace Crevasse
                   for (unsigned int c = 0; c < dim; ++c)
                     entries[fe.component_to_system_index(c, i)] +=
                       weight *
-                      energy<dim>(packed,
+                      energy<dim>(of_point,
                                   strain_of(i, gradients[q * n_shapes + i], c));
               }
             loops->get_cell_iterator(batch, lane)->get_dof_indices(dofs);
@@ -133,10 +132,14 @@ namespace Crevasse
   StiffnessOperator<dim>::compute_diagonal()
   {
     initialize_dof_vector(operator_diagonal);
-    if (space.finite_element().degree == 2)
-      add_cell_diagonals<2>();
-    else
-      add_cell_diagonals<1>();
+    std::visit(
+      [&](const auto &of_points) {
+        if (space.finite_element().degree == 2)
+          add_cell_diagonals<2>(of_points);
+        else
+          add_cell_diagonals<1>(of_points);
+      },
+      moduli);
     operator_diagonal.compress(VectorOperation::add);
     for (const unsigned int row : constrained_rows)
       operator_diagonal.local_element(row) = 1.;

@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/linear/point_moduli.h>
 #include <crevasse/linear/solver_choice.h>
 #include <crevasse/run/memory_prediction.h>
 
@@ -26,18 +27,22 @@ namespace Crevasse
   {
     constexpr double mebibyte = 1024. * 1024.;
 
-    /** What A without a matrix keeps of K: half of it for each point, where
-     * points share no values. */
+    /** What A without a matrix keeps of K where points share no values. */
     template <int dim>
     double
     bytes_of_packed_stiffness(const Body<dim>          &body,
                               const LinearSolverChoice &solver)
     {
-      constexpr double n = n_stress_components<dim>;
-      if (solver.type != LinearSolverChoice::gmg ||
-          !body.material.at(0.).stiffness->is_individual())
+      const auto stiffness = body.material.at(0.).stiffness;
+      if (solver.type != LinearSolverChoice::gmg || !stiffness->is_individual())
         return 0.;
-      return sizeof(double) * n * (n + 1.) / 2. * body.points.n_local_points();
+      const auto &K            = stiffness->distinct();
+      const bool  is_isotropic = std::all_of(K.begin(), K.end(), [](auto &of) {
+        return IsotropicModuli<dim>::represents(of, true);
+      });
+      return double(sizeof(double)) * body.points.n_local_points() *
+             (is_isotropic ? IsotropicModuli<dim>::n_values
+                           : GeneralModuli<dim>::n_values);
     }
 
 

@@ -15,6 +15,7 @@
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/linear/linear_operator.h>
+#include <crevasse/linear/point_moduli.h>
 
 #include <deal.II/base/subscriptor.h>
 #include <deal.II/matrix_free/matrix_free.h>
@@ -22,6 +23,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <variant>
 
 namespace Crevasse
 {
@@ -108,15 +110,19 @@ namespace Crevasse
     using Loops  = dealii::MatrixFree<dim, double>;
 
     static constexpr unsigned int n_components = n_stress_components<dim>;
-    /** The lower triangle of a symmetric matrix, row by row. */
-    using Moduli = std::array<double, n_components *(n_components + 1) / 2>;
+    using Moduli = std::variant<PointValues<IsotropicModuli<dim>>,
+                                PointValues<GeneralModuli<dim>>>;
 
+    /** Isotropic ones if K is that everywhere, on all ranks. */
     static Moduli
-    pack(const VoigtMatrix<dim> &matrix);
+    moduli_of(const Space<dim>                    &space,
+              const QuadratureField<dim>          &points,
+              const PointValues<VoigtMatrix<dim>> &stiffness);
 
-    template <int degree, bool mean_volume, bool uniform>
+    template <int degree, bool mean_volume, typename PointModuli>
     void
-    apply_to_cells(const Loops                                 &loops,
+    apply_to_cells(const PointValues<PointModuli>              &moduli,
+                   const Loops                                 &loops,
                    Vector                                      &result,
                    const Vector                                &v,
                    const std::pair<unsigned int, unsigned int> &cells) const;
@@ -130,9 +136,10 @@ namespace Crevasse
           const std::pair<unsigned int, unsigned int> &cells) const;
 
     /** @param stress K times the strain at a point of a batch of cells. */
-    template <bool uniform>
+    template <typename PointModuli>
     void
-    multiply(const unsigned int                      batch,
+    multiply(const PointValues<PointModuli>         &moduli,
+             const unsigned int                      batch,
              const unsigned int                      point,
              const std::array<Number, n_components> &strain,
              std::array<Number, n_components>       &stress) const;
@@ -141,13 +148,13 @@ namespace Crevasse
     compute_diagonal();
 
     /** Those of all cells to the diagonal. */
-    template <int degree>
+    template <int degree, typename PointModuli>
     void
-    add_cell_diagonals();
+    add_cell_diagonals(const PointValues<PointModuli> &moduli);
 
     const Space<dim>                  &space;
     const std::shared_ptr<const Loops> loops;
-    const PointValues<Moduli>          moduli;
+    const Moduli                       moduli;
 
     /** The first point of each lane of each batch of cells. */
     std::vector<std::array<std::size_t, Number::size()>> first_points;
