@@ -4,7 +4,8 @@ bytes and work of a process on up to 16 of them.
 
     /usr/bin/python3 doc/figures/scaling_studies.py build/crevasse
 
-Messages are counted by tests/benchmarks/mpi_counter.c. Finished runs in the
+Messages are counted by tests/benchmarks/mpi_counter.c in multigrid_study
+("ninja multigrid_study"). Finished runs in the
 output directory are not repeated."""
 
 import csv
@@ -42,10 +43,12 @@ TIMED = (
 )
 REPETITIONS = 3
 LARGE_PART = 0.05  # of the seconds: phases that are compared
-# Refinements of the box, elements of degree 2: 12 675 to 698 691 unknowns.
-COUNTED = (1, 2, 3)
+# Blocks in space of degree 2: refinements of the whole, and more at the tip. 14
+# thousand, 0.8 and 9 million unknowns.
+COUNTED = ((2, 0), (4, 0), (5, 7))
 RANKS = (1, 2, 4, 8, 16)
-STEPS = (2, 4)  # their difference is what the time loop does
+# By which the residual is reduced: their difference are some iterations.
+ACCURACIES = (1e-1, 1e-4)
 LATENCY, BANDWIDTH = 2e-6, 10e9  # seconds, bytes per second: a usual network
 
 
@@ -96,34 +99,49 @@ class Studies:
         return {phase: statistics.median(run.get(phase, 0.) for run in runs)
                 for phase in runs[0]}
 
-    def counts(self, refinements, n_ranks):
-        """Of one linear iteration: messages, bytes and calls that involve all
-        ranks, on the rank with most; and what the run needs."""
-        few, many = [
-            self.run(BOX, {"Geometry/Subdivisions": "6, 3, 3",
-                           "Geometry/Refinements": refinements,
-                           "Discretisation/Degree": 2,
-                           "Linear solver/Type": "gmg",
-                           "Periodic state/Secular split": "off",
-                           "Time integration/Steps per period": steps,
-                           "Time integration/Scheme": "sdirk2"}, n_ranks)
-            for steps in STEPS]
-        iterations = (many["counters"]["linear_iterations"]
-                      - few["counters"]["linear_iterations"])
-        solves = many["counters"]["vi_solves"] - few["counters"]["vi_solves"]
+    def solve(self, block, n_ranks, accuracy):
+        """One solve with gmg: what multigrid_study prints, and the rows of the
+        counter."""
+        uniform, tip = block
+        stem = self.output.resolve() / f"{uniform}_{tip}_{n_ranks}_{accuracy}"
+        path = stem.with_name(stem.name + ".json")
+        if path.exists():
+            return json.loads(path.read_text())
+        print(stem.name, file=sys.stderr, flush=True)
+        counts = stem.with_name(stem.name + ".csv")
+        study = self.program.parent / "tests/benchmarks/multigrid_study"
+        line = subprocess.run(
+            ["mpirun", "-np", str(n_ranks), "-x", f"LD_PRELOAD={self.counter}",
+             "-x", f"MPI_COUNTER_FILE={counts}", study, "3", "2", str(uniform),
+             str(tip), "1", "gmg", str(accuracy)],
+            env=ENVIRONMENT, text=True, check=True, stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE).stdout
+        words = [word.strip() for word in line.split("|")]
+        with open(counts, newline="") as file:
+            messages = [{name: float(value) for name, value in row.items()}
+                        for row in csv.DictReader(file)]
+        result = {"unknowns": int(words[2]), "iterations": int(words[5]),
+                  "seconds": float(words[6]), "bytes": float(words[7]),
+                  "imbalance": float(words[9]), "messages": messages}
+        path.write_text(json.dumps(result))
+        return result
+
+    def counts(self, block, n_ranks):
+        """Of one iteration: messages, bytes and calls that involve all ranks,
+        on the rank with most of each."""
+        few, many = [self.solve(block, n_ranks, accuracy)
+                     for accuracy in ACCURACIES]
+        iterations = many["iterations"] - few["iterations"]
 
         def largest(name):
             return max(b[name] - a[name] for a, b in
                        zip(few["messages"], many["messages"])) / iterations
-        cells = many["cells_of_ranks"]
-        return {"unknowns": many["unknowns"],
-                "iterations": iterations / solves,
+        return {"unknowns": many["unknowns"], "iterations": many["iterations"],
                 "messages": largest("messages"), "bytes": largest("bytes"),
                 "collectives": largest("collectives"),
-                "imbalance": max(cells) * len(cells) / sum(cells),
-                "seconds": many["seconds"]["time stepping"],
-                "all_iterations": many["counters"]["linear_iterations"],
-                "memory": max(many["peak_memory_bytes_of_ranks"])}
+                "imbalance": many["imbalance"],
+                "seconds": (many["seconds"] - few["seconds"]) / iterations,
+                "memory": many["bytes"]}
 
 
 def strong_scaling(studies):
@@ -140,21 +158,22 @@ def strong_scaling(studies):
 
 
 def counts(studies):
-    print("One linear iteration of gmg, on the rank that has most\n")
+    print("One iteration of gmg, on the rank that has most\n")
     rows, points = [], {}
-    for refinements in COUNTED:
+    for block in COUNTED:
         for n in RANKS:
-            point = studies.counts(refinements, n)
-            points[refinements, n] = point
+            point = studies.counts(block, n)
+            points[block, n] = point
             rows.append([str(point["unknowns"]), str(n),
-                         f"{point['iterations']:.1f}",
+                         str(point["iterations"]),
                          f"{point['messages']:.0f}",
                          f"{1e-3 * point['bytes']:.0f}",
                          f"{point['collectives']:.1f}",
                          f"{point['imbalance']:.3f}",
-                         f"{1e-6 * point['memory']:.0f}"])
-    print_table(["unknowns", "processes", "iterations a solve", "messages",
-                 "kB", "calls of all", "largest/mean cells", "MB"], rows)
+                         f"{point['memory']:.0f}"])
+    print_table(["unknowns", "processes", f"iterations to {ACCURACIES[-1]:g}",
+                 "messages", "kB", "calls of all", "work/equal share",
+                 "bytes per unknown"], rows)
     return points
 
 
@@ -170,15 +189,15 @@ def extrapolate(points, directory, formats):
     """The model with the seconds of one process of this machine."""
     largest = COUNTED[-1]
     alone = points[largest, 1]
-    work = alone["seconds"] / alone["all_iterations"] / alone["unknowns"]
+    work = alone["seconds"] / alone["unknowns"]
     print(f"Seconds of an iteration for an unknown, here: {work:.2e}\n")
     rows = []
     figure, axes = pyplot.subplots(figsize=(4.6, 3.6), constrained_layout=True)
-    for refinements, colour in zip(COUNTED, (GREY, BLUE, VERMILION)):
-        alone = points[refinements, 1]
+    for block, colour in zip(COUNTED, (GREY, BLUE, VERMILION)):
+        alone = points[block, 1]
         speed = []
         for n in RANKS:
-            point = points[refinements, n]
+            point = points[block, n]
             speed.append(seconds_of_iteration(alone, 1, work)
                          / seconds_of_iteration(point, n, work))
             rows.append([str(point["unknowns"]), str(n), f"{speed[-1]:.1f}",

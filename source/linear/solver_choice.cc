@@ -13,16 +13,11 @@
 
 namespace Crevasse
 {
-  namespace
+  std::size_t
+  largest_factorised(const unsigned int dimension)
   {
-    /** Above this many unknowns a factor takes more memory, or its making more
-     * time, than the solves of a run are worth. */
-    std::size_t
-    largest_factorised(const unsigned int dimension)
-    {
-      return dimension == 2 ? 4000000 : 150000;
-    }
-  } // namespace
+    return dimension == 2 ? 4000000 : 150000;
+  }
 
 
 
@@ -46,8 +41,10 @@ namespace Crevasse
   LinearSolverChoice
   choose_linear_solver(const LinearSolverParameters &parameters,
                        const unsigned int            dimension,
+                       const unsigned int            degree,
                        const std::size_t             n_unknowns,
-                       const unsigned int            n_ranks)
+                       const unsigned int            n_ranks,
+                       const bool                    has_coarser_meshes)
   {
     using Choice          = LinearSolverChoice;
     const std::string why = "[Linear solver] Type = " + parameters.type;
@@ -59,7 +56,13 @@ namespace Crevasse
       return {Choice::amg, why};
     if (parameters.type == "gmg")
       return {Choice::gmg, why};
-    return choose_matrix_solver(dimension, n_unknowns, n_ranks);
+    const LinearSolverChoice choice =
+      choose_matrix_solver(dimension, n_unknowns, n_ranks);
+    if (choice.type == Choice::amg && dimension == 3 && degree == 2 &&
+        has_coarser_meshes)
+      return {Choice::gmg,
+              choice.why + ", of degree 2, on a mesh that has coarser ones"};
+    return choice;
   }
 
 

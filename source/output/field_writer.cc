@@ -59,7 +59,7 @@ namespace Crevasse
     , recovery(recovery)
     , lip(lip)
     , directory(directory)
-    , wanted({steps.period()}) // the end of the run
+    , wanted{steps.period()} // the end of the run
   {
     for (const double t : times)
       wanted.insert(steps.instant(steps.nearest(t)));

@@ -10,7 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/linear/point_moduli.h>
-#include <crevasse/linear/solver_choice.h>
+#include <crevasse/run/linear_choice.h>
 #include <crevasse/run/memory_prediction.h>
 
 #include <deal.II/base/mpi.h>
@@ -60,10 +60,7 @@ namespace Crevasse
         , own_points(body.points.n_local_points())
         , strain(double(body.law.branches().size()) * n_stress_components<dim> *
                  own_points)
-        , solver(choose_linear_solver(scene.linear_solver,
-                                      dim,
-                                      body.space.n_unknowns(),
-                                      n_ranks))
+        , solver(choose_linear_solver(scene, body))
         , packed_stiffness(bytes_of_packed_stiffness(body, solver))
       {
       }

@@ -10,7 +10,7 @@
 // ---------------------------------------------------------------------
 
 
-#include <crevasse/linear/solver_choice.h>
+#include <crevasse/run/linear_choice.h>
 #include <crevasse/run/machine_memory.h>
 #include <crevasse/run/memory_prediction.h>
 #include <crevasse/scene/problems.h>
@@ -62,35 +62,24 @@ namespace Crevasse
 
 
 
-    /** What a scene may choose that is no factor and needs the least of that
-     * kind: geometric multigrid, a tenth of the other in space, but on one mesh
-     * only, and it has no matrix. */
+    /** What to do about the memory of what solves with the stiffness.
+     *
+     * @param has_gmg which needs a tenth of ML's in space. */
     std::string
-    smallest_solver(const Scene &scene)
+    advice_on_solver(const LinearSolverChoice &solver,
+                     const Scene              &scene,
+                     const bool                has_gmg)
     {
-      const bool needs_matrix = scene.discretisation.singular_functions > 0 ||
-                                scene.contact.solver == "projected sor" ||
-                                !scene.contact.relaxation_table.empty();
-      return needs_matrix || scene.geometry.refinements == 0 ? "amg" : "gmg";
-    }
-
-
-
-    /** What to do about the memory of what solves with the stiffness. */
-    std::string
-    advice_on_solver(const LinearSolverChoice &solver, const Scene &scene)
-    {
-      const std::string smallest = smallest_solver(scene);
-      const std::string type     = "take [Linear solver] Type = " + smallest;
+      const std::string type =
+        std::string("take [Linear solver] Type = ") + (has_gmg ? "gmg" : "amg");
       if (!solver.is_multigrid())
         return "factors of the stiffness: " +
                (scene.discretisation.singular_functions > 0 ? ""
                                                             : type + ", ") +
                "lower Memory for instants, or make the mesh coarser";
       return "multigrid: " +
-             (solver.type == LinearSolverChoice::amg && smallest == "gmg"
-                ? type + ", or "
-                : "") +
+             (solver.type == LinearSolverChoice::amg && has_gmg ? type + ", or "
+                                                                : "") +
              "make the mesh coarser";
     }
 
@@ -100,7 +89,8 @@ namespace Crevasse
     std::string
     largest_part(const MemoryPrediction   &needed,
                  const LinearSolverChoice &solver,
-                 const Scene              &scene)
+                 const Scene              &scene,
+                 const bool                has_gmg)
     {
       const std::vector<std::pair<double, std::string>> parts = {
         {needed.libraries, "the libraries of so many processes: take fewer"},
@@ -109,11 +99,11 @@ namespace Crevasse
          "the stress at all steps of a period: lower [Time integration] Steps "
          "per period, or make the mesh coarser"},
         {needed.matrix,
-         smallest_solver(scene) == "gmg"
+         has_gmg
            ? "the stiffness: take [Linear solver] Type = gmg, which has no "
              "matrix, or make the mesh coarser"
            : "the stiffness: make the mesh coarser"},
-        {needed.solver, advice_on_solver(solver, scene)},
+        {needed.solver, advice_on_solver(solver, scene, has_gmg)},
         {needed.search,
          "the search of the periodic state: lower [Periodic state] Anderson "
          "depth, or take Method = march"},
@@ -121,19 +111,6 @@ namespace Crevasse
          "fields of the last period: take [Output] Fields = none, or fewer "
          "Field times"}};
       return std::max_element(parts.begin(), parts.end())->second;
-    }
-
-
-
-    template <int dim>
-    LinearSolverChoice
-    solver_of(const Body<dim> &body, const Scene &scene)
-    {
-      return choose_linear_solver(scene.linear_solver,
-                                  dim,
-                                  body.space.n_unknowns(),
-                                  Utilities::MPI::n_mpi_processes(
-                                    body.space.communicator()));
     }
 
 
@@ -165,7 +142,10 @@ namespace Crevasse
         " of memory on a machine that has " +
         gigabytes(Utilities::MPI::min(there, communicator)) +
         " left, most of it for " +
-        largest_part(needed, solver_of(body, scene), scene) +
+        largest_part(needed,
+                     choose_linear_solver(scene, body),
+                     scene,
+                     may_use_gmg(scene, body)) +
         "; or take processes on more machines. With these settings about " +
         std::to_string(fit) + " unknowns fit; the mesh has " +
         std::to_string(body.space.n_unknowns()) + ".");
@@ -214,9 +194,10 @@ namespace Crevasse
     const long             megabytes =
       std::lround(1e-6 * Utilities::MPI::max(needed.total(), communicator));
     const bool are_several = Utilities::MPI::n_mpi_processes(communicator) > 1;
-    log.line("  memory: about " + std::to_string(megabytes) + " MB" +
-             (are_several ? " on each process" : "") + ": " +
-             list_of_parts(needed, solver_of(body, scene), communicator));
+    log.line(
+      "  memory: about " + std::to_string(megabytes) + " MB" +
+      (are_several ? " on each process" : "") + ": " +
+      list_of_parts(needed, choose_linear_solver(scene, body), communicator));
     require_enough(needed, body, scene);
   }
 

@@ -13,6 +13,7 @@
 #include <crevasse/discretisation/node_blocks.h>
 #include <crevasse/discretisation/state_archive.h>
 #include <crevasse/run/largest_load.h>
+#include <crevasse/run/linear_choice.h>
 #include <crevasse/run/solvers.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
@@ -34,11 +35,7 @@ namespace Crevasse
                   dealii::TimerOutput &phases)
     {
       const MPI_Comm           communicator = body.space.communicator();
-      const LinearSolverChoice linear =
-        choose_linear_solver(scene.linear_solver,
-                             dim,
-                             body.space.n_unknowns(),
-                             Utilities::MPI::n_mpi_processes(communicator));
+      const LinearSolverChoice linear       = choose_linear_solver(scene, body);
       if (linear.is_multigrid() && body.space.singular_shapes() != nullptr)
         throw SceneError(
           "[Discretisation] Singular functions: must be 0 on a mesh that is "

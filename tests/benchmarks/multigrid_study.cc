@@ -44,6 +44,7 @@ namespace
   {
     double      unknowns, bytes;
     double      set_up, solve, contact = 0.; ///< seconds
+    double      imbalance = 1.;              ///< of a V-cycle's work
     std::size_t iterations, contact_iterations = 0, sets = 0;
   };
 
@@ -86,6 +87,25 @@ namespace
                                        levels->memory_consumption());
     }
 
+    /** One level waits for the other: the cells of the rank that has most, of
+     * all levels that are smoothed, against an equal share. */
+    double
+    imbalance() const
+    {
+      if (levels == nullptr)
+        return 1.;
+      double most = 0., all = 0.;
+      for (unsigned int level = 1; level < levels->n_levels(); ++level)
+        {
+          const Mesh<dim> &mesh = levels->space(level).mesh();
+          most += dealii::Utilities::MPI::max(
+            double(mesh.n_locally_owned_active_cells()), MPI_COMM_WORLD);
+          all += mesh.n_global_active_cells();
+        }
+      return most * dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) /
+             all;
+    }
+
     SparseMatrix                            matrix;
     std::shared_ptr<MultigridLevels<dim>>   levels;
     std::unique_ptr<StiffnessOperator<dim>> stiffness;
@@ -110,6 +130,7 @@ namespace
     result.set_up = timer.wall_time();
     result.bytes = dealii::Utilities::MPI::sum(solver.bytes(), MPI_COMM_WORLD) /
                    result.unknowns;
+    result.imbalance = solver.imbalance();
 
     Vector q(b);
     q = 0.;
@@ -170,7 +191,7 @@ namespace
                   m.contact_iterations,
                   m.sets,
                   m.contact);
-    std::printf(" %.0f | %.0f |\n", m.bytes, peak);
+    std::printf(" %.0f | %.0f | %.3f |\n", m.bytes, peak, m.imbalance);
   }
 
   /** Of the lattice of nodes, without what is refined at the tip. */

@@ -41,6 +41,11 @@ namespace Crevasse
     }
   };
 
+  /** Above this many unknowns a factor takes more memory, or its making more
+   * time, than the solves of a run are worth. */
+  std::size_t
+  largest_factorised(const unsigned int dimension);
+
   /** What is fastest for a matrix of this size, by the measurements in
    * doc/contact_solvers.md: a factorisation, or CG + ML. */
   LinearSolverChoice
@@ -49,12 +54,16 @@ namespace Crevasse
                        const unsigned int n_ranks);
 
   /** What the scene asks for or, if that is "automatic", what is fastest by
-   * the measurements in doc/contact_solvers.md. */
+   * the measurements in doc/contact_solvers.md and doc/multigrid.md.
+   *
+   * @param has_coarser_meshes and nothing needs a matrix: gmg can be had. */
   LinearSolverChoice
   choose_linear_solver(const LinearSolverParameters &parameters,
                        const unsigned int            dimension,
+                       const unsigned int            degree,
                        const std::size_t             n_unknowns,
-                       const unsigned int            n_ranks);
+                       const unsigned int            n_ranks,
+                       const bool                    has_coarser_meshes);
 
   /** Which contact solver, and why; the names are those of the scene. */
   struct ContactSolverChoice

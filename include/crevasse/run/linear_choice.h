@@ -1,0 +1,33 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_run_linear_choice_h
+#define crevasse_run_linear_choice_h
+
+#include <crevasse/linear/solver_choice.h>
+#include <crevasse/run/body.h>
+
+namespace Crevasse
+{
+  /** Whether [Linear solver] Type = gmg can be had and pays: nothing needs a
+   * matrix, and the first mesh is so coarse that a factorisation solves on
+   * it. */
+  template <int dim>
+  bool
+  may_use_gmg(const Scene &scene, const Body<dim> &body);
+
+  /** The linear solver of a scene on a body. Collective. */
+  template <int dim>
+  LinearSolverChoice
+  choose_linear_solver(const Scene &scene, const Body<dim> &body);
+} // namespace Crevasse
+
+#endif
