@@ -142,6 +142,8 @@ def interrupt(directory, settings, way, moment, n_ranks=1, ignored=()):
         wait_for(directory, moment, process)
     elif way != "wall time":
         time.sleep(moment)
+    if way not in ("SIGKILL", "wall time"):
+        wait_until_it_listens(process)
     if way == "stop file" and directory.exists():
         (directory / "stop").touch()
     elif way == "checkpoint and kill":
@@ -159,6 +161,17 @@ def interrupt(directory, settings, way, moment, n_ranks=1, ignored=()):
         process.send_signal(getattr(signal, way))
     error = process.communicate(timeout=120)[1]
     return process.returncode, error
+
+
+def wait_until_it_listens(process):
+    """Until it handles signals itself, or has ended: the tables of an
+    interrupted run are there before the program that goes on has begun."""
+    status = pathlib.Path(f"/proc/{process.pid}/status")
+    while process.poll() is None:
+        caught = re.search(r"SigCgt:\s*(\w+)", status.read_text())
+        if caught and int(caught[1], 16) >> (signal.SIGUSR1 - 1) & 1:
+            return
+        time.sleep(2e-3)
 
 
 def checkpoints(directory):
