@@ -112,14 +112,15 @@ namespace
   std::shared_ptr<Mesh<dim>>
   make_mesh(const double distortion)
   {
+    constexpr unsigned int n_cells = (dim == 2 ? 5 : 3);
     auto mesh = std::make_shared<Mesh<dim>>(MPI_COMM_WORLD);
-    dealii::GridGenerator::subdivided_hyper_cube(*mesh, 5);
+    dealii::GridGenerator::subdivided_hyper_cube(*mesh, n_cells);
     // The same on all ranks, which all know the whole coarse mesh.
     dealii::GridTools::transform(
       [distortion](const dealii::Point<dim> &point) {
         dealii::Point<dim> moved = point;
         for (unsigned int d = 0; d < dim; ++d)
-          moved[d] += distortion / 5. *
+          moved[d] += distortion / n_cells *
                       std::sin(40. * point[0] + 70. * point[dim - 1] + 2. * d);
         return moved;
       },
