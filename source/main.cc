@@ -24,6 +24,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -116,6 +117,11 @@ namespace
           return;
         checkpoints.resume(communicator);
       }
+    else if (!command.check)
+      collectively(communicator, [&]() {
+        if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+          output.require_nothing_to_resume(used);
+      });
     if (!command.check)
       requests.look_in(output.directory());
     AdaptiveRun<dim> run(scene, communicator, log, checkpoints);
@@ -209,6 +215,9 @@ main(int argc, char **argv)
   if (command.exit)
     return command.status;
 
+  // Open MPI starts a second program for one that may start others, which none
+  // here does: a third of a second.
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   return run_guarded(command);
 }

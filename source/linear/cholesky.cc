@@ -189,15 +189,23 @@ namespace Crevasse
 
 
 
+  void
+  Cholesky::require_one_process(const MPI_Comm communicator)
+  {
+    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+      throw SceneError(
+        "[Linear solver] Type = cholesky works on one process only. Start the "
+        "program without mpirun, or choose automatic, mumps, amg or gmg.");
+  }
+
+
+
   Cholesky::Cholesky(const Matrix                   &matrix,
                      std::shared_ptr<const Analysis> same_pattern)
     : shared_analysis(std::move(same_pattern))
     , factor(std::make_unique<Factor>())
   {
-    if (Utilities::MPI::n_mpi_processes(matrix.get_mpi_communicator()) > 1)
-      throw SceneError(
-        "[Linear solver] Type = cholesky works on one process only. Start the "
-        "program without mpirun, or choose automatic, mumps or amg.");
+    require_one_process(matrix.get_mpi_communicator());
 
     cholmod_common &common = factor->common;
     const auto      free   = [&common](cholmod_sparse *sparse) {

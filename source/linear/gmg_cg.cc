@@ -402,8 +402,11 @@ namespace Crevasse
   std::string
   GmgCg<dim>::preconditioner_description() const
   {
-    return "matrix-free geometric multigrid of " +
-           std::to_string(shared_levels->n_levels()) + " levels";
+    const unsigned int n = shared_levels->n_levels();
+    return "matrix-free geometric multigrid of " + std::to_string(n) +
+           (n == 1 ? " level (a mesh without coarser ones: all is " +
+                       coarsest_solver->description() + ")"
+                   : " levels");
   }
 
 

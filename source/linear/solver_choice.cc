@@ -11,8 +11,30 @@
 
 #include <crevasse/linear/solver_choice.h>
 
+#include <map>
+
 namespace Crevasse
 {
+  std::string
+  LinearSolverChoice::describe() const
+  {
+    static const std::map<Type, std::string> names = {{cholesky, "cholesky"},
+                                                      {mumps, "mumps"},
+                                                      {amg, "amg"},
+                                                      {gmg, "gmg"}};
+    return names.at(type) + " (" + why + ')';
+  }
+
+
+
+  std::string
+  ContactSolverChoice::describe() const
+  {
+    return name + " (" + why + ')';
+  }
+
+
+
   std::size_t
   largest_factorised(const unsigned int dimension)
   {

@@ -52,11 +52,31 @@ namespace Crevasse
     clear_progress();
     if (!quiet)
       std::cout << text << std::endl;
+    keep(text);
+    require_written();
+  }
+
+
+
+  void
+  Log::keep(const std::string &text)
+  {
     if (file.is_open())
       file << text << std::endl;
     else
       earlier_lines += text + '\n';
-    require_written();
+  }
+
+
+
+  void
+  Log::warning(const std::string &text)
+  {
+    if (!first_rank)
+      return;
+    clear_progress();
+    std::cerr << "crevasse: warning: " << text << std::endl;
+    keep("  warning: " + text);
   }
 
 

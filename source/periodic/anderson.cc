@@ -83,6 +83,9 @@ namespace Crevasse
           return Ending::stagnant;
         std::swap(start, next);
       }
+    Vector next_strain(r);
+    coordinates.to_strain(start, next_strain);
+    periods.stop_before(next_strain);
     return Ending::out_of_periods;
   }
 

@@ -52,6 +52,7 @@ namespace Crevasse
         if (tolerance > 0. && error <= tolerance)
           return Ending::converged;
       }
+    periods.stop_before(r);
     return Ending::out_of_periods;
   }
 

@@ -94,13 +94,33 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  ObservedPeriods<dim>::compute(Vector &r)
+  void
+  ObservedPeriods<dim>::begin_period()
   {
     timer.restart();
     seconds_before = 0.;
     solves_before  = n_solves();
     ++so_far.periods;
+  }
+
+
+
+  template <int dim>
+  void
+  ObservedPeriods<dim>::stop_before(Vector &r)
+  {
+    begin_period();
+    period_map.stop_before(so_far.periods, r);
+    --so_far.periods;
+  }
+
+
+
+  template <int dim>
+  double
+  ObservedPeriods<dim>::compute(Vector &r)
+  {
+    begin_period();
     period_map.advance(so_far.periods, r, [this](const Sample &sample) {
       history.record(sample.instant, sample.state.stress);
       show(sample);

@@ -79,6 +79,40 @@ namespace Crevasse
 
   template <int dim>
   void
+  PeriodMap<dim>::serialize(StateArchive &archive,
+                            unsigned int &period,
+                            unsigned int &step,
+                            Vector       &r)
+  {
+    archive.section("period");
+    archive.common(period);
+    archive.common(step);
+    archive.at_points(r);
+    evolution.serialize(archive);
+    step_list.serialize(archive);
+    step_control.serialize(archive);
+    if (has_memory())
+      integrator->serialize(archive);
+  }
+
+
+
+  template <int dim>
+  void
+  PeriodMap<dim>::stop_before(unsigned int period, Vector &r)
+  {
+    unsigned int    first = 0;
+    const StatePart here(those_who_pause, [&](StateArchive &archive) {
+      serialize(archive, period, first, r);
+    });
+    if (those_who_pause != nullptr)
+      those_who_pause->before_what_is_not_computed(period);
+  }
+
+
+
+  template <int dim>
+  void
   PeriodMap<dim>::pause(const unsigned int period, const unsigned int step)
   {
     const bool can_be_kept =
@@ -97,15 +131,7 @@ namespace Crevasse
   {
     unsigned int    k = 0;
     const StatePart here(those_who_pause, [&](StateArchive &archive) {
-      archive.section("period");
-      archive.common(period);
-      archive.common(k);
-      archive.at_points(r);
-      evolution.serialize(archive);
-      step_list.serialize(archive);
-      step_control.serialize(archive);
-      if (has_memory())
-        integrator->serialize(archive);
+      serialize(archive, period, k, r);
     });
     if (has_memory())
       rate.reinit(r, true);

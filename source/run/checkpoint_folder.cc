@@ -191,6 +191,14 @@ namespace Crevasse
 
 
 
+  bool
+  CheckpointFolder::has_any() const
+  {
+    return !numbers().empty();
+  }
+
+
+
   void
   CheckpointFolder::finish(const CheckpointManifest &manifest) const
   {

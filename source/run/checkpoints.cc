@@ -55,7 +55,7 @@ namespace Crevasse
         return;
       const auto newest = all.newest(warnings);
       for (const std::string &warning : warnings)
-        run_log.error("crevasse: warning: " + warning);
+        run_log.warning(warning);
       if (!newest)
         throw FileError(
           "--resume: there is no checkpoint in " + directory +
@@ -77,8 +77,8 @@ namespace Crevasse
                                               std::move(bytes),
                                               manifest.ranks);
     run_log.line("  resumed from " + all.name(manifest.number) + ": period " +
-                 std::to_string(manifest.period) + ", step " +
-                 std::to_string(manifest.step) +
+                 std::to_string(manifest.period) + ", before step " +
+                 std::to_string(manifest.step + 1) +
                  (manifest.ranks == 1
                     ? ", by 1 process"
                     : ", by " + std::to_string(manifest.ranks) + " processes"));

@@ -14,6 +14,8 @@
 #include <crevasse/scene/text.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
+#include <regex>
 #include <sstream>
 
 namespace Crevasse
@@ -103,22 +105,26 @@ namespace Crevasse
 
 
 
-    /** The seconds of "3600" or "1:00:00"; 0 if it is neither. */
-    double
+    /** "3600", "1:00:00", "2-12:00:00" (days first, as batch systems have
+     * it); nothing if it is none of these. */
+    std::optional<double>
     seconds_in(const std::string &text)
     {
-      double             seconds = 0.;
-      std::istringstream parts(text);
-      std::string        part;
-      while (std::getline(parts, part, ':'))
+      static const std::regex clock(
+        "(?:(\\d{1,4})-)?(\\d{1,4}):([0-5]?\\d):([0-5]?\\d)");
+      std::smatch parts;
+      if (std::regex_match(text, parts, clock))
         {
-          std::istringstream number(part);
-          double             value = 0.;
-          number >> value;
-          if (!number || !number.eof() || !(value >= 0.))
-            return 0.;
-          seconds = 60. * seconds + value;
+          const auto part = [&parts](const unsigned int k) {
+            return parts[k].matched ? std::stod(parts[k]) : 0.;
+          };
+          return ((24. * part(1) + part(2)) * 60. + part(3)) * 60. + part(4);
         }
+      std::istringstream number(text);
+      double             seconds = 0.;
+      number >> seconds;
+      if (!number || !number.eof())
+        return {};
       return seconds;
     }
 
@@ -127,11 +133,11 @@ namespace Crevasse
     std::string
     wall_time_problem(const std::string &text)
     {
-      if (seconds_in(text) > 0.)
+      if (seconds_in(text).value_or(0.) > 0.)
         return "";
       return "\"" + Text::shorten(text) +
-             "\" is no time: seconds or hours:minutes:seconds are, as 3600 or "
-             "1:00:00.";
+             "\" is no time: seconds, hours:minutes:seconds, or days before "
+             "these are, as 3600, 1:00:00 or 2-12:00:00.";
     }
 
 
@@ -160,10 +166,10 @@ namespace Crevasse
         .add_option_function<std::string>(
           "--wall-time",
           [&command](const std::string &text) {
-            command.wall_time = seconds_in(text);
+            command.wall_time = *seconds_in(text);
           },
-          "Stop early enough to be done after this time, seconds or "
-          "hours:minutes:seconds")
+          "Stop early enough to be done after this time: seconds, "
+          "hours:minutes:seconds, or days-hours:minutes:seconds")
         ->type_name("TIME")
         ->check(wall_time_problem);
     }

@@ -61,9 +61,11 @@ namespace Crevasse
   KeptRun<dim>::KeptRun(Checkpoints       &checkpoints,
                         const Body<dim>   &body,
                         const unsigned int n_stresses,
+                        const unsigned int last_period,
                         const Header      &header)
     : checkpoints(checkpoints)
     , body(body)
+    , last_period(last_period)
     , header(header)
   {
     checkpoints.expect(sizeof(double) * n_stress_components<dim> *
@@ -93,6 +95,16 @@ namespace Crevasse
         "Stopped on request, but no checkpoint could be written. "
         "An older one may be there: try --resume.");
     checkpoints.stop();
+  }
+
+
+
+  template <int dim>
+  void
+  KeptRun<dim>::before_what_is_not_computed(const unsigned int period)
+  {
+    if (checkpoints.is_on() && period == last_period + 1 && last_period > 0)
+      write(period, 0);
   }
 
 
@@ -175,9 +187,8 @@ namespace Crevasse
       {
         if (rank == 0)
           folder.abandon(manifest.number);
-        checkpoints.log().error(
-          std::string("crevasse: warning: no checkpoint was written: ") +
-          error.what());
+        checkpoints.log().warning(std::string("no checkpoint was written: ") +
+                                  error.what());
         return false;
       }
     checkpoints.has_written(manifest, timer.wall_time());

@@ -9,7 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/linear/cholesky.h>
 #include <crevasse/run/linear_choice.h>
+#include <crevasse/scene/problems.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -18,17 +20,25 @@ namespace Crevasse
   using namespace dealii;
 
   template <int dim>
+  double
+  n_unknowns_of_first_mesh(const Body<dim> &body)
+  {
+    return double(dim) *
+           Utilities::pow(body.space.finite_element().degree, dim) *
+           body.space.mesh().n_cells(0);
+  }
+
+
+
+  template <int dim>
   bool
   may_use_gmg(const Scene &scene, const Body<dim> &body)
   {
-    const double first_unknowns =
-      double(dim) * Utilities::pow(scene.discretisation.degree, dim) *
-      body.space.mesh().n_cells(0);
     return scene.discretisation.singular_functions == 0 &&
            scene.contact.solver != "projected sor" &&
            scene.contact.relaxation_table.empty() &&
            body.space.mesh().n_global_levels() > 1 &&
-           first_unknowns <= largest_factorised(dim);
+           n_unknowns_of_first_mesh(body) <= largest_factorised(dim);
   }
 
 
@@ -37,21 +47,48 @@ namespace Crevasse
   LinearSolverChoice
   choose_linear_solver(const Scene &scene, const Body<dim> &body)
   {
-    return choose_linear_solver(scene.linear_solver,
-                                dim,
-                                scene.discretisation.degree,
-                                body.space.n_unknowns(),
-                                Utilities::MPI::n_mpi_processes(
-                                  body.space.communicator()),
-                                may_use_gmg(scene, body));
+    const MPI_Comm           communicator = body.space.communicator();
+    const LinearSolverChoice choice =
+      choose_linear_solver(scene.linear_solver,
+                           dim,
+                           scene.discretisation.degree,
+                           body.space.n_unknowns(),
+                           Utilities::MPI::n_mpi_processes(communicator),
+                           may_use_gmg(scene, body));
+    if (choice.type == LinearSolverChoice::cholesky)
+      Cholesky::require_one_process(communicator);
+    if (choice.is_multigrid() && body.space.singular_shapes() != nullptr)
+      throw SceneError(
+        "[Discretisation] Singular functions: must be 0 on a mesh that is too "
+        "large for a direct solver (" +
+        std::to_string(body.space.n_unknowns()) +
+        " unknowns), or set [Linear solver] Type = cholesky or mumps.");
+    return choice;
   }
 
 
 
-#define INSTANTIATE(dim)                                               \
-  template bool may_use_gmg<dim>(const Scene &, const Body<dim> &);    \
-  template LinearSolverChoice choose_linear_solver<dim>(const Scene &, \
-                                                        const Body<dim> &)
+  template <int dim>
+  ContactSolverChoice
+  choose_contact_solver(const Scene              &scene,
+                        const Body<dim>          &body,
+                        const LinearSolverChoice &linear_solver)
+  {
+    return choose_contact_solver(
+      scene.contact,
+      linear_solver,
+      Utilities::MPI::sum(body.lip.nodes().size(), body.space.communicator()));
+  }
+
+
+
+#define INSTANTIATE(dim)                                                     \
+  template double n_unknowns_of_first_mesh<dim>(const Body<dim> &);          \
+  template bool   may_use_gmg<dim>(const Scene &, const Body<dim> &);        \
+  template LinearSolverChoice  choose_linear_solver<dim>(const Scene &,      \
+                                                        const Body<dim> &); \
+  template ContactSolverChoice choose_contact_solver<dim>(                   \
+    const Scene &, const Body<dim> &, const LinearSolverChoice &)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

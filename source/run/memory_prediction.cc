@@ -62,6 +62,7 @@ namespace Crevasse
                  own_points)
         , solver(choose_linear_solver(scene, body))
         , packed_stiffness(bytes_of_packed_stiffness(body, solver))
+        , coarsest(n_unknowns_of_first_mesh(body))
       {
       }
 
@@ -74,19 +75,19 @@ namespace Crevasse
       const double             strain; ///< numbers of r
       const LinearSolverChoice solver;
       const double             packed_stiffness; ///< bytes
+      const double             coarsest;         ///< unknowns of the first mesh
     };
 
 
 
-    /** Entries of this rank's rows of the stiffness: on average 3 (Q1) or 4
-     * (Q2) nodes along each direction share a cell with a node, each with dim
+    /** Entries of a rank's rows of a stiffness: on average 3 (Q1) or 4 (Q2)
+     * nodes along each direction share a cell with a node, each with dim
      * components. */
     template <int dim>
     double
-    matrix_entries(const Scale<dim> &scale)
+    matrix_entries(const double own_unknowns, const unsigned int degree)
     {
-      return scale.own_unknowns * dim *
-             Utilities::fixed_power<dim>(double(scale.degree + 2));
+      return own_unknowns * dim * Utilities::fixed_power<dim>(degree + 2.);
     }
 
 
@@ -109,27 +110,59 @@ namespace Crevasse
 
 
 
-    /** Of what solves with one stiffness: a factor; multigrid's coarser
-     * matrices and smoothers, as much as the matrix again; or what geometric
-     * multigrid keeps on all meshes, without a matrix. */
+    /** Of what solves with a matrix: a factor, or multigrid's coarser matrices
+     * and smoothers, as much as the matrix again. */
+    template <int dim>
+    double
+    bytes_of_matrix_solver(const LinearSolverChoice::Type type,
+                           const double                   unknowns,
+                           const double                   own_unknowns,
+                           const unsigned int             degree,
+                           const unsigned int             n_ranks)
+    {
+      if (type == LinearSolverChoice::amg)
+        return bytes_per_entry * matrix_entries<dim>(own_unknowns, degree);
+      const double cholesky = bytes_of_cholesky<dim>(unknowns, degree);
+      if (type == LinearSolverChoice::cholesky)
+        return cholesky;
+      // Fitted to the same runs on two ranks.
+      constexpr double relative_size = dim == 2 ? 1.3 : 2.1;
+      return relative_size * cholesky / n_ranks;
+    }
+
+
+
+    /** Of geometric multigrid's coarsest mesh: its matrix and what solves with
+     * it. */
+    template <int dim>
+    double
+    bytes_of_coarsest(const Scale<dim> &scale)
+    {
+      const double own = scale.coarsest / scale.n_ranks;
+      const auto   solver =
+        choose_matrix_solver(dim, scale.coarsest, scale.n_ranks);
+      return bytes_per_entry * matrix_entries<dim>(own, scale.degree) +
+             bytes_of_matrix_solver<dim>(
+               solver.type, scale.coarsest, own, scale.degree, scale.n_ranks);
+    }
+
+
+
+    /** Of what solves with one stiffness. */
     template <int dim>
     double
     bytes_of_solver(const Scale<dim> &scale)
     {
+      if (scale.solver.type != LinearSolverChoice::gmg)
+        return bytes_of_matrix_solver<dim>(scale.solver.type,
+                                           scale.unknowns,
+                                           scale.own_unknowns,
+                                           scale.degree,
+                                           scale.n_ranks);
       // Vectors, and indices and weights of the loops over cells; measured.
-      if (scale.solver.type == LinearSolverChoice::gmg)
-        return sizeof(double) * (scale.degree == 1 ? 60. : 25.) *
-                 scale.own_unknowns +
-               scale.packed_stiffness;
-      if (scale.solver.type == LinearSolverChoice::amg)
-        return bytes_per_entry * matrix_entries(scale);
-      const double cholesky =
-        bytes_of_cholesky<dim>(scale.unknowns, scale.degree);
-      if (scale.solver.type == LinearSolverChoice::cholesky)
-        return cholesky;
-      // Fitted to the same runs on two ranks.
-      constexpr double relative_size = dim == 2 ? 1.3 : 2.1;
-      return relative_size * cholesky / scale.n_ranks;
+      return sizeof(double) * (scale.degree == 1 ? 60. : 25.) *
+               scale.own_unknowns +
+             scale.packed_stiffness + bytes_of_coarsest(scale);
     }
 
 
@@ -240,10 +273,12 @@ namespace Crevasse
     bytes.libraries = scale.n_ranks > 1 ? 195e6 : 180e6;
     bytes.mesh      = body.space.mesh().memory_consumption() +
                  body.space.dof_handler().memory_consumption();
-    bytes.fields        = bytes_of_fields(scale, body, steps);
-    const double matrix = scale.solver.type == LinearSolverChoice::gmg
-                            ? 0.
-                            : bytes_per_entry * matrix_entries(scale);
+    bytes.fields = bytes_of_fields(scale, body, steps);
+    const double matrix =
+      scale.solver.type == LinearSolverChoice::gmg
+        ? 0.
+        : bytes_per_entry *
+            matrix_entries<dim>(scale.own_unknowns, scale.degree);
     const double solver = bytes_of_solver(scale);
     const double n      = n_systems(body, steps, scene, matrix + solver);
     bytes.matrix        = n * matrix;

@@ -64,10 +64,12 @@ namespace Crevasse
 
     /** What to do about the memory of what solves with the stiffness.
      *
+     * @param are_several of these stiffnesses, of instants
      * @param has_gmg which needs a tenth of ML's in space. */
     std::string
     advice_on_solver(const LinearSolverChoice &solver,
                      const Scene              &scene,
+                     const bool                are_several,
                      const bool                has_gmg)
     {
       const std::string type =
@@ -76,7 +78,8 @@ namespace Crevasse
         return "factors of the stiffness: " +
                (scene.discretisation.singular_functions > 0 ? ""
                                                             : type + ", ") +
-               "lower Memory for instants, or make the mesh coarser";
+               (are_several ? "lower Memory for instants, " : "") +
+               "or make the mesh coarser";
       return "multigrid: " +
              (solver.type == LinearSolverChoice::amg && has_gmg ? type + ", or "
                                                                 : "") +
@@ -90,6 +93,7 @@ namespace Crevasse
     largest_part(const MemoryPrediction   &needed,
                  const LinearSolverChoice &solver,
                  const Scene              &scene,
+                 const bool                are_several,
                  const bool                has_gmg)
     {
       const std::vector<std::pair<double, std::string>> parts = {
@@ -103,7 +107,7 @@ namespace Crevasse
            ? "the stiffness: take [Linear solver] Type = gmg, which has no "
              "matrix, or make the mesh coarser"
            : "the stiffness: make the mesh coarser"},
-        {needed.solver, advice_on_solver(solver, scene, has_gmg)},
+        {needed.solver, advice_on_solver(solver, scene, are_several, has_gmg)},
         {needed.search,
          "the search of the periodic state: lower [Periodic state] Anderson "
          "depth, or take Method = march"},
@@ -136,19 +140,23 @@ namespace Crevasse
                             communicator);
       const auto fit =
         static_cast<unsigned long>(part * body.space.n_unknowns());
-      throw SceneError(
-        "The run needs about " +
-        gigabytes(Utilities::MPI::max(all, communicator)) +
-        " of memory on a machine that has " +
-        gigabytes(Utilities::MPI::min(there, communicator)) +
-        " left, most of it for " +
-        largest_part(needed,
-                     choose_linear_solver(scene, body),
-                     scene,
-                     may_use_gmg(scene, body)) +
-        "; or take processes on more machines. With these settings about " +
-        std::to_string(fit) + " unknowns fit; the mesh has " +
-        std::to_string(body.space.n_unknowns()) + ".");
+      const LinearSolverChoice solver = choose_linear_solver(scene, body);
+      throw SceneError("The run needs about " +
+                       gigabytes(Utilities::MPI::max(all, communicator)) +
+                       " of memory on a machine that has " +
+                       gigabytes(Utilities::MPI::min(there, communicator)) +
+                       " left, most of it for " +
+                       largest_part(needed,
+                                    solver,
+                                    scene,
+                                    body.material.stiffness_varies(),
+                                    may_use_gmg(scene, body)) +
+                       (solver.type == LinearSolverChoice::cholesky
+                          ? ""
+                          : "; or take processes on more machines") +
+                       ". With these settings about " + std::to_string(fit) +
+                       " unknowns fit; the mesh has " +
+                       std::to_string(body.space.n_unknowns()) + ".");
     }
 
 

@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/output/output_directory.h>
+#include <crevasse/run/checkpoint_folder.h>
 #include <crevasse/run/output_choice.h>
 #include <crevasse/run/scene_difference.h>
 #include <crevasse/scene/problems.h>
@@ -20,6 +21,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <unistd.h>
 
 namespace Crevasse
@@ -42,6 +44,19 @@ namespace Crevasse
       while (!fs::exists(part, unknown) && part.has_relative_path())
         part = part.parent_path();
       return part;
+    }
+
+
+
+    /** Those of the run that has its results there, if there is one. */
+    std::optional<std::string>
+    earlier_parameters(const std::string &path)
+    {
+      std::ifstream file(path + "/used.prm");
+      if (!file.is_open())
+        return {};
+      using Characters = std::istreambuf_iterator<char>;
+      return std::string(Characters(file), Characters());
     }
   } // namespace
 
@@ -89,10 +104,26 @@ namespace Crevasse
   bool
   OutputChoice::holds_other_results(const std::string &used_parameters) const
   {
-    std::ifstream file(path + "/used.prm");
-    using Characters = std::istreambuf_iterator<char>;
-    return file.is_open() &&
-           std::string(Characters(file), Characters()) != used_parameters;
+    const std::optional<std::string> earlier = earlier_parameters(path);
+    return earlier && *earlier != used_parameters;
+  }
+
+
+
+  void
+  OutputChoice::require_nothing_to_resume(
+    const std::string &used_parameters) const
+  {
+    std::error_code unknown;
+    if (earlier_parameters(path) != used_parameters ||
+        fs::exists(path + "/summary.json", unknown) ||
+        !CheckpointFolder(path).has_any())
+      return;
+    throw SceneError(
+      "A run of this scene was begun in " + path +
+      " and has not ended: --resume goes on from its last checkpoint. To begin "
+      "anew choose another directory by --output DIR, or remove " +
+      path + "/checkpoint.");
   }
 
 

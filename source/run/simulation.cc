@@ -223,7 +223,7 @@ namespace Crevasse
     if (checkpoints.is_on())
       summary["scene"] = checkpoints.scene();
     write(summary, state, directory);
-    conclude(state.result);
+    conclude(state.result, checkpoints.is_on());
     if (state.result.converged)
       require_contact_forces(summary);
   }
@@ -433,6 +433,7 @@ namespace Crevasse
     KeptRun<dim>       kept(checkpoints,
                       body,
                       n_kept_stresses(),
+                      last_period_of_search(),
                       [&](StateArchive &archive) {
                         serialize(state, solvers, evolution, archive);
                       });

@@ -146,7 +146,8 @@ namespace Crevasse
 
   template <int dim>
   void
-  Simulation<dim>::conclude(const PeriodicResult &result) const
+  Simulation<dim>::conclude(const PeriodicResult &result,
+                            const bool            can_resume) const
   {
     require_meaning();
     report_end_by_change(result);
@@ -177,6 +178,8 @@ namespace Crevasse
     if (marches && result.steps_repeat)
       message << periods_to_go(result, scene.periodic_state.tolerance);
     message << " or \"Tolerance\"";
+    if (can_resume)
+      message << " and go on by --resume";
     if (scene.periodic_state.method == "march")
       message << ", set Method = automatic, which mostly needs fewer periods,";
     else if (periodic_choice.method == "anderson")
@@ -195,7 +198,8 @@ namespace Crevasse
   template void Simulation<dim>::require_contact_forces(const Summary &)      \
     const;                                                                    \
   template void Simulation<dim>::require_meaning() const;                     \
-  template void Simulation<dim>::conclude(const PeriodicResult &) const
+  template void Simulation<dim>::conclude(const PeriodicResult &, const bool) \
+    const
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -30,6 +30,17 @@ namespace Crevasse
 
 
   template <int dim>
+  unsigned int
+  Simulation<dim>::last_period_of_search() const
+  {
+    return scene.periodic_state.tolerance > 0.
+             ? scene.periodic_state.maximum_periods
+             : 0;
+  }
+
+
+
+  template <int dim>
   void
   Simulation<dim>::serialize(const RunState       &state,
                              const Solvers<dim>   &solvers,
@@ -50,6 +61,7 @@ namespace Crevasse
 
 #define INSTANTIATE(dim)                                                   \
   template unsigned int Simulation<dim>::n_kept_stresses() const;          \
+  template unsigned int Simulation<dim>::last_period_of_search() const;    \
   template void         Simulation<dim>::serialize(const RunState &,       \
                                            const Solvers<dim> &,   \
                                            const Evolution<dim> &, \

@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/run/libraries.h>
+#include <crevasse/run/linear_choice.h>
 #include <crevasse/run/simulation.h>
 #include <crevasse/run/sizes.h>
 #include <crevasse/run/version.h>
@@ -64,6 +65,12 @@ namespace Crevasse
       }
     log.line(time.str());
     log.line("  periodic state: " + periodic_choice.describe());
+    const LinearSolverChoice  linear = choose_linear_solver(scene, body);
+    const ContactSolverChoice contact =
+      choose_contact_solver(scene, body, linear);
+    log.line("  linear solver: " + linear.describe());
+    if (body.effects.contact.on)
+      log.line("  contact solver: " + contact.describe());
     if (crack_tip != nullptr)
       log.line(crack_tip->describe());
     describe_decay();
@@ -257,7 +264,7 @@ namespace Crevasse
              " solves: " + statistics.certificate.describe() +
              " (accepted up to " + accepted.str() + ")");
     constexpr double poor = 1e-6;
-    if (statistics.accuracy > poor)
+    if (statistics.accuracy > std::max(poor, scene.contact.tolerance))
       log.line(
         "  Beware: the stiffness is badly conditioned. Rounding leaves "
         "an accuracy of " +

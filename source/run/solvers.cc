@@ -34,27 +34,15 @@ namespace Crevasse
                   const Body<dim>     &body,
                   dealii::TimerOutput &phases)
     {
-      const MPI_Comm           communicator = body.space.communicator();
-      const LinearSolverChoice linear       = choose_linear_solver(scene, body);
-      if (linear.is_multigrid() && body.space.singular_shapes() != nullptr)
-        throw SceneError(
-          "[Discretisation] Singular functions: must be 0 on a mesh that is "
-          "too "
-          "large for a direct solver (" +
-          std::to_string(body.space.n_unknowns()) +
-          " unknowns), or set [Linear solver] Type = cholesky or mumps.");
-      const std::size_t n_bounds =
-        Utilities::MPI::sum(body.lip.nodes().size(), communicator);
-      SolverSettings settings{scene.contact,
+      const LinearSolverChoice linear = choose_linear_solver(scene, body);
+      SolverSettings           settings{scene.contact,
                               scene.linear_solver,
                               linear,
-                              choose_contact_solver(scene.contact,
-                                                    linear,
-                                                    n_bounds),
+                              choose_contact_solver(scene, body, linear),
                               phases,
                               {},
                               {}};
-      const bool     sweeps = settings.contact_choice.name == "projected sor" ||
+      const bool sweeps = settings.contact_choice.name == "projected sor" ||
                           !scene.contact.relaxation_table.empty();
       if (sweeps && scene.contact.relaxed_together == "node")
         settings.unknown_blocks = node_blocks(body.space);

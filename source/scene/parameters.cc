@@ -215,8 +215,9 @@ namespace Crevasse
                       "Method for the contact inequality. \"condensed active "
                       "set\" reduces it to the lip, \"active set\" works on "
                       "all unknowns, \"projected sor\" is the method of the "
-                      "paper, on one process; \"automatic\" takes the first "
-                      "one unless the lip or the mesh is very large.",
+                      "paper, by the first process if there are several; "
+                      "\"automatic\" takes the condensed one, or \"active "
+                      "set\" if the lip or the mesh is very large.",
                       Patterns::Selection("automatic|projected sor|active set|"
                                           "condensed active set"));
     prm.add_parameter("Relaxation factor",

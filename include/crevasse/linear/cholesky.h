@@ -36,6 +36,10 @@ namespace Crevasse
                       std::shared_ptr<const Analysis> same_pattern = nullptr);
     ~Cholesky() override;
 
+    /** @throw SceneError on several ranks. */
+    static void
+    require_one_process(const MPI_Comm communicator);
+
     /** For other matrices with the same pattern. */
     std::shared_ptr<const Analysis>
     analysis() const;

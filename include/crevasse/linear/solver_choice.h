@@ -33,6 +33,10 @@ namespace Crevasse
     Type        type;
     std::string why;
 
+    /** "cholesky (why)". */
+    std::string
+    describe() const;
+
     /** Whether it iterates, and knows no singular functions. */
     bool
     is_multigrid() const
@@ -70,6 +74,10 @@ namespace Crevasse
   {
     std::string name;
     std::string why;
+
+    /** "active set (why)". */
+    std::string
+    describe() const;
   };
 
   ContactSolverChoice

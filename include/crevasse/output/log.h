@@ -35,6 +35,10 @@ namespace Crevasse
     void
     line(const std::string &text);
 
+    /** On standard error, even if quiet, and in the file. */
+    void
+    warning(const std::string &text);
+
     /** On standard error, even if quiet, and in the file if there is one.
      * Throws nothing: this is the last word of a run. */
     void
@@ -51,6 +55,11 @@ namespace Crevasse
   private:
     void
     clear_progress();
+
+    /** In the file, also if it is opened later. */
+    void
+    keep(const std::string &text);
+
     void
     require_written() const;
 

@@ -74,6 +74,11 @@ namespace Crevasse
     double
     compute(Vector &r);
 
+    /** Instead of compute(): another period is not allowed, but others may go
+     * on from here. */
+    void
+    stop_before(Vector &r);
+
     /** Ends the period that was computed.
      *
      * @param error_estimate of its stress; nan: it cannot be told. */
@@ -98,6 +103,9 @@ namespace Crevasse
     const std::vector<Observer *> &observers;
     const unsigned int             maximum_periods;
     bool                           is_comparable;
+
+    void
+    begin_period();
 
     void
     show(const Sample &sample);

@@ -37,6 +37,11 @@ namespace Crevasse
     virtual void
     between_steps(const unsigned int period, const unsigned int step) = 0;
 
+    /** Where the first step of a period would begin if there were one more:
+     * all parts are as if there were. Collective. */
+    virtual void
+    before_what_is_not_computed(const unsigned int period) = 0;
+
   protected:
     /** Shows all parts, in the order in which they became known. */
     void

@@ -45,6 +45,11 @@ namespace Crevasse
             Vector                                    &r,
             const std::function<void(const Sample &)> &observe);
 
+    /** Gives others the opportunity to keep the state from which advance()
+     * would go on. */
+    void
+    stop_before(unsigned int period, Vector &r);
+
     /** Solves for the state at the end of @p period, which otherwise only the
      * next period would. */
     void
@@ -63,6 +68,12 @@ namespace Crevasse
     has_memory() const;
 
   private:
+    void
+    serialize(StateArchive &archive,
+              unsigned int &period,
+              unsigned int &step,
+              Vector       &r);
+
     void
     begin_period();
 

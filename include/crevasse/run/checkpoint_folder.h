@@ -83,6 +83,10 @@ namespace Crevasse
     std::optional<CheckpointManifest>
     newest(std::vector<std::string> &warnings) const;
 
+    /** Whether there is a checkpoint, in order or not. */
+    bool
+    has_any() const;
+
     /** Renames those that are newer, which are damaged, to NUMBER.damaged, so
      * that a run that goes on before them can use their numbers. */
     void

@@ -32,15 +32,22 @@ namespace Crevasse
     /** All arguments must outlive this object.
      *
      * @param n_stresses the fields of a stress that a checkpoint may have.
+     * @param last_period after which more periods may be wanted: then there
+     * is a checkpoint; 0: never.
      * @param header which a run that is taken up has read already. */
     KeptRun(Checkpoints       &checkpoints,
             const Body<dim>   &body,
             const unsigned int n_stresses,
+            const unsigned int last_period,
             const Header      &header);
 
     /** @throw StoppedOnRequest if that is asked for, with a checkpoint. */
     void
     between_steps(const unsigned int period, const unsigned int step) override;
+
+    /** Keeps what a run with more periods can go on from. */
+    void
+    before_what_is_not_computed(const unsigned int period) override;
 
   private:
     void
@@ -50,9 +57,10 @@ namespace Crevasse
     bool
     write(const unsigned int period, const unsigned int step);
 
-    Checkpoints     &checkpoints;
-    const Body<dim> &body;
-    const Header     header;
+    Checkpoints       &checkpoints;
+    const Body<dim>   &body;
+    const unsigned int last_period;
+    const Header       header;
   };
 } // namespace Crevasse
 

@@ -24,10 +24,24 @@ namespace Crevasse
   bool
   may_use_gmg(const Scene &scene, const Body<dim> &body);
 
-  /** The linear solver of a scene on a body. Collective. */
+  /** The linear solver of a scene on a body. Collective.
+   * @throw SceneError if the scene asks for one that does not work here. */
   template <int dim>
   LinearSolverChoice
   choose_linear_solver(const Scene &scene, const Body<dim> &body);
+
+  /** The contact solver of a scene on a body. Collective. */
+  template <int dim>
+  ContactSolverChoice
+  choose_contact_solver(const Scene              &scene,
+                        const Body<dim>          &body,
+                        const LinearSolverChoice &linear_solver);
+
+  /** That of the mesh without its refinements, roughly: the coarsest one of
+   * geometric multigrid, unless that is refined itself. */
+  template <int dim>
+  double
+  n_unknowns_of_first_mesh(const Body<dim> &body);
 } // namespace Crevasse
 
 #endif

@@ -41,6 +41,12 @@ namespace Crevasse
     bool
     holds_other_results(const std::string &used_parameters) const;
 
+    /** What another run would destroy: checkpoints of one with the same
+     * parameters that has not ended.
+     * @throw SceneError if there are any. */
+    void
+    require_nothing_to_resume(const std::string &used_parameters) const;
+
     /** Why a run that has ended there is not to be gone on with; empty if it
      * has not ended, or if the scene now allows it more periods.
      *

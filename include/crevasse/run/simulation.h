@@ -133,6 +133,10 @@ namespace Crevasse
     unsigned int
     n_kept_stresses() const;
 
+    /** After which more may be wanted, for a periodic state is; or 0. */
+    unsigned int
+    last_period_of_search() const;
+
     /** Marches, or whatever the method is, and tells the summary about it. */
     void
     compute_periods(Solvers<dim>                  &solvers,
@@ -177,7 +181,7 @@ namespace Crevasse
     /** @throw NumericalError if the periodic state was not reached, or if the
      * stress is nothing but rounding. */
     void
-    conclude(const PeriodicResult &result) const;
+    conclude(const PeriodicResult &result, const bool can_resume) const;
 
     const Scene    scene;
     const MPI_Comm communicator;
