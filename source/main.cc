@@ -24,10 +24,13 @@
 #include <deal.II/base/mpi.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
+#include <sstream>
 #include <string>
 
 namespace
@@ -47,30 +50,33 @@ namespace
 
 
   /** Makes the output directory ready for this run's results. */
-  void
+  std::unique_ptr<DirectoryLock>
   prepare(const OutputChoice &output, const std::string &used, Log &log)
   {
     const bool replaces = output.holds_other_results(used);
-    output.prepare();
+    auto       lock     = output.prepare();
     if (replaces)
       log.line("  results of an earlier run in " + output.directory() +
                " are replaced");
     write_used_parameters(output.directory(), used);
+    return lock;
   }
 
 
 
   /** Makes it ready for the rest of them. */
-  void
+  std::unique_ptr<DirectoryLock>
   take_up(const OutputChoice &output,
           const std::string  &used,
           const Checkpoints  &checkpoints)
   {
-    output.take_up();
     const CheckpointManifest &manifest = checkpoints.resumed_manifest();
+    checkpoints.folder().require_tables(manifest);
+    auto lock = output.take_up();
     checkpoints.folder().set_aside_after(manifest.number);
     checkpoints.folder().cut_tables(manifest);
     write_used_parameters(output.directory(), used);
+    return lock;
   }
 
 
@@ -137,15 +143,12 @@ namespace
         return;
       }
 
-    const std::string &directory = output.directory();
+    const std::string             &directory = output.directory();
+    std::unique_ptr<DirectoryLock> lock;
     collectively(communicator, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        {
-          if (command.resume)
-            take_up(output, used, checkpoints);
-          else
-            prepare(output, used, log);
-        }
+        lock = command.resume ? take_up(output, used, checkpoints)
+                              : prepare(output, used, log);
     });
     log.open_file(directory + "/log.txt", command.resume);
     run.run(directory);
@@ -173,6 +176,18 @@ namespace
 
 
 
+  void
+  show_parameters(const std::string &format)
+  {
+    std::ostringstream text;
+    print_parameters(text, format);
+    std::cout << text.str() << std::flush;
+    if (!std::cout)
+      throw FileError("Cannot write to the standard output.");
+  }
+
+
+
   /** Runs, and turns every exception into a message and an exit status. */
   int
   run_guarded(const Command &command)
@@ -190,7 +205,7 @@ namespace
         else if (command.print_format.empty())
           read_and_run_scene(command, requests, log);
         else if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-          print_parameters(std::cout, command.print_format);
+          show_parameters(command.print_format);
       }
     catch (const StoppedOnRequest &request)
       {
@@ -211,6 +226,10 @@ namespace
 int
 main(int argc, char **argv)
 {
+  // Whoever reads the log may end before the run does. A checkpoint may be
+  // asked for before the run can write one, which is no reason to end.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGUSR1, SIG_IGN);
   const Command command = parse_command_line(argc, argv);
   if (command.exit)
     return command.status;

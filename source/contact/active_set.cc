@@ -87,6 +87,21 @@ namespace Crevasse
 
 
   std::string
+  ActiveSet::linear_trouble() const
+  {
+    if (not_reached == 0)
+      return "";
+    return " Conjugate gradients did not converge on the last " +
+           std::to_string(not_reached) + (not_reached == 1 ? " set" : " sets") +
+           ". Take a factorisation ([Linear solver] Type = cholesky or mumps); "
+           "with a Poisson ratio near 0.5, [Discretisation] Volumetric strain "
+           "= mean; and look for moduli that differ by many orders of "
+           "magnitude, and very flat cells.";
+  }
+
+
+
+  std::string
   ActiveSet::last_sets() const
   {
     std::string        text;
@@ -232,6 +247,7 @@ namespace Crevasse
 
     bool exactly = false; // whether every set is solved to the last digit
     bool settled = false; // whether the set stayed what it was
+    not_reached  = 0;
     for (unsigned int n = 1;; ++n)
       {
         correction = residual;
@@ -254,6 +270,11 @@ namespace Crevasse
             scale_by(right_hand_side, solution);
             hold_and_compute_residual(right_hand_side, solution);
           }
+        // Further sets are of no use to who cannot solve for them.
+        constexpr unsigned int enough = 3;
+        not_reached                   = reached ? 0 : not_reached + 1;
+        if (not_reached == enough)
+          return n;
 
         std::vector<bool> next    = next_set(solution);
         const bool        changed = is_other(next);

@@ -130,7 +130,7 @@ namespace Crevasse
             << " of displacements"
             << " by " << description() << " in " << n_iterations
             << " iterations. Reached: " << certified.describe() << '.';
-    const std::string sets = last_sets();
+    const std::string sets = last_sets(), trouble = linear_trouble();
     if (!sets.empty())
       message << " Closed nodes of the last sets: " << sets << '.';
     if (std::max(force_accuracy(), displacement_accuracy()) > coarsest)
@@ -140,12 +140,14 @@ namespace Crevasse
                  "that differ by many orders of magnitude; and for a body that "
                  "has flown far (many relaxation times in a period), of which "
                  "[Periodic state] Secular split = on takes the mean away.";
+    else if (!trouble.empty())
+      message << trouble;
     else
       message << " If the iterations are as many as [Contact] Maximum "
                  "iterations, raise it; otherwise try another [Contact] Solver "
-                 "or [Linear solver] Type (\"amg\" rounds least; it knows no "
-                 "singular "
-                 "functions), or a larger [Contact] Tolerance.";
+                 "or [Linear solver] Type (\"amg\" and \"gmg\" round least; "
+                 "they know "
+                 "no singular functions), or a larger [Contact] Tolerance.";
     throw NumericalError(message.str());
   }
 
@@ -153,6 +155,14 @@ namespace Crevasse
 
   std::string
   ContactSolver::last_sets() const
+  {
+    return "";
+  }
+
+
+
+  std::string
+  ContactSolver::linear_trouble() const
   {
     return "";
   }

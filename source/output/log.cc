@@ -50,7 +50,7 @@ namespace Crevasse
     if (!first_rank)
       return;
     clear_progress();
-    if (!quiet)
+    if (!quiet && !output_is_gone)
       std::cout << text << std::endl;
     keep(text);
     require_written();
@@ -95,12 +95,18 @@ namespace Crevasse
 
 
   void
-  Log::require_written() const
+  Log::require_written()
   {
     if (!name.empty() && !file)
       throw FileError("Cannot write " + name + ": is the disk full?");
-    if (!std::cout)
+    if (std::cout || output_is_gone)
+      return;
+    if (!file.is_open())
       throw FileError("Cannot write to the standard output.");
+    // The terminal is closed, or who read from a pipe has ended: the run is
+    // worth more than these lines.
+    output_is_gone = true;
+    keep("  warning: the standard output cannot be written to any more.");
   }
 
 
@@ -119,7 +125,7 @@ namespace Crevasse
   bool
   Log::on_terminal() const
   {
-    return first_rank && terminal && !quiet;
+    return first_rank && terminal && !quiet && !output_is_gone;
   }
 
 

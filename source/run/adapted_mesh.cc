@@ -137,7 +137,8 @@ namespace Crevasse
     body.loads.survey(steps.survey_instants({}), body.space.communicator());
     body.material.survey(steps.survey_instants({}));
 
-    Solvers<dim>         solvers(scene, body, steps, quiet, phases);
+    Solvers<dim> solvers(
+      scene, body, steps, largest_load(body, steps), quiet, phases);
     StressEstimator<dim> estimator(body.space,
                                    body.points,
                                    body.lip,

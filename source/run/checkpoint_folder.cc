@@ -16,8 +16,11 @@
 #include <crevasse/scene/text_file.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
+#include <unistd.h>
 
 namespace Crevasse
 {
@@ -39,6 +42,22 @@ namespace Crevasse
     {
       using FileError::FileError;
     };
+
+
+
+    /** What must not be read is not damaged. @throw FileError */
+    void
+    require_readable(const std::string &folder)
+    {
+      std::vector<std::string> names = {folder};
+      std::error_code          error;
+      for (const auto &entry : fs::directory_iterator(folder, error))
+        names.push_back(entry.path().string());
+      for (const std::string &name : names)
+        if (access(name.c_str(), R_OK) != 0)
+          throw FileError("Cannot read " + name + " (" + std::strerror(errno) +
+                          ").");
+    }
 
 
 
@@ -169,6 +188,9 @@ namespace Crevasse
             name.size() < 10)
           found.push_back(std::stoul(name));
       }
+    if (error && error != std::errc::no_such_file_or_directory)
+      throw FileError("Cannot look for checkpoints in " + path + " (" +
+                      error.message() + ").");
     std::sort(found.begin(), found.end());
     return found;
   }
@@ -283,6 +305,7 @@ namespace Crevasse
           }
         catch (const FileError &fault)
           {
+            require_readable(name(*number));
             warn(fault);
           }
         catch (const Summary::exception &fault)
@@ -336,8 +359,11 @@ namespace Crevasse
 
 
   void
-  CheckpointFolder::cut_tables(const CheckpointManifest &manifest) const
+  CheckpointFolder::require_tables(const CheckpointManifest &manifest) const
   {
+    constexpr const char *advice =
+      " Restore it, or begin anew without --resume, in another output "
+      "directory.";
     for (const auto &[table, size] : manifest.tables)
       {
         const std::string name = directory + '/' + table;
@@ -347,9 +373,26 @@ namespace Crevasse
           throw FileError(name + " has lost rows since checkpoint " +
                           std::to_string(manifest.number) +
                           " was written: it has " + std::to_string(there) +
-                          " bytes instead of " + std::to_string(size) + '.');
-        if (!error)
-          fs::resize_file(name, size, error);
+                          " bytes instead of " + std::to_string(size) + '.' +
+                          advice);
+        if (!error && access(name.c_str(), W_OK) != 0)
+          error = std::error_code(errno, std::generic_category());
+        if (error)
+          throw FileError(name + " cannot be continued (" + error.message() +
+                          ")." + advice);
+      }
+  }
+
+
+
+  void
+  CheckpointFolder::cut_tables(const CheckpointManifest &manifest) const
+  {
+    for (const auto &[table, size] : manifest.tables)
+      {
+        const std::string name = directory + '/' + table;
+        std::error_code   error;
+        fs::resize_file(name, size, error);
         if (error)
           throw FileError(name + " cannot be continued (" + error.message() +
                           ").");

@@ -52,8 +52,10 @@ namespace Crevasse
     std::optional<std::string>
     earlier_parameters(const std::string &path)
     {
-      std::ifstream file(path + "/used.prm");
-      if (!file.is_open())
+      const std::string name = path + "/used.prm";
+      std::error_code   unknown;
+      std::ifstream     file(name);
+      if (!fs::is_regular_file(name, unknown) || !file.is_open())
         return {};
       using Characters = std::istreambuf_iterator<char>;
       return std::string(Characters(file), Characters());
@@ -138,15 +140,36 @@ namespace Crevasse
       return "";
     const Summary summary =
       Summary::parse(read_text_file(name), nullptr, false);
-    // Not an object: it is not whole, and the run has not ended.
-    const unsigned int periods =
-      summary.is_object() ? summary.value("periods", 0U) : 0;
+    try
+      {
+        // Not an object: it is not whole, and the run has not ended.
+        return summary.is_object() ? why_finished(summary, scene, parameters)
+                                   : "";
+      }
+    catch (const Summary::exception &error)
+      {
+        throw FileError("--resume: " + name + " is not what a run writes (" +
+                        error.what() +
+                        "). Without it the run goes on from its newest "
+                        "checkpoint.");
+      }
+  }
+
+
+
+  std::string
+  OutputChoice::why_finished(const Summary &summary,
+                             const Scene   &scene,
+                             const Summary &parameters) const
+  {
+    const unsigned int periods = summary.value("periods", 0U);
     if (periods == 0)
       return "";
     const unsigned int allowed   = scene.periodic_state.maximum_periods;
     const double       tolerance = scene.periodic_state.tolerance;
     const Summary      converged = summary.value("converged", Summary());
-    const Summary     &error     = summary["stress_error_estimate"].back();
+    const Summary      estimates = summary.at("stress_error_estimate");
+    const Summary      error = estimates.empty() ? Summary() : estimates.back();
     const bool         is_enough = converged == true && tolerance > 0. &&
                            error.is_number() && error <= tolerance;
     if (!is_enough && periods < allowed)
@@ -167,26 +190,30 @@ namespace Crevasse
 
 
 
-  void
+  std::unique_ptr<DirectoryLock>
   OutputChoice::take_up() const
   {
     require_writable_directory(path);
+    auto            lock = std::make_unique<DirectoryLock>(path);
     std::error_code error;
     fs::remove(path + "/summary.json", error);
     if (error)
       throw FileError("Cannot remove " + path + "/summary.json (" +
                       error.message() + ").");
+    return lock;
   }
 
 
 
-  void
+  std::unique_ptr<DirectoryLock>
   OutputChoice::prepare() const
   {
     try
       {
         require_writable_directory(path);
+        auto lock = std::make_unique<DirectoryLock>(path);
         remove_earlier_results(path);
+        return lock;
       }
     catch (const FileError &error)
       {

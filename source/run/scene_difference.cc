@@ -13,6 +13,7 @@
 #include <crevasse/run/checked_file.h>
 #include <crevasse/run/scene_difference.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/temperature_series.h>
 #include <crevasse/scene/text.h>
 #include <crevasse/scene/text_file.h>
 
@@ -20,6 +21,7 @@
 #include <filesystem>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 namespace Crevasse
 {
@@ -75,6 +77,27 @@ namespace Crevasse
                                         : '[' + pointer.substr(1, slash - 1) +
                                             "] " + pointer.substr(slash + 1);
     }
+
+
+
+    /** Of all files that are read for one of that name; 0 if one cannot be
+     * read, which its reader tells better. */
+    template <typename FilesOf>
+    std::uint32_t
+    checksum_of(const std::string &name, const FilesOf &files_of)
+    {
+      try
+        {
+          std::string sums;
+          for (const std::string &file : files_of(name))
+            sums += std::to_string(checksum(read_text_file(file))) + ' ';
+          return checksum(sums);
+        }
+      catch (const std::runtime_error &)
+        {
+          return 0;
+        }
+    }
   } // namespace
 
 
@@ -84,18 +107,19 @@ namespace Crevasse
   {
     std::ostringstream text;
     prm.print_parameters(text, dealii::ParameterHandler::ShortJSON);
-    Summary scene = Summary::parse(text.str());
-    for (const char *pointer : {"/Geometry/Mesh file", "/Loads/Temperature"})
-      {
-        const Summary::json_pointer place(pointer);
-        if (!scene.contains(place))
-          continue;
-        const std::string name = scene[place];
-        std::error_code   not_there;
-        if (!name.empty() && std::filesystem::is_regular_file(name, not_there))
-          scene["Content of files"][describe(pointer)] =
-            checksum(read_text_file(name));
-      }
+    Summary    scene = Summary::parse(text.str());
+    const auto add   = [&](const char *pointer, const auto &files_of) {
+      const Summary::json_pointer place(pointer);
+      const std::string           name =
+        scene.contains(place) ? scene[place].get<std::string>() : "";
+      std::error_code not_there;
+      if (!name.empty() && std::filesystem::is_regular_file(name, not_there))
+        scene["Content of files"][describe(pointer)] =
+          checksum_of(name, files_of);
+    };
+    add("/Geometry/Mesh file",
+        [](const std::string &name) { return std::vector{name}; });
+    add("/Loads/Temperature", files_of_temperature);
     return scene;
   }
 

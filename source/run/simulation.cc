@@ -146,6 +146,7 @@ namespace Crevasse
                              steps,
                              integrator.get(),
                              periodic_choice.needs_periodic_strain()))
+    , largest_nodal_force(largest_load(body, steps))
     , crack_tip(
         make_crack_tip_analysis<dim>(this->scene, body, secular_split, steps))
   {
@@ -177,7 +178,7 @@ namespace Crevasse
                        Checkpoints                   &checkpoints)
   {
     timer.restart();
-    Solvers<dim> solvers(scene, body, steps, log, phases);
+    Solvers<dim> solvers(scene, body, steps, largest_nodal_force, log, phases);
     solvers.add(state.solvers);
     rate_evaluations = state.rate_evaluations;
 

@@ -85,6 +85,7 @@ namespace Crevasse
   Solvers<dim>::Solvers(const Scene         &scene,
                         const Body<dim>     &body,
                         const StepList      &steps,
+                        const double         largest_load,
                         Log                 &log,
                         dealii::TimerOutput &phases)
     : scene(scene)
@@ -122,7 +123,7 @@ namespace Crevasse
                    steps.instant(step_of_largest_load(this->body, steps))));
       return *sor_factor;
     };
-    solver_settings.largest_load = largest_load(body, steps);
+    solver_settings.largest_load = largest_load;
     if (!body.material.stiffness_varies())
       {
         only_system = make_system(*body.material.at(0.).stiffness);

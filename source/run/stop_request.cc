@@ -215,7 +215,7 @@ namespace Crevasse
   StopRequests::of_file()
   {
     std::error_code not_there;
-    if (file.empty() || !std::filesystem::exists(file, not_there))
+    if (file.empty() || !std::filesystem::is_regular_file(file, not_there))
       return none;
     std::filesystem::remove(file, not_there);
     why = "the file " + file;

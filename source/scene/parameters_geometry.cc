@@ -51,8 +51,7 @@ namespace Crevasse
                           const Checker            &checker)
     {
       constexpr double  most = 2e7;
-      const std::string why =
-        "; more than 2e7 are more than a direct solver can take";
+      const std::string why  = "; more than 2e7 are refused";
 
       double                   n_cells = 1.;
       std::vector<std::string> factors;

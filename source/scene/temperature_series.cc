@@ -108,6 +108,31 @@ namespace Crevasse
 
 
 
+  std::vector<std::string>
+  files_of_temperature(const std::string &file_name)
+  {
+    std::vector<std::string> all = {file_name};
+    const auto               add = [&all](const std::string &name) {
+      const std::vector<std::string> behind = files_of_temperature(name);
+      all.insert(all.end(), behind.begin(), behind.end());
+    };
+    const std::string suffix = Text::suffix(file_name);
+    if (suffix == ".pvd")
+      for (const auto &[t, parts] : read_collection(file_name))
+        for (const auto &[part, name] : parts)
+          add(name);
+    if (suffix == ".pvtu")
+      {
+        const VtkXmlFile file(file_name);
+        for (const auto &[name, piece] : file.content())
+          if (name == "Piece")
+            add(file.neighbour(VtkXmlFile::attribute(piece, "Source")));
+      }
+    return all;
+  }
+
+
+
   template <int dim>
   void
   TemperatureSeries<dim>::add_snapshot(const std::vector<std::string> &parts)

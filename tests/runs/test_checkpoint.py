@@ -10,9 +10,10 @@ import shutil
 import zlib
 
 from crevasse_run import Results, check, check_below
-from interrupted_runs import (CASES, COMMON, check_same_bytes, execute, finish,
-                              checkpoints, fresh, interrupt,
-                              largest_difference, reference, times_resumed)
+from interrupted_runs import (CASES, COMMON, REDISTRIBUTES, check_same_bytes,
+                              execute, finish, checkpoints, fresh, interrupt,
+                              largest_difference, periods, reference,
+                              times_resumed)
 
 WAYS = ["SIGTERM", "SIGINT", "SIGHUP", "SIGTERM twice", "stop file", "wall time",
         "checkpoint and kill"]
@@ -218,6 +219,37 @@ def test_finished():
     check(code == 4 and "--resume" in error, f"nothing there: {code} {error}")
 
 
-for test in (test_interruptions, test_signals, test_kills, test_damage,
+def test_out_of_periods():
+    """What ends without a periodic state can be gone on with."""
+    for method in ("march", "anderson"):
+        settings = COMMON + REDISTRIBUTES + [
+            f"Periodic state/Method={method}", "Periodic state/Tolerance=1e-12"]
+        whole, _ = reference("periods_whole", settings + periods(6))
+        directory = fresh("periods")
+        code, error = execute(directory, settings + periods(4))
+        check(code == 3 and "--resume" in error and len(checkpoints(directory)) == 1,
+              f"{method}: {code} {error}")
+        code, error = execute(directory, settings + periods(6),
+                              more=["--resume"])
+        check(code == 3 and times_resumed(directory) == 1,
+              f"{method}, resumed: {code} {error}")
+        check_same_bytes(whole, Results(directory), f"{method}, more periods")
+
+
+def test_begun_anew():
+    """Not by mistake where there is something to go on with."""
+    settings, whole = kept_march()
+    directory = copy(whole.directory, "anew")
+    (directory / "summary.json").unlink()
+    code, error = execute(directory, settings)
+    check(code == 2 and "--resume" in error and str(directory) in error,
+          f"the same scene: {code} {error}")
+    check(checkpoints(directory) == checkpoints(whole.directory), "left alone")
+    code, error = execute(directory, settings + periods(1))
+    check(code in (0, 3) and not checkpoints(directory),
+          f"another scene: {code} {error}")
+
+
+for test in (test_out_of_periods, test_begun_anew, test_interruptions, test_signals, test_kills, test_damage,
              test_other_format, test_other_scenes, test_finished, test_ranks):
     test()

@@ -68,6 +68,9 @@ namespace Crevasse
     std::string
     last_sets() const override;
 
+    std::string
+    linear_trouble() const override;
+
   private:
     static constexpr unsigned int most_sets = 200;
 
@@ -112,7 +115,8 @@ namespace Crevasse
 
     std::set<std::uint64_t>   seen; ///< hashes of the sets of this solve
     std::vector<unsigned int> set_sizes;
-    unsigned int              rescues = 0;
+    unsigned int              rescues     = 0;
+    unsigned int              not_reached = 0; ///< last sets of this solve
   };
 } // namespace Crevasse
 

@@ -139,6 +139,11 @@ namespace Crevasse
     virtual std::string
     last_sets() const;
 
+    /** What the linear solver could not do, and what to try, for that message;
+     * empty if nothing. */
+    virtual std::string
+    linear_trouble() const;
+
     /** Whether iterate() could do better if asks_for_refinement(). */
     virtual bool
     can_refine() const;

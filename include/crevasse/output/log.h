@@ -61,12 +61,13 @@ namespace Crevasse
     keep(const std::string &text);
 
     void
-    require_written() const;
+    require_written();
 
     const bool    first_rank;
     const bool    quiet;
     const bool    terminal;
     bool          progress_shown = false;
+    bool          output_is_gone = false; ///< nobody reads it any more
     std::string   earlier_lines;
     std::string   name;
     std::ofstream file;

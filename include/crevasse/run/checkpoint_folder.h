@@ -107,7 +107,13 @@ namespace Crevasse
     std::map<std::string, std::size_t>
     measure_tables(const std::vector<std::string> &names) const;
 
-    /** Cuts the tables to what they had. @throw FileError if one has less. */
+    /** Whether the run can go on in its files. Nothing is changed.
+     * @throw FileError if one has less than when the checkpoint was written, or
+     * cannot be written to. */
+    void
+    require_tables(const CheckpointManifest &manifest) const;
+
+    /** Cuts the tables to what they had. @throw FileError */
     void
     cut_tables(const CheckpointManifest &manifest) const;
 

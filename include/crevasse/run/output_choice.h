@@ -12,10 +12,12 @@
 #ifndef crevasse_run_output_choice_h
 #define crevasse_run_output_choice_h
 
+#include <crevasse/output/directory_lock.h>
 #include <crevasse/output/summary.h>
 #include <crevasse/run/command_line.h>
 #include <crevasse/scene/scene.h>
 
+#include <memory>
 #include <string>
 
 namespace Crevasse
@@ -56,16 +58,22 @@ namespace Crevasse
     why_finished(const Scene &scene, const Summary &parameters) const;
 
     /** Makes the directory that of a run that has not ended, which goes on
-     * there. @throw FileError */
-    void
+     * there, and of no other as long as the lock exists. @throw FileError */
+    std::unique_ptr<DirectoryLock>
     take_up() const;
 
-    /** Creates the directory where needed and removes the results of an
-     * earlier run. @throw FileError */
-    void
+    /** Creates the directory where needed, removes the results of an earlier
+     * run, and keeps others out as long as the lock exists.
+     * @throw FileError */
+    std::unique_ptr<DirectoryLock>
     prepare() const;
 
   private:
+    std::string
+    why_finished(const Summary &summary,
+                 const Scene   &scene,
+                 const Summary &parameters) const;
+
     bool        from_command_line;
     std::string path;
   };

@@ -198,6 +198,7 @@ namespace Crevasse
     const double                           largest_thermal_strain;
     PeriodicChoice                         periodic_choice;
     SecularSplit                           secular_split;
+    const double                           largest_nodal_force;
     const std::unique_ptr<const CrackTipAnalysis> crack_tip; ///< or null
     std::optional<SecularFlow>                    secular_flow;
     std::size_t                                   rate_evaluations = 0;

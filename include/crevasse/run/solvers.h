@@ -38,10 +38,13 @@ namespace Crevasse
   class Solvers : public Instants<dim>
   {
   public:
-    /** All arguments must outlive this object. */
+    /** All arguments must outlive this object.
+     *
+     * @param largest_load of a node over a period: see largest_load(). */
     Solvers(const Scene         &scene,
             const Body<dim>     &body,
             const StepList      &steps,
+            const double         largest_load,
             Log                 &log,
             dealii::TimerOutput &phases);
 

@@ -21,6 +21,12 @@
 
 namespace Crevasse
 {
+  /** The files that a temperature is read from: this one and those that it
+   * names, as a .pvd or .pvtu does.
+   * @throw SceneError if one cannot be read. */
+  std::vector<std::string>
+  files_of_temperature(const std::string &file_name);
+
   /**
    * A temperature that another program has computed, on a mesh of its own: one
    * field (.vtu, .pvtu), or a collection of such at some instants of the period
