@@ -226,9 +226,8 @@ namespace
 int
 main(int argc, char **argv)
 {
-  // Whoever reads the log may end before the run does. A checkpoint may be
-  // asked for before the run can write one, which is no reason to end.
-  std::signal(SIGPIPE, SIG_IGN);
+  // A checkpoint may be asked for before the run can write one, which is no
+  // reason to end.
   std::signal(SIGUSR1, SIG_IGN);
   const Command command = parse_command_line(argc, argv);
   if (command.exit)
@@ -238,5 +237,8 @@ main(int argc, char **argv)
   // here does: a third of a second.
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // Whoever reads the log may end before the run does; Open MPI has its own
+  // mind about this.
+  std::signal(SIGPIPE, SIG_IGN);
   return run_guarded(command);
 }

@@ -174,7 +174,7 @@ namespace Crevasse
                            error.is_number() && error <= tolerance;
     if (!is_enough && periods < allowed)
       return ""; // the checkpoint knows its scene
-    if (!summary.contains("scene"))
+    if (!summary.contains("scene") || !summary["scene"].is_object())
       throw FileError(
         "--resume: the run in " + path +
         " has ended, but its summary.json does not tell with which scene; "

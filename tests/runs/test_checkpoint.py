@@ -7,13 +7,16 @@ import json
 import pathlib
 import random
 import shutil
+import subprocess
+import time
 import zlib
 
 from crevasse_run import Results, check, check_below
 from interrupted_runs import (CASES, COMMON, REDISTRIBUTES, check_same_bytes,
-                              execute, finish, checkpoints, fresh, interrupt,
-                              largest_difference, periods, reference,
-                              times_resumed)
+                              command, execute, finish, checkpoints, fresh,
+                              interrupt, largest_difference, periods,
+                              reference, times_resumed, wait_for)
+from mpi_environment import ENVIRONMENT
 
 WAYS = ["SIGTERM", "SIGINT", "SIGHUP", "SIGTERM twice", "stop file", "wall time",
         "checkpoint and kill"]
@@ -250,6 +253,44 @@ def test_begun_anew():
           f"another scene: {code} {error}")
 
 
-for test in (test_out_of_periods, test_begun_anew, test_interruptions, test_signals, test_kills, test_damage,
+def begin_long(name):
+    """A run of the march that will not end by itself, in its first steps."""
+    settings = COMMON + periods(100000)
+    directory = fresh(name)
+    arguments = [word for word in command(directory, settings)
+                 if word != "--quiet"]
+    process = subprocess.Popen(arguments, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True,
+                               stdin=subprocess.DEVNULL, env=ENVIRONMENT)
+    wait_for(directory, 5, process)
+    return process, directory
+
+
+def test_two_runs():
+    """A directory is one run's as long as that goes on."""
+    process, directory = begin_long("two_runs")
+    code, error = execute(directory, COMMON + ["Title=Another"])
+    check(code == 4 and "Another run" in error
+          and f"process {process.pid}" in error, f"{code} {error}")
+    (directory / "stop").touch()
+    process.communicate(timeout=60)
+    check(process.returncode == 5, f"the first one: {process.returncode}")
+    code, error = execute(directory, COMMON + periods(1))
+    check(code in (0, 3), f"afterwards: {code} {error}")
+
+
+def test_nobody_listens():
+    """The run is worth more than the pipe that its log goes to."""
+    process, directory = begin_long("pipe")
+    process.stdout.close()
+    time.sleep(0.5)
+    (directory / "stop").touch()
+    process.wait(timeout=60)
+    log = (directory / "log.txt").read_text()
+    check(process.returncode == 5 and "standard output" in log
+          and "--resume goes on" in log, f"{process.returncode}\n{log}")
+
+
+for test in (test_two_runs, test_nobody_listens, test_out_of_periods, test_begun_anew, test_interruptions, test_signals, test_kills, test_damage,
              test_other_format, test_other_scenes, test_finished, test_ranks):
     test()

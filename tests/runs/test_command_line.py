@@ -92,7 +92,11 @@ def test_mistakes():
             (("a.prm", "--set"), "--set"),
             (("a.prm", "--output"), "--output"),
             (("--print-parameters", "xml"), "as prm, json or markdown"),
-            (("--print-parameters", "a.prm"), "reads no scene")):
+            (("--print-parameters", "a.prm"), "reads no scene"),
+            (("a.prm", "--wall-time", "12:00"), "is no time"),
+            (("a.prm", "--wall-time", "1:60:00"), "is no time"),
+            (("a.prm", "--wall-time", "24:00:00:00"), "is no time"),
+            (("a.prm", "--wall-time", "0"), "is no time")):
         status, output, error = execute(*arguments)
         check(status == 2, f"{arguments}: exit status {status}")
         check(output == "", f"{arguments}: standard output:\n{output}")
@@ -101,6 +105,7 @@ def test_mistakes():
 
 def test_check():
     scene = write_scene("checked.prm")
+    succeed("--check", scene, "--wall-time", "1-00:30:00")
     directory = remove("results/checked")
     before = sorted(pathlib.Path().rglob("*"))
     output = succeed("--check", scene)
@@ -114,7 +119,9 @@ def test_check():
                     r"body force +off +\(", r"field output +on +\(",
                     "boundaries: symmetry 2; loaded 3; contact 4; fixed "
                     r"\(0.5, 0\): 1\n", "output directory: results/checked\n",
-                    "10 steps a period", "nothing was computed"):
+                    "10 steps a period", r"linear solver: cholesky \(automatic",
+                    r"contact solver: condensed active set \(automatic",
+                    "nothing was computed"):
         check(re.search(pattern, output), f"--check does not print {pattern}")
 
 

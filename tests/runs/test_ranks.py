@@ -121,9 +121,10 @@ def test_refusals():
         arguments = [SCENE, "--output", "results/refused"]
         for setting in settings:
             arguments += ["--set", setting]
-        code, _, error = execute_on(2, *arguments)
-        check(code == 2, f"{settings}: exit status {code}")
-        check(alternative in error and error.count("crevasse:") == 1, error)
+        for before in (["--check"], []):
+            code, _, error = execute_on(2, *before, *arguments)
+            check(code == 2, f"{before} {settings}: exit status {code}")
+            check(alternative in error and error.count("crevasse:") == 1, error)
         print(error.splitlines()[0])
 
 

@@ -384,6 +384,27 @@ def test_instants():
         check_equal(other, run(path, "again"), str(path), 0.)
 
 
+def test_other_content():
+    """A run is gone on with if none of the files has changed."""
+    points, cells = square("quad")
+
+    def write_step(factor):
+        write("first.vtu", (points, cells), "quad", linear(points))
+        write("second.vtu", (points, cells), "quad", factor * linear(points))
+
+    write_step(0.5)
+    write_collection("kept.pvd", [(0, "first.vtu"), (300, "second.vtu")])
+    pathlib.Path("kept.prm").write_text(BODY.replace(
+        "set Period ", "set Temperature = kept.pvd\n  set Period "))
+    arguments = ["kept.prm", "--output", "results/kept"]
+    for more, factor, expected in (([], 0.5, 0), (["--resume"], 0.5, 0),
+                                   (["--resume"], 0.6, 2)):
+        write_step(factor)
+        status, _, error = execute(*arguments, *more)
+        check(status == expected, f"{more}, {factor}: {status} {error}")
+    check("[Loads] Temperature" in error, error)
+
+
 def test_curved_boundary():
     """A point between an arc and the edge that stands for it is accepted, one
     further out is not."""
@@ -522,6 +543,7 @@ if __name__ == "__main__":
     test_names()
     test_parts()
     test_instants()
+    test_other_content()
     test_curved_boundary()
     test_refused()
     test_corrupted()

@@ -4,6 +4,7 @@
 
 #include <crevasse/output/log.h>
 #include <crevasse/run/fourier_problem.h>
+#include <crevasse/run/largest_load.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/time/evolution.h>
 
@@ -59,7 +60,12 @@ namespace
                dealii::TimerOutput::wall_times)
       , body(this->scene, communicator)
       , steps(scene.time_integration, scene.loads.period)
-      , solvers(this->scene, body, steps, log, phases)
+      , solvers(this->scene,
+                body,
+                steps,
+                largest_load(body, steps),
+                log,
+                phases)
       , result(solve_fourier_problem<2>(this->scene, body, steps, solvers, 1.))
       , evolution(body.strain_operator, body.points, body.loads, solvers)
     {
