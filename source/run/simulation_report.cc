@@ -68,7 +68,8 @@ namespace Crevasse
     const LinearSolverChoice  linear = choose_linear_solver(scene, body);
     const ContactSolverChoice contact =
       choose_contact_solver(scene, body, linear);
-    log.line("  linear solver: " + linear.describe());
+    if (contact.name != "projected sor")
+      log.line("  linear solver: " + linear.describe());
     if (body.effects.contact.on)
       log.line("  contact solver: " + contact.describe());
     if (crack_tip != nullptr)
