@@ -25,7 +25,6 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -233,9 +232,6 @@ main(int argc, char **argv)
   if (command.exit)
     return command.status;
 
-  // Open MPI starts a second program for one that may start others, which none
-  // here does: a third of a second.
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   // Whoever reads the log may end before the run does; Open MPI has its own
   // mind about this.

@@ -1,8 +1,6 @@
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT} 1)
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
 set(ENV{OMP_NUM_THREADS} 1)
-# One process needs no other program beside it.
-set(ENV{OMPI_MCA_ess_singleton_isolated} 1)
 # More ranks than cores, which must then not spin while they wait.
 set(ENV{OMPI_MCA_rmaps_base_oversubscribe} 1)
 set(ENV{OMPI_MCA_mpi_yield_when_idle} 1)

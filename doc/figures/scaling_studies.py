@@ -36,8 +36,8 @@ TIMED = (
                                        "Linear solver/Type": "mumps"}),
     ("box, degree 1, amg", BOX, {"Geometry/Subdivisions": "48, 24, 24",
                                  "Linear solver/Type": "amg"}),
-    ("box, degree 2, gmg", BOX, {"Geometry/Subdivisions": "6, 3, 3",
-                                 "Geometry/Refinements": 3,
+    ("box, degree 2, gmg", BOX, {"Geometry/Subdivisions": "8, 4, 4",
+                                 "Geometry/Refinements": 2,
                                  "Discretisation/Degree": 2,
                                  "Linear solver/Type": "gmg"}),
 )

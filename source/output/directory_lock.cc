@@ -9,7 +9,6 @@
 //
 // ---------------------------------------------------------------------
 
-
 #include <crevasse/output/directory_lock.h>
 #include <crevasse/scene/problems.h>
 
@@ -37,10 +36,9 @@ namespace Crevasse
           << dealii::Utilities::System::get_hostname() << '\n';
         return;
       }
-    const bool is_taken = errno == EWOULDBLOCK;
+    if (errno != EWOULDBLOCK)
+      return; // there are no locks
     close(file);
-    if (!is_taken)
-      throw FileError("Cannot lock " + name + ".");
     std::ifstream     other(name);
     const std::string who{std::istreambuf_iterator<char>(other), {}};
     throw FileError("Another run writes to " + directory + " (" +

@@ -112,22 +112,20 @@ namespace Crevasse
   files_of_temperature(const std::string &file_name)
   {
     std::vector<std::string> all = {file_name};
-    const auto               add = [&all](const std::string &name) {
-      const std::vector<std::string> behind = files_of_temperature(name);
-      all.insert(all.end(), behind.begin(), behind.end());
-    };
-    const std::string suffix = Text::suffix(file_name);
-    if (suffix == ".pvd")
+    if (Text::suffix(file_name) == ".pvd")
       for (const auto &[t, parts] : read_collection(file_name))
         for (const auto &[part, name] : parts)
-          add(name);
-    if (suffix == ".pvtu")
-      {
-        const VtkXmlFile file(file_name);
-        for (const auto &[name, piece] : file.content())
-          if (name == "Piece")
-            add(file.neighbour(VtkXmlFile::attribute(piece, "Source")));
-      }
+          all.push_back(name);
+    const std::vector<std::string> named = all;
+    for (const std::string &name : named)
+      if (Text::suffix(name) == ".pvtu")
+        {
+          const VtkXmlFile file(name);
+          for (const auto &[element, piece] : file.content())
+            if (element == "Piece")
+              all.push_back(
+                file.neighbour(VtkXmlFile::attribute(piece, "Source")));
+        }
     return all;
   }
 

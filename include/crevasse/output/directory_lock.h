@@ -9,7 +9,6 @@
 //
 // ---------------------------------------------------------------------
 
-
 #ifndef crevasse_output_directory_lock_h
 #define crevasse_output_directory_lock_h
 
