@@ -312,7 +312,7 @@ def test_ranks():
 
 if __name__ == "__main__":
     test_is_the_trapezoidal_state()
-        test_mean_pressure()
+    test_mean_pressure()
     test_closed_forms()
     test_everything_else()
     test_exact_harmonics()
