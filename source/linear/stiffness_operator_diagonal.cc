@@ -21,16 +21,60 @@ namespace Crevasse
 
   namespace
   {
-    /** εᵀKε. */
+    /** Of a shape function's component c the strain ε depends on the gradient
+     * and, with mean dilatations, on the mean of its derivative by x_c: εᵀKε is
+     * this form of these dim + 1 numbers. */
+    template <int dim>
+    using EnergyForm = std::array<std::array<double, dim + 1>, dim + 1>;
+
+
+
     template <int dim, typename PointModuli>
-    double
-    energy(const PointModuli &moduli, const VoigtVector<dim> &strain)
+    std::array<EnergyForm<dim>, dim>
+    energy_forms(const PointModuli &moduli, const bool mean_volume)
     {
-      std::array<double, n_stress_components<dim>> e, s;
-      for (unsigned int i = 0; i < e.size(); ++i)
-        e[i] = strain[i];
-      PointModuli::multiply(moduli.values, e, s);
-      return std::inner_product(e.begin(), e.end(), s.begin(), 0.);
+      using Components = std::array<double, n_stress_components<dim>>;
+      std::array<EnergyForm<dim>, dim> forms;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          std::array<Components, dim + 1> strain{}, stress{};
+          for (unsigned int d = 0; d < dim; ++d)
+            strain[d][voigt_index<dim>(c, d)] = 1.;
+          if (mean_volume)
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                strain[c][i] -= 1. / 3.;
+                strain[dim][i] = 1. / 3.;
+              }
+          for (unsigned int k = 0; k <= dim; ++k)
+            PointModuli::multiply(moduli.values, strain[k], stress[k]);
+          for (unsigned int k = 0; k <= dim; ++k)
+            for (unsigned int l = 0; l <= dim; ++l)
+              forms[c][k][l] = std::inner_product(strain[k].begin(),
+                                                  strain[k].end(),
+                                                  stress[l].begin(),
+                                                  0.);
+        }
+      return forms;
+    }
+
+
+
+    template <int dim>
+    double
+    energy(const EnergyForm<dim> &form,
+           const Tensor<1, dim>  &gradient,
+           const double           mean)
+    {
+      std::array<double, dim + 1> x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = gradient[d];
+      x[dim]     = mean;
+      double sum = 0.;
+      for (unsigned int k = 0; k <= dim; ++k)
+        for (unsigned int l = 0; l <= dim; ++l)
+          sum += x[k] * form[k][l] * x[l];
+      return sum;
     }
   } // namespace
 
@@ -59,17 +103,13 @@ namespace Crevasse
     std::vector<double>                  entries(fe.n_dofs_per_cell());
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
 
-    const auto strain_of = [&](const unsigned int    shape,
-                               const Tensor<1, dim> &gradient,
-                               const unsigned int    component) {
-      VoigtVector<dim> strain;
-      for (unsigned int d = 0; d < dim; ++d)
-        strain[voigt_index<dim>(component, d)] = gradient[d];
-      if (mean_volume)
-        for (unsigned int i = 0; i < 3; ++i)
-          strain[i] += (means[shape][component] - gradient[component]) / 3.;
-      return strain;
-    };
+    std::vector<unsigned int> place(dim * n_shapes);
+    for (unsigned int i = 0; i < n_shapes; ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        place[i * dim + c] = fe.component_to_system_index(c, i);
+    std::array<EnergyForm<dim>, dim> forms;
+    if (moduli.is_uniform())
+      forms = energy_forms<dim>(moduli[0], mean_volume);
 
     for (unsigned int batch = 0; batch < loops->n_cell_batches(); ++batch)
       {
@@ -102,16 +142,17 @@ namespace Crevasse
             std::fill(entries.begin(), entries.end(), 0.);
             for (unsigned int q = 0; q < rule.size(); ++q)
               {
-                const PointModuli &of_point =
-                  moduli[moduli.is_uniform() ? 0
-                                             : first_points[batch][lane] + q];
+                if (!moduli.is_uniform())
+                  forms =
+                    energy_forms<dim>(moduli[first_points[batch][lane] + q],
+                                      mean_volume);
                 const double weight = evaluation.JxW(q)[lane];
                 for (unsigned int i = 0; i < n_shapes; ++i)
                   for (unsigned int c = 0; c < dim; ++c)
-                    entries[fe.component_to_system_index(c, i)] +=
-                      weight *
-                      energy<dim>(of_point,
-                                  strain_of(i, gradients[q * n_shapes + i], c));
+                    entries[place[i * dim + c]] +=
+                      weight * energy<dim>(forms[c],
+                                           gradients[q * n_shapes + i],
+                                           means[i][c]);
               }
             loops->get_cell_iterator(batch, lane)->get_dof_indices(dofs);
             for (unsigned int i = 0; i < dofs.size(); ++i)
