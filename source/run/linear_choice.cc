@@ -15,6 +15,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <cmath>
+
 namespace Crevasse
 {
   using namespace dealii;
@@ -27,6 +29,50 @@ namespace Crevasse
            Utilities::pow(body.space.finite_element().degree, dim) *
            body.space.mesh().n_cells(0);
   }
+
+
+
+  template <int dim>
+  double
+  n_matrix_entries(const double n_rows, const unsigned int degree)
+  {
+    return n_rows * dim * Utilities::fixed_power<dim>(degree + 2.);
+  }
+
+
+
+  namespace
+  {
+    /** ML counts with 32 bits: where a process had 1.2e9 entries it wrote
+     * beyond its arrays (Trilinos 13.2), with 0.5e9 it worked. */
+    constexpr double most_entries_of_ml = 0.8e9;
+
+    template <int dim>
+    void
+    require_work_for_ml(const Body<dim> &body)
+    {
+      const MPI_Comm communicator = body.space.communicator();
+      const double   entries      = Utilities::MPI::max(
+        n_matrix_entries<dim>(body.space.locally_owned_unknowns().n_elements(),
+                              body.space.finite_element().degree),
+        communicator);
+      if (entries <= most_entries_of_ml)
+        return;
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(communicator);
+      throw SceneError(
+        "[Linear solver] Type: amg is at its end with about " +
+        std::to_string(std::lround(1e-6 * entries)) +
+        " million entries of the stiffness on a process (at most " +
+        std::to_string(std::lround(1e-6 * most_entries_of_ml)) +
+        " million; the mesh has " + std::to_string(body.space.n_unknowns()) +
+        " unknowns). Take Type = gmg with fewer [Geometry] Subdivisions and "
+        "more Refinements, or at least " +
+        std::to_string(
+          std::lround(std::ceil(n_ranks * entries / most_entries_of_ml))) +
+        " processes.");
+    }
+  } // namespace
 
 
 
@@ -57,6 +103,8 @@ namespace Crevasse
                            may_use_gmg(scene, body));
     if (choice.type == LinearSolverChoice::cholesky)
       Cholesky::require_one_process(communicator);
+    if (choice.type == LinearSolverChoice::amg)
+      require_work_for_ml(body);
     if (choice.is_multigrid() && body.space.singular_shapes() != nullptr)
       throw SceneError(
         "[Discretisation] Singular functions: must be 0 on a mesh that is too "
@@ -84,6 +132,7 @@ namespace Crevasse
 
 #define INSTANTIATE(dim)                                                     \
   template double n_unknowns_of_first_mesh<dim>(const Body<dim> &);          \
+  template double n_matrix_entries<dim>(const double, const unsigned int);   \
   template bool   may_use_gmg<dim>(const Scene &, const Body<dim> &);        \
   template LinearSolverChoice  choose_linear_solver<dim>(const Scene &,      \
                                                         const Body<dim> &); \

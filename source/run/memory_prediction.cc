@@ -80,18 +80,6 @@ namespace Crevasse
 
 
 
-    /** Entries of a rank's rows of a stiffness: on average 3 (Q1) or 4 (Q2)
-     * nodes along each direction share a cell with a node, each with dim
-     * components. */
-    template <int dim>
-    double
-    matrix_entries(const double own_unknowns, const unsigned int degree)
-    {
-      return own_unknowns * dim * Utilities::fixed_power<dim>(degree + 2.);
-    }
-
-
-
     constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
 
 
@@ -121,7 +109,7 @@ namespace Crevasse
                            const unsigned int             n_ranks)
     {
       if (type == LinearSolverChoice::amg)
-        return bytes_per_entry * matrix_entries<dim>(own_unknowns, degree);
+        return bytes_per_entry * n_matrix_entries<dim>(own_unknowns, degree);
       const double cholesky = bytes_of_cholesky<dim>(unknowns, degree);
       if (type == LinearSolverChoice::cholesky)
         return cholesky;
@@ -141,7 +129,7 @@ namespace Crevasse
       const double own = scale.coarsest / scale.n_ranks;
       const auto   solver =
         choose_matrix_solver(dim, scale.coarsest, scale.n_ranks);
-      return bytes_per_entry * matrix_entries<dim>(own, scale.degree) +
+      return bytes_per_entry * n_matrix_entries<dim>(own, scale.degree) +
              bytes_of_matrix_solver<dim>(
                solver.type, scale.coarsest, own, scale.degree, scale.n_ranks);
     }
@@ -278,7 +266,7 @@ namespace Crevasse
       scale.solver.type == LinearSolverChoice::gmg
         ? 0.
         : bytes_per_entry *
-            matrix_entries<dim>(scale.own_unknowns, scale.degree);
+            n_matrix_entries<dim>(scale.own_unknowns, scale.degree);
     const double solver = bytes_of_solver(scale);
     const double n      = n_systems(body, steps, scene, matrix + solver);
     bytes.matrix        = n * matrix;

@@ -11,12 +11,12 @@
 // Conjugate gradients with geometric multigrid, without a matrix, and with ML
 // on the assembled one: iterations, time and memory for a cracked block.
 //
-//     multigrid_study iterations [LARGEST]
+//     multigrid_study iterations gmg|ml [LARGEST]
 //     multigrid_study DIMENSION DEGREE UNIFORM TIP JUMP gmg|ml
 //     [contact|ACCURACY]
 //
-// The first prints the iterations of gmg for blocks of up to LARGEST unknowns
-// as Markdown; the second the row of one block, with the peak memory of its
+// The first prints the iterations for blocks of up to LARGEST unknowns as
+// Markdown; the second the row of one block, with the peak memory of its
 // process. Both are in doc/multigrid.md. With "contact" the lip closes in part;
 // with an ACCURACY the residual is reduced by so much instead of by 1e8.
 
@@ -207,6 +207,7 @@ namespace
   print_iterations(const unsigned int dim,
                    const BlockKind   &kind,
                    const bool         at_tip,
+                   const bool         with_ml,
                    const double       most_unknowns)
   {
     std::printf(
@@ -214,8 +215,9 @@ namespace
     for (BlockKind finer = kind; unknowns_of(dim, finer) < most_unknowns;
          ++finer.n_uniform)
       {
-        finer.n_tip         = at_tip ? finer.n_uniform : 0;
-        const Measurement m = measure(dim, finer, false, usual_accuracy, false);
+        finer.n_tip = at_tip ? finer.n_uniform : 0;
+        const Measurement m =
+          measure(dim, finer, with_ml, usual_accuracy, false);
         std::printf(" %.0f: %zu;", m.unknowns, m.iterations);
         std::fflush(stdout);
       }
@@ -223,7 +225,7 @@ namespace
   }
 
   void
-  print_all(const double most_unknowns)
+  print_all(const bool with_ml, const double most_unknowns)
   {
     std::printf("| element | jump | unknowns: iterations |\n|---|---|---|\n");
     for (const unsigned int dim : {2, 3})
@@ -237,6 +239,7 @@ namespace
                               jump,
                               VolumetricStrain::full},
                              at_tip,
+                             with_ml,
                              most_unknowns);
   }
 } // namespace
@@ -246,8 +249,8 @@ main(int argc, char **argv)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const auto number = [&](const int i) { return std::atof(argv[i]); };
-  if (argc >= 2 && std::string(argv[1]) == "iterations")
-    print_all(argc > 2 ? number(2) : 2e6);
+  if (argc >= 3 && std::string(argv[1]) == "iterations")
+    print_all(std::string(argv[2]) == "ml", argc > 3 ? number(3) : 2e6);
   else if (argc == 7 || argc == 8)
     {
       const BlockKind   kind{static_cast<unsigned int>(number(2)),

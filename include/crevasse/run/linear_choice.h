@@ -42,6 +42,13 @@ namespace Crevasse
   template <int dim>
   double
   n_unknowns_of_first_mesh(const Body<dim> &body);
+
+  /** Entries of so many rows of a stiffness: on average 3 (degree 1) or 4
+   * (degree 2) nodes along each direction share a cell with a node, each with
+   * dim components. */
+  template <int dim>
+  double
+  n_matrix_entries(const double n_rows, const unsigned int degree);
 } // namespace Crevasse
 
 #endif
