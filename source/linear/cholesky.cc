@@ -118,7 +118,7 @@ namespace Crevasse
     /** The upper triangle: row i of the symmetric matrix is CHOLMOD's column
      * i. The caller frees it. */
     cholmod_sparse *
-    upper_triangle(const LinearSolver::Matrix &matrix, cholmod_common &common)
+    copy_for_cholmod(const LinearSolver::Matrix &matrix, cholmod_common &common)
     {
       const MatrixRows rows(matrix);
       const int        n       = rows.n;
@@ -212,7 +212,7 @@ namespace Crevasse
       cholmod_free_sparse(&sparse, &common);
     };
     const std::unique_ptr<cholmod_sparse, decltype(free)> upper(
-      upper_triangle(matrix, common), free);
+      copy_for_cholmod(matrix, common), free);
     if (shared_analysis == nullptr)
       shared_analysis = analyse(upper.get());
     factor->L = cholmod_copy_factor(shared_analysis->pattern, &common);

@@ -149,6 +149,6 @@ namespace Crevasse
   template void Harmonics::analyse(std::vector<VectorType> &) const; \
   template void Harmonics::synthesise(std::vector<VectorType> &) const
 
-  INSTANTIATE(Vector<double>);
+  INSTANTIATE(dealii::Vector<double>);
   INSTANTIATE(LinearAlgebra::distributed::Vector<double>);
 } // namespace Crevasse

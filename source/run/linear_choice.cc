@@ -43,9 +43,9 @@ namespace Crevasse
 
   namespace
   {
-    /** ML counts with 32 bits: where a process had 1.2e9 entries it wrote
+    /** ML counts with 32 bits: where a process had 0.9e9 entries it wrote
      * beyond its arrays (Trilinos 13.2), with 0.5e9 it worked. */
-    constexpr double most_entries_of_ml = 0.8e9;
+    constexpr double most_entries_of_ml = 0.5e9;
 
     template <int dim>
     void

@@ -31,7 +31,7 @@ namespace Crevasse
     using Wrapper = dealii::SUNDIALS::ARKode<Vector>;
 
     /** Of the step that an error estimate asks for; ARKODE's own. */
-    constexpr double safety = 0.96;
+    constexpr double arkode_safety = 0.96;
 
 
 
@@ -157,7 +157,7 @@ namespace Crevasse
   {
     constexpr double shortest = 1e-12; // of the period
     check(ARKStepSetMinStep(memory, shortest * settings.period));
-    check(ARKStepSetSafetyFactor(memory, safety));
+    check(ARKStepSetSafetyFactor(memory, arkode_safety));
     // What is constant for a while asks for steps that miss what comes after.
     constexpr double longest = 1. / 4.;
     check(ARKStepSetMaxStep(memory, longest * settings.period));
@@ -206,11 +206,9 @@ namespace Crevasse
     constexpr double smallest = std::numeric_limits<double>::min();
     const double     wish =
       last * std::pow(std::max(error, smallest), -1. / (embedded_order + 1));
-    const double next =
-      static_cast<ArkodeDriver *>(self)->aligned_steps.next(t,
-                                                            last,
-                                                            safety * wish);
-    *step = next / safety; // ARKODE multiplies by it
+    const double next = static_cast<ArkodeDriver *>(self)->aligned_steps.next(
+      t, last, arkode_safety * wish);
+    *step = next / arkode_safety; // ARKODE multiplies by it
     return 0;
   }
 
