@@ -52,11 +52,10 @@ namespace
   std::unique_ptr<DirectoryLock>
   prepare(const OutputChoice &output, const std::string &used, Log &log)
   {
-    const bool replaces = output.holds_other_results(used);
-    auto       lock     = output.prepare();
-    if (replaces)
-      log.line("  results of an earlier run in " + output.directory() +
-               " are replaced");
+    std::string kept;
+    auto        lock = output.prepare(kept);
+    if (!kept.empty())
+      log.line("  results of an earlier run are kept in " + kept);
     write_used_parameters(output.directory(), used);
     return lock;
   }

@@ -25,71 +25,64 @@ namespace Crevasse
   namespace
   {
     using Complex = std::complex<double>;
-
-    /** N reals and N/2 + 1 complex numbers for each of many functions that are
-     * interleaved, with both transforms between them. */
-    struct InterleavedTransforms
-    {
-      InterleavedTransforms(const unsigned int N,
-                            const unsigned int n_functions)
-        : values(static_cast<std::size_t>(N) * n_functions)
-        , harmonics(static_cast<std::size_t>(N / 2 + 1) * n_functions)
-      {
-        const int  length = N;
-        const int  stride = n_functions;
-        const auto complexes =
-          reinterpret_cast<fftw_complex *>(harmonics.data());
-        // Estimated plans do not depend on how busy the machine was.
-        forward  = fftw_plan_many_dft_r2c(1,
-                                         &length,
-                                         stride,
-                                         values.data(),
-                                         nullptr,
-                                         stride,
-                                         1,
-                                         complexes,
-                                         nullptr,
-                                         stride,
-                                         1,
-                                         FFTW_ESTIMATE);
-        backward = fftw_plan_many_dft_c2r(1,
-                                          &length,
-                                          stride,
-                                          complexes,
-                                          nullptr,
-                                          stride,
-                                          1,
-                                          values.data(),
-                                          nullptr,
-                                          stride,
-                                          1,
-                                          FFTW_ESTIMATE);
-        AssertThrow(forward != nullptr && backward != nullptr,
-                    ExcMessage("FFTW made no plan."));
-      }
-
-      ~InterleavedTransforms()
-      {
-        fftw_destroy_plan(forward);
-        fftw_destroy_plan(backward);
-      }
-
-      InterleavedTransforms(const InterleavedTransforms &) = delete;
-      InterleavedTransforms &
-      operator=(const InterleavedTransforms &) = delete;
-
-      std::vector<double>  values;
-      std::vector<Complex> harmonics;
-      fftw_plan            forward;
-      fftw_plan            backward;
-    };
   } // namespace
 
 
 
-  struct PeriodicConvolution::Transforms : InterleavedTransforms
+  /** N reals and N/2 + 1 complex numbers for each of many functions that are
+   * interleaved, with both transforms between them. */
+  struct PeriodicConvolution::Transforms
   {
-    using InterleavedTransforms::InterleavedTransforms;
+    Transforms(const unsigned int N, const unsigned int n_functions)
+      : values(static_cast<std::size_t>(N) * n_functions)
+      , harmonics(static_cast<std::size_t>(N / 2 + 1) * n_functions)
+    {
+      const int  length    = N;
+      const int  stride    = n_functions;
+      const auto complexes = reinterpret_cast<fftw_complex *>(harmonics.data());
+      // Estimated plans do not depend on how busy the machine was.
+      forward  = fftw_plan_many_dft_r2c(1,
+                                       &length,
+                                       stride,
+                                       values.data(),
+                                       nullptr,
+                                       stride,
+                                       1,
+                                       complexes,
+                                       nullptr,
+                                       stride,
+                                       1,
+                                       FFTW_ESTIMATE);
+      backward = fftw_plan_many_dft_c2r(1,
+                                        &length,
+                                        stride,
+                                        complexes,
+                                        nullptr,
+                                        stride,
+                                        1,
+                                        values.data(),
+                                        nullptr,
+                                        stride,
+                                        1,
+                                        FFTW_ESTIMATE);
+      AssertThrow(forward != nullptr && backward != nullptr,
+                  ExcMessage("FFTW made no plan."));
+    }
+
+    ~Transforms()
+    {
+      fftw_destroy_plan(forward);
+      fftw_destroy_plan(backward);
+    }
+
+    Transforms(const Transforms &) = delete;
+    Transforms &
+    operator=(const Transforms &) = delete;
+
+    std::vector<double>  values;
+    std::vector<Complex> harmonics;
+    fftw_plan            forward;
+    fftw_plan            backward;
   };
 
 

@@ -155,4 +155,6 @@ namespace Crevasse
 
   INSTANTIATE(2);
   INSTANTIATE(3);
+
+#undef INSTANTIATE
 } // namespace Crevasse

@@ -136,4 +136,6 @@ namespace Crevasse
 
   INSTANTIATE(2);
   INSTANTIATE(3);
+
+#undef INSTANTIATE
 } // namespace Crevasse

@@ -24,27 +24,24 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  namespace
+  /** CHOLMOD's settings and workspace. */
+  struct Cholesky::Common : cholmod_common
   {
-    /** CHOLMOD's settings and workspace. */
-    struct Common : cholmod_common
+    Common()
     {
-      Common()
-      {
-        cholmod_start(this);
-        print = 0; // errors become exceptions
-      }
+      cholmod_start(this);
+      print = 0; // errors become exceptions
+    }
 
-      ~Common()
-      {
-        cholmod_finish(this);
-      }
+    ~Common()
+    {
+      cholmod_finish(this);
+    }
 
-      Common(const Common &) = delete;
-      Common &
-      operator=(const Common &) = delete;
-    };
-  } // namespace
+    Common(const Common &) = delete;
+    Common &
+    operator=(const Common &) = delete;
+  };
 
 
 

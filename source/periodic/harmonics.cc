@@ -151,4 +151,6 @@ namespace Crevasse
 
   INSTANTIATE(dealii::Vector<double>);
   INSTANTIATE(LinearAlgebra::distributed::Vector<double>);
+
+#undef INSTANTIATE
 } // namespace Crevasse

@@ -14,6 +14,7 @@
 #include <crevasse/scene/text.h>
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <optional>
 #include <regex>
 #include <sstream>
@@ -59,6 +60,23 @@ namespace Crevasse
       "  5  stopped on request (SIGTERM, SIGINT, SIGHUP, --wall-time, a file\n"
       "     \"stop\" in the output directory), checkpoint written: --resume "
       "goes on";
+
+
+
+    /** For who calls the program without anything. */
+    constexpr const char *what_to_do_next =
+      "Crevasse computes periodic states of cracked viscoelastic solids, from a "
+      "scene file:\n\n"
+      "  crevasse prm/raous1980.prm       run a scene, here the paper's "
+      "example\n"
+      "  crevasse --check SCENE.prm       what a scene asks for, before it "
+      "runs\n"
+      "  crevasse --print-parameters      all parameters with their defaults, "
+      "for a scene\n"
+      "                                   of your own\n"
+      "  crevasse sweep --help            what accuracy costs\n"
+      "  crevasse --help                  all options\n\n"
+      "doc/getting_started.md tells more.\n";
 
 
 
@@ -254,6 +272,14 @@ namespace Crevasse
                 command.resume,
                 "Go on from the newest checkpoint of the output directory")
       ->excludes("--check");
+    app
+      .add_flag("--force",
+                command.force,
+                "Replace the results of an earlier run, which are otherwise "
+                "moved into a folder earlier_1, earlier_2, ... beside the new "
+                "ones")
+      ->excludes("--check")
+      ->excludes("--resume");
     auto *print = app
                     .add_option("--print-parameters",
                                 command.print_format,
@@ -263,12 +289,19 @@ namespace Crevasse
                     ->expected(0, 1)
                     ->check(print_format_problem);
     const CLI::App *sweep = add_sweep(app, command, overrides);
+    if (argc <= 1)
+      {
+        std::cerr << what_to_do_next;
+        command.exit   = true;
+        command.status = bad_input;
+        return command;
+      }
     try
       {
         app.parse(argc, argv);
         command.sweep = sweep->parsed();
         if (command.sweep && (!scene->empty() || !print->empty() ||
-                              command.check || command.resume))
+                              command.check || command.resume || command.force))
           throw CLI::ParseError("\"sweep\" comes first, and all else after it.",
                                 CLI::ExitCodes::ExtrasError);
         if (print->count() > 0 && command.print_format.empty())

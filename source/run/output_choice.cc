@@ -66,6 +66,7 @@ namespace Crevasse
 
   OutputChoice::OutputChoice(const Command &command, const Scene &scene)
     : from_command_line(!command.output_directory.empty())
+    , may_replace(command.force)
     , path(from_command_line ? command.output_directory
            : !scene.output_directory.empty()
              ? scene.output_directory
@@ -103,29 +104,20 @@ namespace Crevasse
 
 
 
-  bool
-  OutputChoice::holds_other_results(const std::string &used_parameters) const
-  {
-    const std::optional<std::string> earlier = earlier_parameters(path);
-    return earlier && *earlier != used_parameters;
-  }
-
-
-
   void
   OutputChoice::require_nothing_to_resume(
     const std::string &used_parameters) const
   {
     std::error_code unknown;
-    if (earlier_parameters(path) != used_parameters ||
+    if (may_replace || earlier_parameters(path) != used_parameters ||
         fs::exists(path + "/summary.json", unknown) ||
         !CheckpointFolder(path).has_any())
       return;
     throw SceneError(
       "A run of this scene was begun in " + path +
       " and has not ended: --resume goes on from its last checkpoint. To begin "
-      "anew choose another directory by --output DIR, or remove " +
-      path + "/checkpoint.");
+      "anew choose another directory by --output DIR, or replace it by "
+      "--force.");
   }
 
 
@@ -206,13 +198,15 @@ namespace Crevasse
 
 
   std::unique_ptr<DirectoryLock>
-  OutputChoice::prepare() const
+  OutputChoice::prepare(std::string &kept) const
   {
     try
       {
         require_writable_directory(path);
         auto lock = std::make_unique<DirectoryLock>(path);
-        remove_earlier_results(path);
+        kept      = clear_earlier_results(path,
+                                     may_replace ? EarlierResults::are_removed
+                                                      : EarlierResults::are_kept);
         return lock;
       }
     catch (const FileError &error)

@@ -324,4 +324,6 @@ namespace Crevasse
 
   INSTANTIATE(2);
   INSTANTIATE(3);
+
+#undef INSTANTIATE
 } // namespace Crevasse

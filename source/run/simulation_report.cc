@@ -289,4 +289,6 @@ namespace Crevasse
 
   INSTANTIATE(2);
   INSTANTIATE(3);
+
+#undef INSTANTIATE
 } // namespace Crevasse

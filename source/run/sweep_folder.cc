@@ -111,10 +111,14 @@ namespace Crevasse
   SweepFolder::prepare() const
   {
     require_writable_directory(folder);
+    // Of the same scene, but not finished or damaged, or of another one.
+    const bool is_other = content(file("used.prm")) != used;
     // First: from now on the folder is not finished.
     remove(file(mark));
     remove(file(stress_file));
-    remove_earlier_results(folder);
+    clear_earlier_results(folder,
+                          is_other ? EarlierResults::are_kept
+                                   : EarlierResults::are_removed);
     write_atomically(used, file("used.prm"));
   }
 

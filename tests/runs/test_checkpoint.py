@@ -249,7 +249,8 @@ def test_begun_anew():
           f"the same scene: {code} {error}")
     check(checkpoints(directory) == checkpoints(whole.directory), "left alone")
     code, error = execute(directory, settings + periods(1))
-    check(code in (0, 3) and not checkpoints(directory),
+    check(code in (0, 3) and not checkpoints(directory)
+          and checkpoints(directory / "earlier_1"),
           f"another scene: {code} {error}")
 
 

@@ -86,7 +86,7 @@ def test_questions():
 
 def test_mistakes():
     for arguments, message in (
-            ((), "scene file is required"),
+            ((), "crevasse --print-parameters "),
             (("--frobnicate",), "--frobnicate"),
             (("a.prm", "b.prm"), "b.prm"),
             (("a.prm", "--set"), "--set"),
@@ -166,7 +166,8 @@ def test_directories():
 
 
 def test_earlier_results():
-    """Of an earlier run nothing is left, of other people's files everything."""
+    """They make room, and are kept unless --force says otherwise; other
+    people's files stay."""
     scene = write_scene("earlier.prm")
     directory = remove("results/earlier")
     directory.mkdir(parents=True)
@@ -179,12 +180,21 @@ def test_earlier_results():
     succeed(*arguments)
     check(theirs.exists(), "removed a table where no run had been")
 
-    succeed(*arguments, "--set", "Output/Probes=other: 0.3, 0.6")
-    for name in ("probe_A.csv", "probe_measured.csv"):
-        check(not (directory / name).exists(),
-              f"{name} could be taken for this run's")
-    check((directory / "probe_other.csv").exists() and notes.exists(),
-          "a file is missing")
+    first = {path.name: path.read_bytes() for path in directory.iterdir()
+             if path not in (notes, directory / "running")}
+    other = (*arguments, "--set", "Output/Probes=other: 0.3, 0.6")
+    for number, options in enumerate(((), ("--force",), ()), 1):
+        succeed(*other, *options)
+        for name in ("probe_A.csv", "probe_measured.csv"):
+            check(not (directory / name).exists(),
+                  f"{name} could be taken for this run's")
+        check((directory / "probe_other.csv").exists() and notes.exists(),
+              "a file is missing")
+        kept = directory / "earlier_1"
+        check({path.name: path.read_bytes() for path in kept.iterdir()}
+              == first, "the first run's results are kept")
+        check((directory / "earlier_2").exists() == (number == 3),
+              "--force keeps nothing")
 
 
 def test_set():
@@ -216,17 +226,15 @@ def test_set_anywhere():
     check(status == 2, f"two assignments after one --set: {status}\n{error}")
 
 
-def test_other_results():
-    """Another variant of a scene says that it replaces the results, the same
-    one does not."""
-    scene = write_scene("replaced.prm")
-    directory = remove("results/replaced")
+def test_told_where():
+    """What becomes of earlier results is told."""
+    scene = write_scene("kept.prm")
+    directory = remove("results/kept")
     arguments = (scene, "--set", "Periodic state/Maximum periods=1")
-    other = "results of an earlier run in results/replaced are replaced"
-    check(other not in succeed(*arguments), "nothing was there to replace")
-    check(other not in succeed(*arguments), "the same results are replaced")
-    check(other in succeed(scene), "other results are replaced in silence")
-    check(other in (directory / "log.txt").read_text(), "log.txt lacks it")
+    told = "results of an earlier run are kept in results/kept/earlier_1"
+    check(told not in succeed(*arguments), "nothing was there to keep")
+    check(told in succeed(*arguments), "moved in silence")
+    check(told in (directory / "log.txt").read_text(), "log.txt lacks it")
 
 
 def test_nothing_marched():
@@ -304,7 +312,7 @@ test_directories()
 test_earlier_results()
 test_set()
 test_set_anywhere()
-test_other_results()
+test_told_where()
 test_nothing_marched()
 test_tables()
 test_print_parameters()

@@ -57,6 +57,7 @@ namespace Crevasse
                const unsigned int n_columns) override;
 
   private:
+    struct Common; ///< CHOLMOD's settings and workspace
     struct Factor; // keeps cholmod.h out of every includer
 
     static std::shared_ptr<const Analysis>

@@ -49,6 +49,7 @@ namespace Crevasse
     bool                  check     = false;
     bool                  quiet     = false;
     bool                  resume    = false;
+    bool                  force     = false; ///< earlier results are replaced
     double                wall_time = 0.;    ///< seconds; 0: any
     bool                  sweep     = false; ///< a whole study of the scene
     SweepRequest          sweep_request;

@@ -39,13 +39,9 @@ namespace Crevasse
     void
     require_usable() const;
 
-    /** Whether there are results of a run whose used.prm was another text. */
-    bool
-    holds_other_results(const std::string &used_parameters) const;
-
-    /** What another run would destroy: checkpoints of one with the same
-     * parameters that has not ended.
-     * @throw SceneError if there are any. */
+    /** --resume is what is meant where there are checkpoints of a run with the
+     * same parameters that has not ended.
+     * @throw SceneError if there are any and nothing else was asked for. */
     void
     require_nothing_to_resume(const std::string &used_parameters) const;
 
@@ -62,11 +58,13 @@ namespace Crevasse
     std::unique_ptr<DirectoryLock>
     take_up() const;
 
-    /** Creates the directory where needed, removes the results of an earlier
-     * run, and keeps others out as long as the lock exists.
+    /** Creates the directory where needed, clears the results of an earlier
+     * run away, and keeps others out as long as the lock exists.
+     *
+     * @param kept the folder where those results are, if they are kept.
      * @throw FileError */
     std::unique_ptr<DirectoryLock>
-    prepare() const;
+    prepare(std::string &kept) const;
 
   private:
     std::string
@@ -74,7 +72,7 @@ namespace Crevasse
                  const Scene   &scene,
                  const Summary &parameters) const;
 
-    bool        from_command_line;
+    bool        from_command_line, may_replace;
     std::string path;
   };
 } // namespace Crevasse

@@ -46,7 +46,9 @@ namespace Crevasse
     std::optional<SweepResult>
     finished() const;
 
-    /** Removes what is there and writes used.prm. @throw FileError */
+    /** Removes what is there, but keeps the results of another scene in a
+     * folder of their own (clear_earlier_results()), and writes used.prm.
+     * @throw FileError */
     void
     prepare() const;
 
