@@ -96,7 +96,8 @@ namespace Crevasse
   CondensedActiveSet::memory_consumption() const
   {
     return ContactSolver::memory_consumption() +
-           lip_problem.memory_consumption() + loads.memory_consumption();
+           lip_problem.memory_consumption() + loads.memory_consumption() +
+           change.memory_consumption();
   }
 
 
