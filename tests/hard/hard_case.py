@@ -1,6 +1,6 @@
-"""What the hard cases share: their scenes, how they are run, and closed forms."""
+"""What the hard cases share: their scenes, and how they are run."""
 
-import math
+import itertools
 import pathlib
 import sys
 
@@ -14,9 +14,12 @@ PERIOD = 600.
 MODULUS = 13000.
 
 
+RUNS = itertools.count(1)
+
+
 def compute(case, settings=(), status=0):
-    """Runs the scene of a hard case."""
-    return run(HERE / f"{case}.prm", case, settings, status)
+    """Runs the scene of a hard case into a directory of its own."""
+    return run(HERE / f"{case}.prm", f"{case}_{next(RUNS)}", settings, status)
 
 
 def refuse(case, settings, status, *words):
