@@ -82,6 +82,18 @@ def test_both_ends():
           f"from both ends: {first}")
 
 
+def test_gap_at_the_tip():
+    """0 there but for the rounding of the tip's coordinate: no mistake. Not
+    loaded, the lip is open by the gap."""
+    results = compute("zero_load", ["Geometry/Subdivisions=14, 4",
+                                    "Boundary/Gap=-1e-4*(x-0.5)"])
+    for probe, expected in (("mouth", 5e-5), ("tip", 0.)):
+        check_below(max(abs(x - expected) for x in
+                        column(results, probe, "opening")), 1e-15,
+                    f"gap: opening at {probe} - gap")
+
+
 test_late_closing()
 test_both_ends()
 test_not_periodic()
+test_gap_at_the_tip()
