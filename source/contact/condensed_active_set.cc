@@ -96,7 +96,8 @@ namespace Crevasse
   CondensedActiveSet::memory_consumption() const
   {
     return ContactSolver::memory_consumption() +
-           lip_problem.memory_consumption() + loads.memory_consumption();
+           lip_problem.memory_consumption() + loads.memory_consumption() +
+           change.memory_consumption();
   }
 
 
@@ -165,16 +166,39 @@ namespace Crevasse
 
 
   void
-  CondensedActiveSet::refine_on_set(Vector &solution)
+  CondensedActiveSet::close(Vector &solution) const
   {
-    refine(linear_solver, loads, solution);
-    if (lip_problem.active_set().empty())
-      return;
-    restrict_to_lip(solution, opening);
-    opening -= gap;
+    const UnilateralBounds &bounds = problem.bounds;
+    for (const unsigned int node : lip_problem.active_set())
+      if (const unsigned int k = node - lip.first(); k < bounds.dofs.size())
+        solution(bounds.dofs[k]) = bounds.sign[k] * bounds.gap[k];
+  }
+
+
+
+  void
+  CondensedActiveSet::refine_on_set(const Vector &right_hand_side,
+                                    Vector       &solution)
+  {
+    // A solution for given forces has the rounding of a back-solve at the
+    // closed nodes, however often it is refined; moved away from there it would
+    // leave forces out of balance, large ones on flat cells. So the nodes stay
+    // where they are, and what is out of balance elsewhere is solved for.
+    const UnilateralBounds &bounds = problem.bounds;
+    problem.stiffness.vmult(loads, solution);
+    loads.sadd(-1., 1., right_hand_side);
+    for (const unsigned int node : lip_problem.active_set())
+      if (const unsigned int k = node - lip.first(); k < bounds.dofs.size())
+        loads(bounds.dofs[k]) = 0.;
+
+    change.reinit(solution, true);
+    linear_solver.solve(change, loads, residual_target());
+    restrict_to_lip(change, opening);
     lip_problem.forces_that_close(opening, forces);
     add_to_loads(forces);
-    refine(linear_solver, loads, solution);
+    linear_solver.solve(change, loads, residual_target());
+    solution += change;
+    close(solution);
   }
 
 
@@ -182,8 +206,6 @@ namespace Crevasse
   std::size_t
   CondensedActiveSet::iterate(const Vector &right_hand_side, Vector &solution)
   {
-    const UnilateralBounds &bounds = problem.bounds;
-
     solve_linear(linear_solver, right_hand_side, solution);
     unsigned int n_sets = 1;
     if (problem.n_bounds() > 0)
@@ -192,20 +214,20 @@ namespace Crevasse
         opening -= gap;
         n_sets = lip_problem.solve(opening, forces);
       }
-    const bool is_open = lip_problem.active_set().empty();
-    if (is_open && !asks_for_refinement())
-      return n_sets;
+    if (lip_problem.active_set().empty())
+      {
+        if (asks_for_refinement())
+          refine(linear_solver, right_hand_side, solution);
+        return n_sets;
+      }
 
     loads = right_hand_side;
     add_to_loads(forces);
-    if (!is_open)
-      solve_linear(linear_solver, loads, solution);
-    if (asks_for_refinement())
-      refine_on_set(solution);
+    solve_linear(linear_solver, loads, solution);
     // Closed is closed: no rounding of a back-solve in the gap.
-    for (const unsigned int node : lip_problem.active_set())
-      if (const unsigned int k = node - lip.first(); k < bounds.dofs.size())
-        solution(bounds.dofs[k]) = bounds.sign[k] * bounds.gap[k];
+    close(solution);
+    if (asks_for_refinement())
+      refine_on_set(right_hand_side, solution);
     return n_sets;
   }
 } // namespace Crevasse

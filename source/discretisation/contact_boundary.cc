@@ -16,6 +16,7 @@
 
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -357,7 +358,9 @@ namespace Crevasse
   ContactBoundary<dim>::gap_at(const Point<dim> &point) const
   {
     const double value = gap.value(point);
-    if (value > 0.)
+    // What coordinates round to, where the gap closes at a tip.
+    const double rounding = 1e-15 * point.norm();
+    if (value > rounding)
       {
         std::ostringstream message;
         message << "[Boundary] Gap = " << gap.formula() << ": is " << value
@@ -365,7 +368,7 @@ namespace Crevasse
                 << "; it must be at most 0 (an initial opening is negative).";
         throw SceneError(message.str());
       }
-    return value;
+    return std::min(value, 0.);
   }
 
 

@@ -258,6 +258,13 @@ namespace Crevasse
         for (unsigned int d = 0; d < dim; ++d)
           rates["per_probe"][probe.name()].push_back(rate[d]);
       }
+    if (!body.effects.contact.on)
+      return;
+    double closing = 0.;
+    for (const LipNode<dim> &node : body.lip.nodes())
+      closing = std::max(closing, -node.sign * gain(node.dof));
+    rates["largest_closing_rate"] =
+      Utilities::MPI::max(closing, body.space.communicator()) / period;
   }
 
 

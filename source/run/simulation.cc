@@ -226,7 +226,10 @@ namespace Crevasse
     write(summary, state, directory);
     conclude(state.result, checkpoints.is_on());
     if (state.result.converged)
-      require_contact_forces(summary);
+      {
+        require_contact_forces(summary);
+        require_lip_at_rest(summary);
+      }
   }
 
 

@@ -146,6 +146,37 @@ namespace Crevasse
 
   template <int dim>
   void
+  Simulation<dim>::require_lip_at_rest(const Summary &summary) const
+  {
+    if (!summary.contains("drift") ||
+        !summary["drift"].contains("largest_closing_rate"))
+      return;
+    // What is left of the way to the periodic state closes the lip by as much
+    // as the tolerance lets the stress be wrong, times a few.
+    constexpr double many = 100., least_tolerance = 1e-8;
+    const double     part =
+      many * std::max(scene.periodic_state.tolerance, least_tolerance);
+    const double rate    = summary["drift"]["largest_closing_rate"];
+    const double opening = summary["extremes"]["opening"];
+    if (rate * scene.loads.period <= part * opening)
+      return;
+    std::ostringstream message;
+    message
+      << "The stress repeats, but it is not the periodic one: the lip goes "
+         "on to close, by up to "
+      << rate * scene.loads.period << " in the last period, of an opening of "
+      << opening
+      << " at most. It will touch some time, and then the stress changes. "
+         "All results so far are written. Use [Periodic state] Method = "
+         "march with Tolerance = 0 over more periods, or, if nothing but "
+         "the loads depends on time, fourier with Scheme = trapezoid.";
+    throw NotPeriodicError(message.str());
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::conclude(const PeriodicResult &result,
                             const bool            can_resume) const
   {
@@ -197,6 +228,7 @@ namespace Crevasse
     const;                                                                    \
   template void Simulation<dim>::require_contact_forces(const Summary &)      \
     const;                                                                    \
+  template void Simulation<dim>::require_lip_at_rest(const Summary &) const;  \
   template void Simulation<dim>::require_meaning() const;                     \
   template void Simulation<dim>::conclude(const PeriodicResult &, const bool) \
     const

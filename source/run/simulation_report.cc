@@ -272,8 +272,8 @@ namespace Crevasse
         Text::from_number(statistics.accuracy) +
         " only, not [Contact] Tolerance = " +
         Text::from_number(scene.contact.tolerance) +
-        ". Very flat cells or a Poisson ratio close to its limits do "
-        "this.");
+        ". Very flat cells, a Poisson ratio close to its limits or moduli "
+        "that differ by many orders of magnitude do this.");
   }
 
 

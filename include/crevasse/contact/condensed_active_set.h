@@ -70,9 +70,13 @@ namespace Crevasse
     void
     add_to_loads(const dealii::Vector<double> &forces);
 
-    /** One step of iterative refinement with the set as it is. */
+    /** Puts the closed nodes where they belong. */
     void
-    refine_on_set(Vector &solution);
+    close(Vector &solution) const;
+
+    /** One step of iterative refinement of all but the closed nodes. */
+    void
+    refine_on_set(const Vector &right_hand_side, Vector &solution);
 
     LinearSolver &linear_solver;
 
@@ -82,6 +86,7 @@ namespace Crevasse
     dealii::Vector<double> opening;
     dealii::Vector<double> forces;
     Vector                 loads;
+    Vector                 change; ///< empty until a solution is refined
   };
 } // namespace Crevasse
 

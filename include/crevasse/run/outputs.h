@@ -91,9 +91,9 @@ namespace Crevasse
 
     /** summary.json "drift": what the displacement has gained over the last
      * period, divided by its length T (length/time): the largest component of
-     * any node, and the vector at each probe. This is measured, whether the
-     * stress is periodic yet or not; the rate β of the secular problem is its
-     * limit. */
+     * any node, the vector at each probe, and how fast the lip closes at a node
+     * at most. This is measured, whether the stress is periodic yet or not; the
+     * rate β of the secular problem is its limit, which closes no lip. */
     void
     finish_drift(Summary &summary) const;
     void

@@ -178,6 +178,11 @@ namespace Crevasse
     void
     require_contact_forces(const Summary &summary) const;
 
+    /** @throw NotPeriodicError if the lip has gone on to close over the last
+     * period, which no periodic state does. */
+    void
+    require_lip_at_rest(const Summary &summary) const;
+
     /** @throw NumericalError if the periodic state was not reached, or if the
      * stress is nothing but rounding. */
     void
