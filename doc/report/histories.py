@@ -62,6 +62,11 @@ def stress_intensity_charts(run):
                 "Energy release rate, both halves")
 
 
+def load_work_charts(run):
+    yield chart(run, run.tables["load_work.csv"], ["load_work"], "force × length",
+                "Work ∫ loads · u")
+
+
 def chart(run, table, columns, axis, title, noise=0):
     """With the whole run, thinned where it is long, and its last period. What is
     noise is drawn as zero."""
@@ -114,7 +119,7 @@ def symbol(column):
     """u_1 as it is written: with indices below."""
     words = {"K_I_stress": "K_I by the fit to the stress",
              "K_I_singular": "K_I of the singular function",
-             "energy_release_rate": "G", "closed_nodes": "closed nodes"}
+             "energy_release_rate": "G", "closed_nodes": "closed nodes", "load_work": "work"}
     kind, _, index = column.partition("_")
     if not index.isdigit():
         return words.get(column, column)

@@ -31,6 +31,10 @@ TITLES = {
 
 def pictures(run):
     """Pictures, and sentences about those that are missing."""
+    if run.summary.get("periods") == 0:
+        return [], ["No period was computed, so that there is nothing to draw: "
+                    "[Periodic state] Maximum periods = "
+                    f"{run.parameter('Periodic state/Maximum periods')}."]
     missing = []
     drawn = [*field_pictures(run, missing), *probe_pictures(run, missing)]
     return sorted(drawn, key=lambda picture: picture.title), missing

@@ -10,7 +10,7 @@ import re
 
 import histories
 import paper
-from ending import ending_of
+from ending import checkpoint, ending_of
 from page import render
 from plotting import BLUE, GREY, VERMILION
 from run_folder import Run
@@ -28,7 +28,8 @@ def page(directory):
     groups = history_groups(run)
     convergence = convergence_chart(run)
     charts = [chart for group in groups for chart in group["charts"]]
-    charts += [convergence] * (convergence is not None)
+    relaxation = relaxation_chart(run)
+    charts += [chart for chart in (convergence, relaxation) if chart]
     for k, chart in enumerate(charts):
         chart["id"] = f"chart{k}"
     shades = histories.lip_intervals(run)
@@ -38,15 +39,21 @@ def page(directory):
         title=run.parameter("Title") or directory.resolve().name,
         directory=directory.resolve(), written=time_of(run),
         changed=changed_parameters(run), pictures=pictures, missing=missing,
-        groups=groups, convergence=convergence,
+        groups=groups, convergence=convergence, relaxation=relaxation,
         shares=histories.share_of_states(run, shades) if lip else None,
         lip=lip, presses=bool(shades),
         periods=run.tables.get("periods.csv"), phases=phases(run),
         thinned=is_thinned(charts),
         several=any("last" in chart.get("views", ()) for chart in charts),
         data={"charts": charts, "shades": shades, "lip": lip})
-    notes = [f"{ending.heading}."] if ending.kind != "good" else []
-    return text, notes, run.damages
+    return text, list(notes_on(run, ending)), run.damages
+
+
+def notes_on(run, ending):
+    """What is said of a run that is not simply done, and what to do."""
+    if ending.kind != "good":
+        yield f"{ending.heading}." + (f" {checkpoint(run)}" if ending.kind == "bad"
+                                      and not run.finished else "")
 
 
 def time_of(run):
@@ -87,7 +94,26 @@ def history_groups(run):
     if "crack_tip.csv" in run.tables:
         groups.append({"heading": "Crack tip", "charts":
                        list(histories.stress_intensity_charts(run))})
+    if "load_work.csv" in run.tables:
+        groups.append({"heading": "Loads", "charts":
+                       list(histories.load_work_charts(run))})
     return groups
+
+
+def relaxation_chart(run):
+    """The paper's Table 1: iterations of SOR by relaxation factor."""
+    table = run.tables.get("relaxation.csv")
+    if table is None:
+        return None
+    order = table["relaxation_factor"].argsort()
+    return {"kind": "points", "title": "Table 1: iterations of SOR",
+            "x": "relaxation factor", "y": "iterations", "log": ["y"],
+            "series": [points(label, colour, table["relaxation_factor"][order],
+                              table[column][order])
+                       for column, label, colour in
+                       (("iterations", "to the residual of a direct solver", BLUE),
+                        ("iterations_27_bits", "to that of 27 bits", VERMILION))
+                       if column in table]}
 
 
 def is_thinned(charts):

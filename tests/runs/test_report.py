@@ -16,6 +16,7 @@ import subprocess
 import sys
 import time
 
+from browser import WIDTHS, in_browser
 from crevasse_run import SOURCE, Results, check, check_close, execute, run
 
 REPORT = SOURCE / "doc" / "report" / "report.py"
@@ -23,7 +24,6 @@ sys.path.insert(0, str(REPORT.parent))
 import report as make_report
 
 PAPER = SOURCE / "prm" / "raous1980.prm"
-WIDTHS = (400, 1400)
 
 
 def report(directory, status=0):
@@ -47,10 +47,11 @@ def report(directory, status=0):
 def command_line():
     """As a user calls it."""
     output = pathlib.Path("results") / "elsewhere.html"
-    for directory, status in (("results/bare", 0), ("results/nowhere", 2)):
-        process = subprocess.run(
-            [sys.executable, REPORT, directory, "--output", output], text=True,
-            capture_output=True, timeout=120)
+    for directory, file, status in (("results/bare", output, 0),
+                                    ("results/nowhere", output, 2),
+                                    ("results/bare", "results/no/report.html", 4)):
+        process = subprocess.run([sys.executable, REPORT, directory, "--output", file],
+                                 text=True, capture_output=True, timeout=120)
         check(process.returncode == status and "Traceback" not in process.stderr,
               f"status {process.returncode}: {process.stderr}")
     check(output.read_text() == report("results/bare")[0], "another page")
@@ -182,6 +183,11 @@ def other_runs():
     check_says(page, "[Output] Probes = C: 1, 0",
                "[Output] Fields = vtu with Field times = 150", "No probes")
     check(titles(page)[0] == "Contact force on the lip", f"bare: {titles(page)}")
+    table = run(SOURCE / "prm" / "raous1980_table1.prm", "table",
+                ["Contact/Relaxation table=1.8, 1.9"])
+    page, _ = report(table.directory)
+    check_says(page, "no period was asked for", "No period was computed")
+    check(len(data_of(page)["charts"][0]["series"][0]["points"]) == 3, "Table 1")
     status, _, error = execute(PAPER, "--output", "results/refused", "--set",
                                "Contact/Maximum iterations=2", "--set",
                                "Contact/Relaxation factor=1")
@@ -319,57 +325,10 @@ def folders_without_results():
         check(message in said, f"{directory}: {said}")
 
 
-HOST = """<!DOCTYPE html><pre id="found">nothing</pre>
-<script>
-const found = [];
-function look(frame) {
-  const page = frame.contentWindow, body = page.document.documentElement;
-  const blank = [...page.document.querySelectorAll("canvas")].filter((canvas) =>
-    canvas.offsetParent && !canvas.getContext("2d").getImageData(
-      0, 0, canvas.width, canvas.height).data.some((value) => value > 0));
-  found.push({page: frame.name, width: frame.width,
-              overflow: body.scrollWidth - body.clientWidth,
-              canvases: page.document.querySelectorAll("canvas").length,
-              charts: page.eval("typeof charts === 'undefined' ? 0 : charts.length"),
-              pictures: [...page.document.images].filter((image) =>
-                image.naturalWidth > 100).length,
-              blank: blank.length});
-}
-addEventListener("load", () => {
-  for (const frame of document.querySelectorAll("iframe")) look(frame);
-  document.getElementById("found").textContent = JSON.stringify(found);
-});
-</script>
-"""
-BROKEN = """<!DOCTYPE html><div style="width: 3000px">wide</div>
-<canvas></canvas><script>doesNotExist();</script>"""
-
-
-def in_browser(pages):
-    """Each page in a frame of each width, all in one start of the browser. A page
-    that is broken on purpose shows that faults are seen."""
-    browser = shutil.which("chromium")
-    check(browser, "Chromium, in which reports are looked at, is not installed: "
-                   "apt-get install -y --no-install-recommends chromium")
-    pathlib.Path("broken.html").write_text(BROKEN)
-    pages = {"broken": pathlib.Path("broken.html"), **pages}
-    frames = [f'<iframe name="{name}" width="{width}" height="900" '
-              f'src="{path.resolve().as_uri()}"></iframe>'
-              for name, path in pages.items() for width in WIDTHS]
-    host = pathlib.Path("host.html")
-    host.write_text(HOST + "\n".join(frames))
-    process = subprocess.run(
-        [browser, "--headless", "--no-sandbox", "--disable-gpu",
-         "--allow-file-access-from-files", "--enable-logging=stderr",
-         f"--user-data-dir={pathlib.Path('browser').resolve()}",
-         "--window-size=1500,1000", "--virtual-time-budget=60000", "--dump-dom",
-         host.resolve().as_uri()], text=True, capture_output=True, timeout=120)
-    shutil.rmtree("browser", ignore_errors=True)
-    found = re.search(r'<pre id="found">(.*?)</pre>', process.stdout, re.S)
-    check(found and found[1] != "nothing",
-          f"Chromium showed nothing:\n{process.stderr[-2000:]}")
-    console = [line for line in process.stderr.splitlines() if "CONSOLE" in line]
-    return json.loads(html.unescape(found[1])), console
+# What is seen when hovering over a point, and where the last period begins.
+SHOWN = {"whole": (["t = 15, lip open"], 1200),
+         "long": (None, 35400),
+         "sweep": (["heun", "Scheme = heun", "Steps per period = 40"], None)}
 
 
 def shown_well(pages):
@@ -389,6 +348,10 @@ def shown_well(pages):
               and frame["blank"] == 0, f"charts: {frame}")
         check(frame["pictures"] == path.read_text().count("data:image/png"),
               f"pictures: {frame}")
+        words, begin = SHOWN.get(frame["page"], (None, frame["begin"]))
+        check(words is None or set(words) <= set(frame["words"]),
+              f"hovering does not show {words}: {frame}")
+        check(begin == frame["begin"], f"the last period begins at {begin}: {frame}")
     errors = [line for line in console if "broken.html" not in line]
     check(len(console) > len(errors), "errors are not seen")
     check(not errors, "the browser complains:\n" + "\n".join(errors))
