@@ -115,11 +115,12 @@ function drawHistory(spec, canvas) {
       },
     },
   });
-  chart.show = (name) => {
+  chart.showView = (name) => {
     const view = spec.views[name] || whole;
     chart.options.scales.x.min = view.t[0];
     chart.options.scales.x.max = view.t[view.t.length - 1];
-    chart.data.datasets = datasetsOf(spec, view);
+    datasetsOf(spec, view).forEach((dataset, k) =>
+      Object.assign(chart.data.datasets[k], dataset));
     chart.update();
   };
   return chart;
@@ -169,7 +170,7 @@ const charts = data.charts.map((spec) => {
 });
 
 function show(name) {
-  for (const chart of charts) if (chart.show) chart.show(name);
+  for (const chart of charts) if (chart.showView) chart.showView(name);
   for (const button of document.querySelectorAll("button[data-view]"))
     button.setAttribute("aria-pressed", String(button.dataset.view === name));
 }
