@@ -155,6 +155,7 @@ def checkpoint(run):
 
 def sentence(message):
     text = re.sub(r"\s+", " ", message).strip()
+    text = text[:1].upper() + text[1:]
     return text if text.endswith((".", "!", "?")) else text + "."
 
 
