@@ -71,14 +71,18 @@ def field_drawings(results, options):
     if abs(within - wanted) > 0.01 * results.period:
         print(f"Nearest stored field: t = {t:g}, which is {within:g} within "
               f"the period instead of {wanted:g}.")
-    fields = Fields(path)
-    caption = f"$t$ = {t:g}, displacements × {options.magnify:g}"
+    yield from draw_fields(results, Fields(path), t, options.magnify)
+
+
+def draw_fields(results, fields, t, magnify):
+    """(file name, figure) of the fields of one instant."""
+    caption = f"$t$ = {t:g}, displacements × {magnify:g}"
     yield "figure1_mesh", field_figures.mesh(results, fields)
     for name, draw in (
             ("figure4_stress_levels", field_figures.stress_levels),
             ("figure5_principal_stresses", field_figures.principal_stresses),
             ("figure6_deviator_invariant", field_figures.deviator_invariant)):
-        yield name, draw(fields, options.magnify, caption)
+        yield name, draw(fields, magnify, caption)
 
 
 def main():

@@ -19,32 +19,31 @@ class ResultsError(Exception):
     """Something is wrong with the results directory; the text says what."""
 
 
-class Results:
-    """A results directory of a finished run in two dimensions."""
+class RunFolder:
+    """What a run has written until now, finished or not."""
 
     def __init__(self, directory):
         self.directory = pathlib.Path(directory)
-        if not self.directory.is_dir():
-            raise ResultsError(f"{directory}: no such directory. Run the scene "
-                               "first; its output directory is what is needed.")
-        for name in ("used.prm", "summary.json"):
-            if not (self.directory / name).is_file():
-                raise ResultsError(
-                    f"{directory}: there is no {name}. This is not a results "
-                    "directory, or its run has not finished.")
+        self.require_files("used.prm")
         self.parameters = read_parameters(self.directory / "used.prm")
-        try:
-            self.summary = json.loads(
-                (self.directory / "summary.json").read_text())
-        except ValueError as error:
-            raise ResultsError(f"{directory}/summary.json: {error}.") from None
-        if self.summary.get("dimension", 2) != 2:
-            raise ResultsError(f"{directory}: the run is three-dimensional; "
-                               "these figures are for two dimensions.")
         self.period = self.number("Loads/Period")
         self.probes = {name: point for name, point
                        in named_points(self.parameters.get("Output/Probes", ""))
                        if (self.directory / f"probe_{name}.csv").is_file()}
+
+    def require_files(self, *names):
+        if not self.directory.is_dir():
+            raise ResultsError(f"{self.directory}: no such directory. Run the "
+                               "scene first; its output directory is what is "
+                               "needed.")
+        for name in names:
+            if not (self.directory / name).is_file():
+                raise ResultsError(
+                    f"{self.directory}: there is no {name}. This is not a "
+                    "results directory, or its run has not finished.")
+
+    def table(self, name):
+        return read_csv(self.directory / name)
 
     def number(self, name):
         try:
@@ -66,7 +65,7 @@ class Results:
         """Time series of a probe over a period (counted from 1; None: the last
         that is complete), and that period."""
         path = self.directory / f"probe_{probe}.csv"
-        table = read_csv(path)
+        table = self.table(path.name)
         t = require(table, "t", path)
         slack = 1e-6 * self.period
         complete = int((t[-1] - t[0] + slack) // self.period)
@@ -87,9 +86,12 @@ class Results:
         path = self.directory / "solution.pvd"
         if not path.is_file():
             return []
-        return [(float(record.get("timestep")),
-                 self.directory / record.get("file"))
-                for record in read_xml(path).iter("DataSet")]
+        try:
+            return [(float(record.attrib["timestep"]),
+                     self.directory / record.attrib["file"])
+                    for record in read_xml(path).iter("DataSet")]
+        except (KeyError, ValueError) as error:
+            raise ResultsError(f"{path}: cannot be read ({error}).") from None
 
     def choose_instant(self, within_period):
         """The stored field nearest to that time within the period; of several
@@ -102,6 +104,23 @@ class Results:
     def cell_parts(self):
         """Each cell is written as degree x degree quadrilaterals."""
         return int(self.number("Discretisation/Degree")) ** 2
+
+
+class Results(RunFolder):
+    """A results directory of a finished run in two dimensions."""
+
+    def __init__(self, directory):
+        self.directory = pathlib.Path(directory)
+        self.require_files("used.prm", "summary.json")
+        super().__init__(directory)
+        try:
+            self.summary = json.loads(
+                (self.directory / "summary.json").read_text())
+        except ValueError as error:
+            raise ResultsError(f"{directory}/summary.json: {error}.") from None
+        if self.summary.get("dimension", 2) != 2:
+            raise ResultsError(f"{directory}: the run is three-dimensional; "
+                               "these figures are for two dimensions.")
 
 
 def read_xml(path):

@@ -12,6 +12,8 @@ import sys
 
 sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 
+from results import ResultsError
+
 COSTS = {"vi_solves": "variational inequalities",
          "linear_solves": "linear solves",
          "seconds": "wall time (s)",
@@ -32,10 +34,19 @@ def read_rows(directory):
         with open(path, newline="") as file:
             rows = list(csv.DictReader(file))
     except OSError as error:
-        sys.exit(f"{path}: {error.strerror}. Give the output directory of "
-                 "crevasse sweep.")
+        raise ResultsError(f"{path}: {error.strerror}. Give the output directory "
+                           "of crevasse sweep.") from None
+    except (ValueError, csv.Error) as error:
+        raise ResultsError(f"{path}: {error}.") from None
     if not rows:
-        sys.exit(f"{path}: there are no points yet.")
+        raise ResultsError(f"{path}: there are no points yet.")
+    if "status" not in rows[0]:
+        raise ResultsError(f"{path}: has no column status: it is not the table of "
+                           "a sweep.")
+    for point, row in enumerate(rows, 1):
+        if None in row or None in row.values():
+            raise ResultsError(f"{path}: point {point} has another number of "
+                               "columns than the header.")
     return rows
 
 
@@ -87,20 +98,27 @@ def changes_with(rows, name, along):
             and all(number(row[name]) is not None for row in rows))
 
 
+def lines_of(rows, along=None):
+    """The parameter that is followed along a line, by default that with the most
+    numbers, those that tell the lines apart, and the lines."""
+    along = along or most_numeric(rows, parameters(rows))
+    others = [name for name in parameters(rows)
+              if name != along and not changes_with(rows, name, along)]
+    return along, others, list(lines(rows, along, others))
+
+
 def draw(rows, options):
     try:
         from plotting import BLUE, GREEN, GREY, INK, VERMILION, pyplot
     except ImportError as missing:
         sys.exit(f"{missing}. Figures need Debian's package python3-matplotlib.")
-    names = parameters(rows)
-    along = (choose(options.along, names, "parameter") if options.along
-             else most_numeric(rows, names))
-    others = [name for name in names
-              if name != along and not changes_with(rows, name, along)]
+    along, others, followed = lines_of(
+        rows, options.along and choose(options.along, parameters(rows),
+                                       "parameter"))
     figure, axes = pyplot.subplots(figsize=(5.6, 4.0), constrained_layout=True)
     error = "error:" + options.quantity
     drawn = []
-    for i, (label, members) in enumerate(lines(rows, along, others)):
+    for i, (label, members) in enumerate(followed):
         points = [(number(row[options.x]), number(row[error]), row[along])
                   for row in members]
         points = [point for point in points if point[0] and point[1]]
@@ -175,7 +193,10 @@ def arguments():
 
 def main():
     options = arguments()
-    rows = read_rows(options.results)
+    try:
+        rows = read_rows(options.results)
+    except ResultsError as error:
+        sys.exit(str(error))
     quantities = [name[len("error:"):] for name in rows[0]
                   if name.startswith("error:")]
     options.quantity = (choose(options.quantity, quantities, "quantity")

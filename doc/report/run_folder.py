@@ -1,0 +1,183 @@
+# Copyright (C) 2026 by the Crevasse authors
+# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+
+"""Reads what a run has written, whole or not, and notes what is damaged."""
+
+import csv
+import json
+import re
+
+import numpy
+
+from results import ResultsError, RunFolder, named_points
+
+# Tables in which "nan" has a meaning: it cannot be told.
+MAY_BE_UNKNOWN = {"periods.csv": ("stress_change", "stress_error_estimate")}
+ROW_A_STEP = ("probe_", "contact.", "crack_tip.", "load_work.")
+TABLES = (*ROW_A_STEP, "periods.", "relaxation.")
+TABLES_OF_EFFECTS = {"contact": "contact.csv", "stress intensity": "crack_tip.csv"}
+SECTIONS = ("effects", "counters", "certificate", "seconds", "extremes",
+            "secular", "drift", "crack_tip", "contact_solver", "linear_solver",
+            "time_integration", "libraries", "refinement",
+            "elastic_comparison")
+EFFECT = re.compile(r"^  (\S.*?)\s+(on|off) +\((.*)\)$", re.M)
+MESH = re.compile(r"^  mesh: (\d+) cells, (\d+) unknowns, (\d+) quadrature "
+                  r"points(?:, (\d+) contact nodes)?", re.M)
+
+
+class Run(RunFolder):
+    """One run. Its summary is empty as long as it has none, and what cannot be
+    read is in the list of damages and nowhere else."""
+
+    def __init__(self, directory):
+        super().__init__(directory)
+        if not self.period > 0:
+            raise ResultsError(f"{directory}/used.prm: Loads/Period = "
+                               f"{self.period:g} is not a period.")
+        self.damages = []
+        self.log = self.read_log()
+        self.finished = (self.directory / "summary.json").is_file()
+        self.summary = self.read_summary() if self.finished else {}
+        if not self.summary:
+            self.summary = self.summary_of_log()
+        self.tables = {}
+        for path in sorted(self.directory.glob("*.csv")):
+            if path.name.startswith(TABLES):  # not what others left there
+                self.read_table(path)
+        if self.finished:
+            self.require_tables()
+            self.compare_lengths()
+        self.probes = {name: point for name, point in self.probes.items()
+                       if f"probe_{name}.csv" in self.tables}
+
+    def parameter(self, name):
+        return self.parameters.get(name, "")
+
+    def read_log(self):
+        """The log of the last start; a run that was resumed has several."""
+        try:
+            text = (self.directory / "log.txt").read_text(errors="replace")
+        except OSError:
+            return ""
+        starts = [match.start() for match
+                  in re.finditer(r"^Crevasse \d\S*: ", text, re.M)]
+        return text[starts[-1]:] if starts else text
+
+    def read_summary(self):
+        path = self.directory / "summary.json"
+        try:
+            summary = json.loads(path.read_text())
+        except (OSError, ValueError) as error:
+            return self.note(path, f"{error}") or {}
+        if not isinstance(summary, dict):
+            return self.note(path, "is not a summary") or {}
+        for name in SECTIONS:
+            if not isinstance(summary.get(name, {}), dict):
+                self.note(path, f"{name} is not a section")
+                del summary[name]
+        return summary
+
+    def summary_of_log(self):
+        """What the log says of a run without summary: effects and sizes."""
+        summary = {"effects": {name: {"on": state == "on", "why": why} for
+                               name, state, why in EFFECT.findall(self.log)}}
+        if sizes := MESH.search(self.log):
+            names = "cells", "unknowns", "quadrature_points", "contact_nodes"
+            summary |= {name: int(size or 0)
+                        for name, size in zip(names, sizes.groups())}
+        return summary
+
+    @property
+    def dimension(self):
+        return 3 if self.parameter("Dimension") == "3" else 2
+
+    def read_table(self, path):
+        """Into the tables if it is whole. The last row of a run that is going
+        on may be half written and is left out then."""
+        try:
+            with open(path, newline="") as file:
+                header, *rows = list(csv.reader(file)) or [[]]
+        except (OSError, ValueError, csv.Error) as error:
+            return self.note(path, f"{error}")
+        if not self.finished and not ends_with_line(path):
+            rows = rows[:-1]
+        if not header:
+            return self.note(path, "is empty") if self.finished else None
+        for number, row in enumerate(rows, 2):
+            if len(row) != len(header):
+                return self.note(path, f"line {number} has {len(row)} of "
+                                       f"{len(header)} columns")
+        try:
+            values = numpy.array(rows, dtype=float).reshape(-1, len(header))
+        except ValueError as error:
+            return self.note(path, f"{error}")
+        table = dict(zip(header, values.T))
+        if trouble := self.trouble_with(path.name, table):
+            return self.note(path, trouble)
+        if len(rows):
+            self.tables[path.name] = table
+
+    def trouble_with(self, name, table):
+        """What is wrong with the numbers; None if nothing is."""
+        for column, values in table.items():
+            if (name in MAY_BE_UNKNOWN and column in MAY_BE_UNKNOWN[name]
+                    or name == "relaxation.csv"):
+                continue
+            bad = numpy.flatnonzero(~numpy.isfinite(values))
+            if len(bad):
+                return (f"line {bad[0] + 2}: {column} is {values[bad[0]]:g}")
+        t = table.get("t", numpy.zeros(0))
+        back = numpy.flatnonzero(numpy.diff(t) < 0)
+        if len(back):
+            return f"line {back[0] + 3}: t goes back"
+        if name.startswith(ROW_A_STEP) and not len(t):
+            return "has no row" if self.finished else None
+        return None
+
+    def require_tables(self):
+        """Those that a finished run must have written."""
+        if self.summary.get("periods") == 0:
+            return
+        names = ["periods.csv"]
+        names += [f"probe_{name}.csv" for name, _ in
+                  named_points(self.parameter("Output/Probes"))]
+        names += [name for effect, name in TABLES_OF_EFFECTS.items()
+                  if self.summary.get("effects", {}).get(effect, {}).get("on")]
+        for name in names:
+            if not (self.directory / name).is_file():
+                self.note(self.directory / name, "is missing")
+
+    def compare_lengths(self):
+        """The tables of a finished run have a row for each step. What is shorter
+        would look as if nothing happened later."""
+        lengths = {name: len(table["t"]) for name, table in self.tables.items()
+                   if "t" in table and name.startswith(ROW_A_STEP)}
+        longest = max(lengths.values(), default=0)
+        for name, length in lengths.items():
+            if length < longest:
+                self.note(self.directory / name,
+                          f"ends after {length} rows, others have {longest}")
+                del self.tables[name]
+
+    def table(self, name):
+        """For the figures: a whole table, or the reason why there is none."""
+        if name not in self.tables:
+            raise ResultsError(f"{name} has no rows that can be read")
+        return self.tables[name]
+
+    def note(self, path, trouble):
+        self.damages.append(f"{path.name}: {trouble.rstrip('.')}.")
+
+    def summary_number(self, *names):
+        """A number of the summary by its path; None if there is none."""
+        value = self.summary
+        for name in names:
+            value = value.get(name) if isinstance(value, dict) else None
+        return value if isinstance(value, (int, float)) and not isinstance(
+            value, bool) else None
+
+
+def ends_with_line(path):
+    """Whether the last row of a table is complete."""
+    text = path.read_bytes()
+    return not text or text.endswith(b"\n")

@@ -1,0 +1,190 @@
+"use strict";
+
+// Draws what the report's Python modules describe in the JSON element "data".
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const OPEN_TO_CLOSED = ["#ffffff", "#e9e9e9", "#c4c4c4"];
+
+Chart.defaults.font.family = '"DejaVu Sans", system-ui, sans-serif';
+Chart.defaults.color = "#222222";
+Chart.defaults.animation = false;
+Chart.defaults.maintainAspectRatio = false;
+
+function number(value, digits = 5) {
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  const text = size < 1e-4 || size >= 1e6
+    ? value.toExponential(digits - 1).replace(/\.?0*e\+?/, "e")
+    : String(Number(value.toPrecision(digits)));
+  return text.replace(/-/g, "\u2212");
+}
+
+function axis(title, logarithmic) {
+  return {
+    type: logarithmic ? "logarithmic" : "linear",
+    title: { display: true, text: title },
+    grid: { color: "#eeeeee" },
+    ticks: {
+      maxRotation: 0,
+      callback: (value, index, all) => {
+        if (!logarithmic) return number(value, 6);
+        const span = all[all.length - 1].value / all[0].value;
+        const mantissas = span > 100 ? [1] : span > 4 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 7];
+        const mantissa = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
+        return mantissas.some((m) => Math.abs(mantissa - m) < 1e-6)
+          ? number(value, 6) : null;
+      },
+    },
+  };
+}
+
+// Grey where the crack lip is partly or wholly closed.
+const lipStates = {
+  id: "lipStates",
+  beforeDraw(chart) {
+    const { ctx, chartArea, scales } = chart;
+    if (!chart.options.plugins.lipStates.shown) return;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(chartArea.left, chartArea.top, chartArea.width, chartArea.height);
+    ctx.clip();
+    for (const [begin, end, state] of data.shades) {
+      const left = scales.x.getPixelForValue(begin);
+      ctx.fillStyle = OPEN_TO_CLOSED[state];
+      ctx.fillRect(left, chartArea.top, scales.x.getPixelForValue(end) - left,
+                   chartArea.height);
+    }
+    ctx.restore();
+  },
+};
+
+function stateAt(t) {
+  const found = data.shades.find(([begin, end]) => begin <= t && t <= end);
+  return ["lip open", "lip partly closed", "lip closed"][found ? found[2] : 0];
+}
+
+// Ticks at parts of the period that are easy to read.
+function periodTicks(scale, period) {
+  const span = scale.max - scale.min;
+  const steps = [0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 5000];
+  const step = period * (steps.find((part) => span / (part * period) <= 9) || span);
+  const first = Math.ceil(scale.min / step - 1e-6);
+  const last = Math.floor(scale.max / step + 1e-6);
+  scale.ticks = [];
+  for (let k = first; k <= last; ++k) scale.ticks.push({ value: k * step });
+}
+
+function datasetsOf(spec, view) {
+  return spec.series.map((series, k) => ({
+    label: series.label, borderColor: series.colour,
+    backgroundColor: series.colour, borderWidth: 1.6,
+    pointRadius: view.t.length > 80 ? 0 : 1.5, pointHoverRadius: 4,
+    data: view.t.map((t, i) => ({ x: t, y: view.values[k][i] })),
+  }));
+}
+
+function drawHistory(spec, canvas) {
+  const time = axis("time t", false);
+  const { whole } = spec.views;
+  time.afterBuildTicks = (scale) => periodTicks(scale, spec.period);
+  time.min = whole.t[0];
+  time.max = whole.t[whole.t.length - 1];
+  const chart = new Chart(canvas, {
+    type: "line",
+    data: { datasets: datasetsOf(spec, whole) },
+    plugins: [lipStates],
+    options: {
+      parsing: false, normalized: true,
+      interaction: { mode: "nearest", axis: "x", intersect: false },
+      scales: { x: time, y: axis(spec.y, false) },
+      plugins: {
+        lipStates: { shown: data.lip },
+        legend: { display: spec.series.length > 1,
+                  labels: { boxWidth: 18, boxHeight: 2 } },
+        tooltip: { callbacks: {
+          title: (items) => {
+            const t = items[0].parsed.x;
+            const period = Math.floor(t / spec.period + 1e-9);
+            const within = t - period * spec.period;
+            return `t = ${number(t, 7)}` +
+              (period ? ` (period ${period + 1}: ${number(within)})` : "") +
+              (data.lip ? `, ${stateAt(t)}` : "");
+          },
+          label: (item) => `${item.dataset.label} = ${number(item.parsed.y)}`,
+        } },
+      },
+    },
+  });
+  chart.showView = (name) => {
+    const view = spec.views[name] || whole;
+    chart.options.scales.x.min = view.t[0];
+    chart.options.scales.x.max = view.t[view.t.length - 1];
+    datasetsOf(spec, view).forEach((dataset, k) =>
+      Object.assign(chart.data.datasets[k], dataset));
+    chart.update();
+  };
+  return chart;
+}
+
+function drawPoints(spec, canvas) {
+  const logarithmic = spec.log || [];
+  const across = axis(spec.x, logarithmic.includes("x"));
+  if (spec.whole) across.ticks.precision = 0;
+  return new Chart(canvas, {
+    type: "scatter",
+    data: { datasets: spec.series.map((series) => ({
+      label: series.label, borderColor: series.colour,
+      backgroundColor: series.hollow ? "transparent" : series.colour,
+      showLine: !series.loose, borderWidth: series.hollow ? 2 : 1.5,
+      borderDash: series.bare ? [6, 4] : [], stepped: series.stepped || false,
+      pointRadius: series.bare ? 0 : series.hollow ? 8 : 4,
+      pointHoverRadius: series.bare ? 0 : series.hollow ? 8 : 6,
+      pointStyle: series.bare ? "line" : series.marker || "circle",
+      data: series.points.map(([x, y, words]) => ({ x, y, words })),
+    })) },
+    options: {
+      interaction: { mode: "nearest", intersect: false },
+      scales: { x: across, y: axis(spec.y, logarithmic.includes("y")) },
+      plugins: {
+        legend: { display: spec.series.length > 1,
+                  labels: { usePointStyle: true, boxHeight: 7 } },
+        tooltip: {
+          filter: (item) => !spec.series[item.datasetIndex].hollow &&
+                            !spec.series[item.datasetIndex].bare,
+          callbacks: {
+            title: (items) => items.length ? items[0].dataset.label : "",
+            label: (item) => [...(item.raw.words || []),
+                              `${spec.x}: ${number(item.parsed.x)}`,
+                              `${spec.y}: ${number(item.parsed.y)}`],
+          },
+        },
+      },
+    },
+  });
+}
+
+const charts = data.charts.map((spec) => {
+  const canvas = document.getElementById(spec.id);
+  return spec.kind === "history" ? drawHistory(spec, canvas)
+                                 : drawPoints(spec, canvas);
+});
+
+function show(name) {
+  for (const chart of charts) if (chart.showView) chart.showView(name);
+  for (const button of document.querySelectorAll("button[data-view]"))
+    button.setAttribute("aria-pressed", String(button.dataset.view === name));
+}
+
+for (const button of document.querySelectorAll("button[data-view]"))
+  button.addEventListener("click", () => show(button.dataset.view));
+
+// Sweeps: one quantity at a time.
+for (const choice of document.querySelectorAll("select[data-shows]")) {
+  const choose = () => {
+    for (const part of document.querySelectorAll(choice.dataset.shows))
+      part.hidden = part.dataset.quantity !== choice.value;
+    for (const chart of charts) chart.resize();
+  };
+  choice.addEventListener("change", choose);
+  choose();
+}

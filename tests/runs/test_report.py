@@ -1,0 +1,369 @@
+"""Reports of runs and sweeps (doc/report/report.py): what they say, what they say
+of runs that are not whole, and how a browser shows them."""
+
+import base64
+import contextlib
+import csv
+import html
+import io
+import json
+import os
+import pathlib
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import time
+
+from browser import WIDTHS, in_browser
+from crevasse_run import SOURCE, Results, check, check_close, execute, run
+
+REPORT = SOURCE / "doc" / "report" / "report.py"
+sys.path.insert(0, str(REPORT.parent))
+import report as make_report
+
+PAPER = SOURCE / "prm" / "raous1980.prm"
+
+
+def report(directory, status=0):
+    """Its text, and what is said on stderr. Made in this process: each start of
+    Python with matplotlib takes longer than most reports."""
+    begin = time.monotonic()
+    with (contextlib.redirect_stdout(io.StringIO()),
+          contextlib.redirect_stderr(io.StringIO()) as stderr):
+        found = make_report.main([str(directory)])
+    said = stderr.getvalue()
+    print(f"report of {directory}: {time.monotonic() - begin:.1f} s\n{said}",
+          end="")
+    check(found == status,
+          f"{directory}: status {found} instead of {status}: {said}")
+    check(len(said.splitlines()) <= 2,
+          f"{directory}: no message of one or two lines:\n{said}")
+    path = pathlib.Path(directory) / "report.html"
+    return (path.read_text() if path.exists() else ""), said
+
+
+def command_line():
+    """As a user calls it."""
+    output = pathlib.Path("results") / "elsewhere.html"
+    for directory, file, status in (("results/bare", output, 0),
+                                    ("results/nowhere", output, 2),
+                                    ("results/bare", "results/no/report.html", 4)):
+        process = subprocess.run([sys.executable, REPORT, directory, "--output", file],
+                                 text=True, capture_output=True, timeout=120)
+        check(process.returncode == status and "Traceback" not in process.stderr,
+              f"status {process.returncode}: {process.stderr}")
+    check(output.read_text() == report("results/bare")[0], "another page")
+
+
+def words_of(page):
+    """What a reader sees, without library and data."""
+    page = re.sub(r"<(script|style)\b.*?</\1>", " ", page, flags=re.S)
+    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", page)))
+
+
+def data_of(page):
+    text = re.search(r'<script type="application/json" id="data">(.*?)</script>',
+                     page, re.S)[1]
+    return json.loads(text)
+
+
+def titles(page):
+    return [chart["title"] for chart in data_of(page)["charts"]]
+
+
+def check_says(page, *texts):
+    words = words_of(page)
+    for text in texts:
+        check(text in words, f"the report does not say: {text}")
+
+
+def check_self_contained(page):
+    for match in re.findall(r'(?:src|href)="([^"]*)"', re.sub(
+            r"<script>.*?</script>", "", page, flags=re.S)):
+        check(match.startswith(("#", "data:")), f"not in the page: {match[:80]}")
+
+
+def check_pictures(page, count):
+    pictures = re.findall(r'src="data:image/png;base64,([^"]+)"', page)
+    check(len(pictures) == count, f"{len(pictures)} pictures instead of {count}")
+    for picture in pictures:
+        check(base64.b64decode(picture).startswith(b"\x89PNG"), "no picture")
+
+
+def whole_run():
+    """Everything on: mean load, crack tip, growth, fields, probes."""
+    results = run(PAPER, "whole", [
+        "Contact/Solver=automatic", "Geometry/Subdivisions=16, 8",
+        "Title=A <b>plate</b> & more", "Output/Load work=true",
+        "Loads/Traction=0; 10*(sin(2*pi*t/600) - 0.1)",
+        "Material/Viscosity=isotropic", "Material/Viscous Poisson ratio=0.4",
+        "Material/Viscous modulus=780000*if(x<0.3,0.2,1)",
+        "Crack tip/Stress intensity=true", "Crack tip/Crack growth law=paris",
+        "Crack tip/Paris factor=1e-7"])
+    page, said = report(results.directory)
+    check(said == "", f"a converged run: {said}")
+    check_self_contained(page)
+    check_pictures(page, 6)
+    summary = results.summary
+    check_says(page, "A <b>plate</b> & more", "the stress is periodic after 3 periods",
+               "Edge crack of length 0.5", "viscous modulus 780000*if(x<0.3,0.2,1)",
+               "Relaxation time = 60 is not used", "Scheme heun",
+               f"{summary['cells']} cells", "da/dN", "ΔK I , largest",
+               summary["effects"]["contact"]["why"], "condensed active set",
+               "complementarity")
+    check("Probe C (1, 0)" in words_of(page), "no probe C")
+    for title in ("C: displacement", "C: stress", "C: opening",
+                  "C: contact pressure", "Contact force on the lip",
+                  "Stress intensity", "Way to the periodic state"):
+        check(title in titles(page), f"no chart {title}: {titles(page)}")
+    check_states(results, data_of(page))
+    check_values(results, data_of(page))
+    return results
+
+
+def check_states(results, data):
+    """At each row of contact.csv with pressure the lip is shaded."""
+    table, nodes = results.table("contact.csv"), results.summary["contact_nodes"]
+    noise = 1e-6 * results.summary["extremes"]["stress"]
+    count = [0, 0, 0]
+    for t, closed, pressure in zip(table["t"], table["closed_nodes"],
+                                   table["largest_pressure"]):
+        expected = 0 if pressure <= noise else 2 if closed == nodes else 1
+        found = [state for begin, end, state in data["shades"] if begin <= t <= end]
+        check(found == ([expected] if expected else []),
+              f"t = {t}: state {found} instead of {expected}")
+        count[expected] += 1
+    print("rows open, partly closed, closed:", *count)
+    check(min(count) > 0, "the run does not have all states")
+
+
+def check_values(results, data):
+    """The charts have the numbers of the tables."""
+    chart, = (chart for chart in data["charts"] if chart["title"] == "C: opening")
+    table = results.table("probe_C.csv")
+    for name, first in (("whole", 0.), ("last", 1200.)):
+        view = chart["views"][name]
+        check(view["t"] == [t for t in table["t"] if t >= first], f"{name}: instants")
+        expected = [u for t, u in zip(table["t"], table["opening"]) if t >= first]
+        check(max(abs(a - b) for a, b in zip(view["values"][0], expected, strict=True))
+              <= 1e-5 * max(expected), f"{name}: openings")
+
+
+def long_run():
+    """Of which a view of the whole is thinned, with its extremes."""
+    results = run(PAPER, "long", [
+        "Contact/Solver=automatic", "Geometry/Subdivisions=4, 2",
+        "Output/Fields=none", "Periodic state/Tolerance=0", "Periodic state/Maximum periods=60"])
+    page, said = report(results.directory)
+    check("60 periods computed" in said, f"nothing demanded: {said}")
+    chart, = (chart for chart in data_of(page)["charts"]
+              if chart["title"] == "C: stress")
+    whole = chart["views"]["whole"]
+    check(len(whole["t"]) < 2300 < len(results.table("probe_C.csv")["t"]),
+          "not thinned")
+    check_close(max(whole["values"][1]), max(results.table("probe_C.csv")["s_22"]),
+                1e-4, "largest s_22 of the thinned history")
+
+
+def other_runs():
+    box = run(SOURCE / "prm" / "cracked_box.prm", "box",
+              ["Geometry/Subdivisions=4, 2, 2", "Periodic state/Maximum periods=2",
+               "Title="], status=3)
+    page, said = report(box.directory)
+    check("Not converged" in said, f"box: {said}")
+    check_pictures(page, 2)
+    check_says(page, "Not converged: the stress is not periodic after 2 periods",
+               "thickness 0.5", "for plane bodies", "Probe front (1, 0, 0)")
+    bare = run(PAPER, "bare", ["Contact/Solver=automatic", "Output/Probes=",
+                               "Output/Fields=none", "Geometry/Subdivisions=4, 2"])
+    page, _ = report(bare.directory)
+    check_pictures(page, 0)
+    check_says(page, "[Output] Probes = C: 1, 0",
+               "[Output] Fields = vtu with Field times = 150", "No probes")
+    check(titles(page)[0] == "Contact force on the lip", f"bare: {titles(page)}")
+    table = run(SOURCE / "prm" / "raous1980_table1.prm", "table",
+                ["Contact/Relaxation table=1.8, 1.9"])
+    page, _ = report(table.directory)
+    check_says(page, "no period was asked for", "No period was computed")
+    check(len(data_of(page)["charts"][0]["series"][0]["points"]) == 3, "Table 1")
+    status, _, error = execute(PAPER, "--output", "results/refused", "--set",
+                               "Contact/Maximum iterations=2", "--set",
+                               "Contact/Relaxation factor=1")
+    check(status == 3, f"a contact problem that is not solved: {error}")
+    page, said = report("results/refused")
+    check("Failed" in said, f"refused: {said}")
+    check_says(page, "Failed: the run ended with an error", "was not solved to the", "There is no checkpoint",
+               "No period was completed")
+
+
+def sweep():
+    shutil.rmtree("results/sweep", ignore_errors=True)
+    status, _, error = execute(
+        "sweep", PAPER, "--set", "Contact/Solver=automatic", "--vary",
+        "Time integration/Scheme=heun,sdirk2", "--vary",
+        "Time integration/Steps per period=4,20,40,80", "--reference",
+        "Time integration/Steps per period=320", "--output", "results/sweep")
+    check(status == 0, f"sweep: {error}")
+    page, said = report("results/sweep")
+    check(said == "", f"sweep: {said}")
+    check_self_contained(page)
+    check_says(page, "8 points: 1 refused, 7 done", "The time step 150 is too large",
+               "heun , sdirk2")
+    with open("results/sweep/sweep.csv", newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["error:stress"]]
+    for title, cost in (("Error of stress against wall time (s)", "seconds"),
+                        ("Error of stress against contact problems", "vi_solves")):
+        chart, = (chart for chart in data_of(page)["charts"]
+                  if chart["title"] == title)
+        *lines, front = chart["series"]
+        check([line["label"] for line in lines] == ["heun", "sdirk2"], "lines")
+        points = [(float(row[cost]), float(row["error:stress"])) for row in rows]
+        best = {(x, y) for x, y in points
+                if not any(a <= x and b <= y and (a, b) != (x, y)
+                           for a, b in points)}
+        check({tuple(point) for point in front["points"]} == best,
+              f"{title}: Pareto front {front['points']} instead of {best}")
+        x, y, words = lines[0]["points"][0]
+        check(words == ["Scheme = heun", "Steps per period = 20"]
+              and (x, y) in points, f"{title}: {x}, {y}, {words}")
+    cut = copy("sweep", "sweep_cut")
+    path = cut / "sweep.csv"
+    path.write_text("".join(path.read_text().splitlines(True)[:4]))
+    _, said = report(cut)
+    check("3 of 8 points are done" in said, f"sweep that was stopped: {said}")
+    path.write_text(path.read_text()[:-40])
+    _, said = report(cut, 2)
+    check("number of columns" in said, f"broken table: {said}")
+
+
+def copy(source, name):
+    directory = pathlib.Path("results") / name
+    shutil.rmtree(directory, ignore_errors=True)
+    shutil.copytree(pathlib.Path("results") / source, directory)
+    (directory / "report.html").unlink(missing_ok=True)
+    return directory
+
+
+def edit(path, pattern, replacement):
+    text, count = re.subn(pattern, replacement, path.read_text(), count=1, flags=re.M)
+    check(count == 1, f"{path}: there is nothing like {pattern}")
+    path.write_text(text)
+
+
+def unfinished_runs():
+    """As a kill leaves them: half a row at the end, no summary, no message."""
+    directory = copy("bare", "killed")
+    (directory / "summary.json").unlink()
+    log = directory / "log.txt"
+    log.write_text(log.read_text().split("\n       2 ")[0] + "\n")
+    path = directory / "contact.csv"
+    path.write_text("\n".join(path.read_text().splitlines()[:60]) + "\n885,3")
+    page, said = report(directory)
+    check("Broken off" in said, f"killed: {said}")
+    check_says(page, "The tables end at t =", "There is no checkpoint",
+               "a boundary has the role Contact", "There is no summary yet")
+    force = data_of(page)["charts"][0]["views"]["whole"]["t"]
+    check(len(force) == 59, f"{len(force)} whole rows instead of 59")
+    running = directory / "running"
+    running.write_text(f"process {os.getpid()} on {socket.gethostname()}\n")
+    check_says(report(directory)[0], "The run is going on")
+    running.write_text(f"process {os.getpid()} on elsewhere\n")
+    check_says(report(directory)[0], "The run may be going on")
+    running.unlink()
+    (directory / "checkpoint" / "3").mkdir(parents=True)
+    (directory / "checkpoint" / "3" / "manifest.json").write_text(
+        '123\n{"period": 2, "step": 7}')
+    with open(log, "a") as file:
+        file.write("crevasse: stopped on request (SIGTERM); --resume goes on.\n")
+    check_says(report(directory)[0], "Stopped before the end",
+               "Checkpoint 3, before step 8 of period 2")
+
+
+def damaged_runs():
+    """The report has what is whole, and names what is not."""
+    for name, file, pattern, replacement, message in (
+            ("cut", "probe_C.csv", r"(^600,[^,]*),.*\n(.*\n)*", r"\1\n",
+             "probe_C.csv: line 42 has 2 of"),
+            ("short", "contact.csv", r"^615,.*\n(.*\n)*", "",
+             "contact.csv: ends after 41 rows, others have 121"),
+            ("nan", "probe_C.csv", "^75,[^,]*", "75,nan",
+             "probe_C.csv: line 7: u_1 is nan"),
+            ("back", "crack_tip.csv", "^75,", "15,", "crack_tip.csv: line 7: t goes"),
+            ("word", "contact.csv", "^75,[^,]*", "75,x", "contact.csv: could not"),
+            ("json", "summary.json", r'"cells": \d+,', '"cells" 12', "summary.json:"),
+            ("field", "solution_0000.0.vtu", r"<Points>(.*\n)*", "",
+             "solution_0000.0.vtu: is incomplete"),
+            ("pvd", "solution.pvd", r"<Collection>(.*\n)*", "",
+             "solution.pvd: cannot be read")):
+        directory = copy("whole", "damaged_" + name)
+        edit(directory / file, pattern, replacement)
+        if not file.startswith("solution"):  # figures of fields take their time
+            (directory / "solution.pvd").unlink()
+        page, said = report(directory, 4)
+        check("damaged" in said and message in said, f"{name}: {said}")
+        check_says(page, "Damaged files", "Way to the periodic state")
+    directory = copy("bare", "damaged_missing")
+    (directory / "contact.csv").unlink()
+    check("contact.csv: is missing" in report(directory, 4)[1], "no contact.csv")
+    directory = copy("bare", "damaged_used")
+    edit(directory / "used.prm", r"^ *set Period .*\n", "")
+    check("Loads/Period" in report(directory, 2)[1], "no period")
+
+
+def folders_without_results():
+    empty = pathlib.Path("results/empty")
+    empty.mkdir(exist_ok=True)
+    other = pathlib.Path("results/other")
+    other.mkdir(exist_ok=True)
+    (other / "notes.txt").write_text("nothing\n")
+    for directory, message in (("results/nowhere", "no such directory"),
+                               (empty, "is empty"),
+                               (other, "not the output directory of a run")):
+        said = report(directory, 2)[1]
+        check(message in said, f"{directory}: {said}")
+
+
+# What is seen when hovering over a point, and where the last period begins.
+SHOWN = {"whole": (["t = 15, lip open"], 1200),
+         "long": (None, 35400),
+         "sweep": (["heun", "Scheme = heun", "Steps per period = 40"], None)}
+
+
+def shown_well(pages):
+    found, console = in_browser({name: Results(directory).directory / "report.html"
+                                 for name, directory in pages.items()})
+    check(len(found) == len(WIDTHS) * (len(pages) + 1), f"frames: {found}")
+    for frame in found:
+        print(frame)
+        if frame["page"] == "broken":
+            check(frame["overflow"] > 0 and frame["blank"] == 1,
+                  "what is broken is not seen")
+            continue
+        path = Results(pages[frame["page"]]).directory / "report.html"
+        charts = len(data_of(path.read_text())["charts"])
+        check(frame["overflow"] <= 0, f"wider than the page: {frame}")
+        check(frame["charts"] == frame["canvases"] == charts > 0
+              and frame["blank"] == 0, f"charts: {frame}")
+        check(frame["pictures"] == path.read_text().count("data:image/png"),
+              f"pictures: {frame}")
+        words, begin = SHOWN.get(frame["page"], (None, frame["begin"]))
+        check(words is None or set(words) <= set(frame["words"]),
+              f"hovering does not show {words}: {frame}")
+        check(begin == frame["begin"], f"the last period begins at {begin}: {frame}")
+    errors = [line for line in console if "broken.html" not in line]
+    check(len(console) > len(errors), "errors are not seen")
+    check(not errors, "the browser complains:\n" + "\n".join(errors))
+
+
+whole_run()
+long_run()
+other_runs()
+sweep()
+unfinished_runs()
+damaged_runs()
+folders_without_results()
+command_line()
+shown_well({name: f"results/{name}" for name in
+            ("whole", "long", "box", "bare", "sweep", "killed")})
