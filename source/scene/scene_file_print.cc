@@ -13,9 +13,6 @@
 #include <crevasse/scene/scene_file.h>
 #include <crevasse/scene/text.h>
 
-#include <cctype>
-#include <vector>
-
 namespace Crevasse
 {
   using namespace dealii;
@@ -34,31 +31,10 @@ namespace Crevasse
 
 
 
-    std::string
-    heading(const Catalogue::Section &section)
-    {
-      return section.name.empty() ? "Top level" : section.name;
-    }
-
-
-
-    /** The name by which a heading can be linked to: "crack-tip". */
-    std::string
-    anchor(std::string heading)
-    {
-      for (char &character : heading)
-        character = character == ' '
-                      ? '-'
-                      : std::tolower(static_cast<unsigned char>(character));
-      return heading;
-    }
-
-
-
     void
     print_table(std::ostream &out, const Catalogue::Section &section)
     {
-      out << "\n## " << heading(section)
+      out << "\n## " << (section.name.empty() ? "Top level" : section.name)
           << "\n\n| name | default | meaning | allowed |\n"
           << "|---|---|---|---|\n";
       for (const Catalogue::Parameter &parameter : section.parameters)
@@ -76,19 +52,13 @@ namespace Crevasse
     void
     print_markdown(std::ostream &out, const ParameterHandler &prm)
     {
-      const Catalogue          catalogue(prm);
-      std::vector<std::string> contents;
-      for (const Catalogue::Section &section : catalogue.sections)
-        contents.push_back('[' + heading(section) + "](#" +
-                           anchor(heading(section)) + ')');
       out << "# Parameters\n\n"
              "Written by `crevasse --print-parameters markdown`. All "
              "quantities are in the user's own\nconsistent units of length, "
              "stress, time and temperature; what names no unit is a pure\n"
              "number, a choice or a text. [Your first scene](scenes.md) tells "
-             "how scenes are written.\n\n"
-          << Text::join(contents, " ·\n") << '\n';
-      for (const Catalogue::Section &section : catalogue.sections)
+             "how scenes are written.\n";
+      for (const Catalogue::Section &section : Catalogue(prm).sections)
         print_table(out, section);
     }
   } // namespace
