@@ -113,6 +113,8 @@ namespace Crevasse
                                          parameters.tolerance,
                                          settings.linear_solver.tolerance,
                                          parameters.maximum_iterations);
+    AssertThrow(settings.contact_choice.name == "condensed active set",
+                ExcInternalError());
     return std::make_unique<CondensedActiveSet>(problem,
                                                 linear_solver(),
                                                 parameters.tolerance);

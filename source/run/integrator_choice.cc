@@ -51,6 +51,7 @@ namespace Crevasse
         return std::make_unique<Trapezoid>();
       if (uses_arkode(parameters))
         return std::make_unique<Arkode>(parameters, period);
+      AssertThrow(parameters.scheme == "heun", dealii::ExcInternalError());
       return std::make_unique<RungeKutta>(heun_tableau(parameters.heun_weight));
     }
   } // namespace

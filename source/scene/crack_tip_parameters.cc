@@ -37,7 +37,8 @@ namespace Crevasse
     prm.add_parameter("Radius",
                       radius,
                       "Half the side of that square, or the larger radius of "
-                      "the fit; 0: automatic. Allowed: at least 0",
+                      "the fit, in units of length; 0: automatic. Allowed: a "
+                      "number of at least 0",
                       number);
     prm.add_parameter(
       "Crack growth law",
@@ -46,18 +47,21 @@ namespace Crevasse
       "\"creep\": da/dt = D P^phi, P being the Creep growth parameter; "
       "\"sum\": both.",
       Patterns::Selection("none|paris|creep|sum"));
-    prm.add_parameter("Paris factor",
-                      paris_factor,
-                      "C. Allowed: greater than 0 where it is used",
-                      number);
+    prm.add_parameter(
+      "Paris factor",
+      paris_factor,
+      "C, the growth of a period where dK - dK_th is 1, in units "
+      "of length / (stress sqrt(length))^m. Allowed: a number "
+      "greater than 0 where it is used",
+      number);
     prm.add_parameter("Paris exponent",
                       paris_exponent,
-                      "m. Allowed: greater than 0",
+                      "m, a pure number. Allowed: a number greater than 0",
                       number);
     prm.add_parameter("Paris threshold",
                       paris_threshold,
-                      "dK_th: the crack does not grow below it. Allowed: at "
-                      "least 0",
+                      "dK_th, in units of stress sqrt(length): the crack does "
+                      "not grow below it. Allowed: a number of at least 0",
                       number);
     prm.add_parameter(
       "Creep growth parameter",
@@ -67,11 +71,14 @@ namespace Crevasse
       Patterns::Selection("C star|stress intensity"));
     prm.add_parameter("Creep factor",
                       creep_factor,
-                      "D. Allowed: greater than 0 where it is used",
+                      "D, the speed where P is 1, in units of length / time / "
+                      "P^phi; P is in units of stress length / time where it "
+                      "is C*, of stress sqrt(length) where it is K_I. Allowed: "
+                      "a number greater than 0 where it is used",
                       number);
     prm.add_parameter("Creep exponent",
                       creep_exponent,
-                      "phi. Allowed: greater than 0",
+                      "phi, a pure number. Allowed: a number greater than 0",
                       number);
   }
 

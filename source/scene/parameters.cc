@@ -126,7 +126,8 @@ namespace Crevasse
       fixed_points,
       "Mesh vertices that are held so that no rigid motion is left. A point "
       "is fixed in all directions, or in the components, counted from 1, that "
-      "follow a colon. \"automatic\" holds a built-in shape against the "
+      "follow a colon; coordinates are in units of length. \"automatic\" holds "
+      "a built-in shape against the "
       "motions "
       "along the crack plane that clamped sides and symmetry planes leave "
       "free: component 1 of the crack tip (without a crack of 0, 0), in three "
@@ -160,7 +161,8 @@ namespace Crevasse
     prm.add_parameter("Temperature",
                       temperature,
                       "Change of the temperature theta against that at which "
-                      "nothing is strained. It strains the body by Thermal "
+                      "nothing is strained, in units of temperature. It "
+                      "strains the body by Thermal "
                       "expansion, and the formulas of the material may depend "
                       "on it. Allowed: a formula of x, y, z, t; a .csv file "
                       "with the columns t, x, y, theta (t, x, y, z, theta in "
@@ -171,9 +173,9 @@ namespace Crevasse
                       "file, or a .pvd file for several instants");
     prm.add_parameter("Body force",
                       body_force,
-                      "Force per volume; nothing: none. Allowed: one formula "
-                      "of x, y, z, t for each dimension, separated by "
-                      "semicolons");
+                      "Force per volume, in units of stress / length; nothing: "
+                      "none. Allowed: one formula of x, y, z, t for each "
+                      "dimension, separated by semicolons");
   }
 
 
@@ -432,7 +434,8 @@ namespace Crevasse
     prm.add_parameter("Probes",
                       probes,
                       "Points whose displacement and stress are recorded at "
-                      "every step, in files named after them. Allowed: a list "
+                      "every step, in files named after them; coordinates are "
+                      "in units of length. Allowed: a list "
                       "such as tip: 0.5, 0; corner: 1, 1, with as many "
                       "coordinates as dimensions");
     prm.add_parameter("Field times",

@@ -104,14 +104,16 @@ namespace Crevasse
       "Chain",
       chain,
       "Maxwell bodies in parallel, for the viscosity \"chain\": the fraction "
-      "of the stiffness that each has, and its relaxation time. What is left "
-      "of the stiffness is an elastic spring beside them. Allowed: a list such "
+      "of the stiffness that each has, and its relaxation time in units of "
+      "time. What is left of the stiffness is an elastic spring beside them. "
+      "Allowed: a list such "
       "as 0.5: 10; 0.3: 100, fractions greater than 0 with a sum of at most "
       "1, relaxation times greater than 0" +
         formula);
     prm.add_parameter("Thermal expansion",
                       thermal_expansion,
-                      "Strain per change of temperature: one value for "
+                      "Strain per change of temperature, in units of 1 / "
+                      "temperature: one value for "
                       "isotropic expansion, or the components 11, 22, 12 (33 "
                       "is that of 11), or 11, 22, 33, 12, or 11, 22, 33, 12, "
                       "13, 23 of the tensor, separated by commas. Allowed: a "

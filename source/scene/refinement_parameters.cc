@@ -69,8 +69,8 @@ namespace Crevasse
       instants,
       "Instants within the period whose errors count, the largest of each "
       "cell; nothing: that of the largest load and that of the most opposite "
-      "one, if there is an opposite one. Allowed: a list of numbers "
-      "from 0 to Loads/Period");
+      "one, if there is an opposite one. In units of time. Allowed: numbers "
+      "from 0 to the period, separated by commas");
     prm.add_parameter(
       "Readapt every",
       readapt_every,

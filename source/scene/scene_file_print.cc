@@ -54,7 +54,10 @@ namespace Crevasse
     {
       out << "# Parameters\n\n"
              "Written by `crevasse --print-parameters markdown`. All "
-             "quantities are in the user's own\nconsistent units.\n";
+             "quantities are in the user's own\nconsistent units of length, "
+             "stress, time and temperature; what names no unit is a pure\n"
+             "number, a choice or a text. [Your first scene](scenes.md) tells "
+             "how scenes are written.\n";
       for (const Catalogue::Section &section : Catalogue(prm).sections)
         print_table(out, section);
     }

@@ -34,7 +34,7 @@ namespace Crevasse
    * How far stresses are from equilibrium, cell by cell, in the norm of their
    * elastic energy: with the compliance c (1/stress) of the cell
    *
-   *     η² = c h²/p² ‖div s + φ₁‖² + c h/p (½ ‖[s n]‖² + ‖s n − φ₂‖² + …)
+   *     16 η² = c h²/p² ‖div s + φ₁‖² + c h/p (½ ‖[s n]‖² + ‖s n − φ₂‖² + …)
    *
    * over the cell, its inner faces and its faces at the boundary, where "…"
    * stands for tangential tractions on planes of symmetry and lips, and for

@@ -63,7 +63,8 @@ namespace Crevasse
      * @param n_local rows of this rank, which follow on those of the ranks
      * before.
      * @param matrix_name for messages: "the stiffness".
-     * @param if_memory_is_short, @param otherwise what to try then.
+     * @param if_memory_is_short what to try then.
+     * @param otherwise what to try if it fails for another reason.
      */
     MumpsInstance(const MPI_Comm     communicator,
                   const int          n_local,

@@ -28,10 +28,11 @@ namespace Crevasse
    *
    * Implicit, all L-stable and with one γ on the diagonal, so that equal steps
    * have equal matrices, and with the last stage at the end of the step: the
-   * method of Sdirk2 with an embedded one of order 1, and ESDIRK3(2)5L[2]SA,
-   * ESDIRK4(3)6L[2]SA, ESDIRK5(4)7L[2]SA2 (Kennedy and Carpenter, Appl. Numer.
-   * Math. 146, 2019). Not ARKODE's own choices: its SDIRK-2-1-2 is not
-   * L-stable, and the estimates of the others grow with stiffness.
+   * method of Sdirk2 with an embedded one of order 1, ESDIRK3(2)5L[2]SA, the
+   * implicit part of ARK4(3)6L[2]SA (Kennedy and Carpenter, Appl. Numer. Math.
+   * 44, 2003), and ESDIRK5(4)7L[2]SA2 (the same, 146, 2019). Not ARKODE's own
+   * choices: its SDIRK-2-1-2 is not L-stable, and the estimates of the others
+   * grow with stiffness.
    */
   class ArkodeTable
   {

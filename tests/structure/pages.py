@@ -1,0 +1,77 @@
+"""The pages of the documentation, without the program: each is reachable from
+README.md, links lead somewhere, the walk-throughs are patches that fit the
+source, and messages that doc/troubleshooting.md quotes are the program's."""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(sys.argv[1]).resolve()
+PAGES = [ROOT / "README.md", *sorted((ROOT / "doc").glob("*.md"))]
+
+
+def prose(path):
+    return re.sub(r"^```.*?^```$", "", path.read_text(), flags=re.M | re.S)
+
+
+def links(path):
+    for target in re.findall(r"\]\(([^)\s]+)\)", prose(path)):
+        if "://" not in target:
+            yield (path.parent / target.split("#")[0]).resolve()
+
+
+def broken_links():
+    for path in PAGES:
+        for target in links(path):
+            if not target.exists():
+                yield f"{path.name}: there is no {target}"
+
+
+def unreachable_pages():
+    reached, to_do = set(), [PAGES[0]]
+    while to_do:
+        path = to_do.pop()
+        reached.add(path)
+        to_do += set(links(path)) & set(PAGES) - reached
+    for path in set(PAGES) - reached:
+        yield f"{path.name} is not reachable from README.md"
+
+
+def patches_that_do_not_fit():
+    for path in PAGES:
+        if path.name.startswith("extend_"):
+            result = subprocess.run(["git", "apply", "--check", path], cwd=ROOT,
+                                    capture_output=True, text=True)
+            if result.returncode != 0:
+                yield f"{path.name}: {result.stderr}"
+
+
+def texts_of_program():
+    """The string literals of the sources, neighbours joined, with something
+    unlike any text between them."""
+    for path in (ROOT / "source").rglob("*.cc"):
+        literals = re.findall(r'((?:"(?:[^"\\\n]|\\.)*"\s*)+)',
+                              path.read_text())
+        for literal in literals:
+            yield re.sub(r'"\s*"', "", literal).strip()[1:-1]
+
+
+def unknown_messages():
+    """In the first columns of the tables."""
+    texts = "\n".join(texts_of_program()).replace('\\"', '"')
+    path = ROOT / "doc/troubleshooting.md"
+    quotes = [quote for row in prose(path).splitlines()
+              if row.startswith("|")
+              for quote in re.findall(r"`([^`]+)`", row.split("|")[1])]
+    if len(quotes) < 30:
+        yield f"{path.name}: only {len(quotes)} messages found"
+    for quote in quotes:
+        if quote not in texts:
+            yield f"{path.name}: the program does not say: {quote}"
+
+
+found = [*broken_links(), *unreachable_pages(), *patches_that_do_not_fit(),
+         *unknown_messages()]
+print("\n".join(found) or "All pages are in order.")
+sys.exit(1 if found else 0)
