@@ -193,12 +193,39 @@ namespace Crevasse
 
     change.reinit(solution, true);
     linear_solver.solve(change, loads, residual_target());
-    restrict_to_lip(change, opening);
+    // Zero but for nodes that are to be closed now and are not yet.
+    restrict_to_lip(solution, opening);
+    opening -= gap;
+    restrict_to_lip(change, forces);
+    opening += forces;
     lip_problem.forces_that_close(opening, forces);
     add_to_loads(forces);
     linear_solver.solve(change, loads, residual_target());
     solution += change;
     close(solution);
+  }
+
+
+
+  bool
+  CondensedActiveSet::closes_more(const Vector &solution)
+  {
+    restrict_to_lip(solution, opening);
+    opening -= gap;
+    // Where forces are nearly zero, as without load, the rounding of the
+    // columns of S has decided about the set. The refined solution knows
+    // better.
+    const double      depth = tolerance * solution.linfty_norm();
+    std::vector<bool> closed(opening.size());
+    for (const unsigned int node : lip_problem.active_set())
+      closed[node] = true;
+    bool more = false;
+    for (unsigned int node = 0; node < closed.size(); ++node)
+      if (!closed[node] && opening(node) < -depth)
+        more = closed[node] = true;
+    if (more)
+      lip_problem.start_from(closed);
+    return more;
   }
 
 
@@ -226,8 +253,14 @@ namespace Crevasse
     solve_linear(linear_solver, loads, solution);
     // Closed is closed: no rounding of a back-solve in the gap.
     close(solution);
-    if (asks_for_refinement())
-      refine_on_set(right_hand_side, solution);
+    constexpr unsigned int most_sets = 4;
+    for (unsigned int k = 0; asks_for_refinement() && k < most_sets; ++k)
+      {
+        refine_on_set(right_hand_side, solution);
+        if (!closes_more(solution))
+          break;
+        ++n_sets;
+      }
     return n_sets;
   }
 } // namespace Crevasse

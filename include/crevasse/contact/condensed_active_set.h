@@ -78,6 +78,11 @@ namespace Crevasse
     void
     refine_on_set(const Vector &right_hand_side, Vector &solution);
 
+    /** Adds to the set what penetrates in a refined solution by more than the
+     * tolerance; returns whether there is anything. */
+    bool
+    closes_more(const Vector &solution);
+
     LinearSolver &linear_solver;
 
     const LipGraph         lip; ///< the nodes of the small problem
