@@ -1,0 +1,11 @@
+# Installs the library, builds the example with what is installed, and runs it.
+set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
+set(build ${CMAKE_CURRENT_BINARY_DIR}/example)
+file(REMOVE_RECURSE ${prefix} ${build})
+foreach(command
+    "--install;${BUILD};--prefix;${prefix}"
+    "-S;${EXAMPLE};-B;${build};-G;${GENERATOR};-DCMAKE_PREFIX_PATH=${prefix};-DDEAL_II_DIR=${DEAL_II_DIR}"
+    "--build;${build}")
+  execute_process(COMMAND ${CMAKE_COMMAND} ${command} COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+execute_process(COMMAND ${build}/creeping_string COMMAND_ERROR_IS_FATAL ANY)
