@@ -169,14 +169,6 @@ namespace Crevasse
 
 
 
-  std::size_t
-  AdviseRuns::n_computed() const
-  {
-    return computed;
-  }
-
-
-
   std::string
   AdviseRuns::folder(const std::string &name) const
   {
@@ -232,7 +224,6 @@ namespace Crevasse
                                            for_failures,
                                            requests)
                                .result;
-        ++computed;
         collectively(communicator, [&]() {
           if (first_rank)
             sweep_folder.finish(result);

@@ -98,13 +98,15 @@ namespace Crevasse
         const auto best = cheapest(error);
         const bool reference_is_good =
           !all.empty() && all[finest].error <= part_of_reference * error;
-        auto next =
-          cheapest_next(best ? all[*best].run->seconds() : unknown_error);
+        auto next = to_be_looked_at(error);
+        if (!next)
+          next = cheapest_next(best ? all[*best].run->seconds() : unknown_error,
+                               error);
         if (best && !reference_is_good && !next)
           {
             const std::size_t family = all[finest].family;
-            next = progress[family].ended ? cheapest_next(unknown_error)
-                                          : std::make_optional(family);
+            next = may_go_on(family) ? std::make_optional(family)
+                                     : cheapest_next(unknown_error, error);
           }
         if (!next)
           return best.has_value();
@@ -131,7 +133,8 @@ namespace Crevasse
 
 
   double
-  AdviseSearch::predicted_seconds(const std::size_t family) const
+  AdviseSearch::predicted_seconds(const std::size_t family,
+                                  const double      n_levels) const
   {
     const std::vector<std::size_t> &own = progress[family].points;
     if (own.empty())
@@ -142,42 +145,67 @@ namespace Crevasse
       least = std::min(least, point.run->seconds());
     const double constant = 0.8 * least;
     return constant + (all[own.back()].run->seconds() - constant) *
-                        families[family].growth;
+                        std::pow(families[family].growth, n_levels);
+  }
+
+
+
+  double
+  AdviseSearch::levels_to(const std::size_t family, const double error) const
+  {
+    const std::vector<std::size_t> &own = progress[family].points;
+    if (own.empty() || all[own.back()].error == unknown_error)
+      return 1.;
+    // As it did last time; before that as the best of all methods do.
+    constexpr double hope = 0.15, worst = 0.95;
+    const double     last = all[own.back()].error;
+    const double     ratio =
+      own.size() < 2
+            ? hope
+            : std::clamp(last / all[own[own.size() - 2]].error, 0.02, worst);
+    return std::max(1., std::ceil(std::log(last / error) / -std::log(ratio)));
+  }
+
+
+
+  bool
+  AdviseSearch::may_go_on(const std::size_t f)
+  {
+    if (progress[f].ended)
+      return false;
+    if (progress[f].next == families[f].candidates.size())
+      {
+        end(f, "its finest candidate was run");
+        return false;
+      }
+    const double seconds = predicted_seconds(f, 1.);
+    const double unknowns =
+      part == Part::time || progress[f].points.empty()
+        ? 0.
+        : families[f].growth *
+            all[progress[f].points.back()].run->cost("unknowns");
+    if (unknowns > most_unknowns)
+      end(f,
+          "the next mesh would have about " +
+            std::to_string(std::lround(unknowns)) + " unknowns");
+    else if (seconds > most_seconds)
+      end(f,
+          "the next run would take about " +
+            std::to_string(std::lround(seconds)) + " s");
+    return !progress[f].ended;
   }
 
 
 
   std::optional<std::size_t>
-  AdviseSearch::cheapest_next(const double less_than)
+  AdviseSearch::cheapest_next(const double less_than, const double error)
   {
     std::optional<std::size_t> best;
     double                     least = less_than;
     for (std::size_t f = 0; f < families.size(); ++f)
       {
-        if (progress[f].ended)
-          continue;
-        if (progress[f].next == families[f].candidates.size())
-          {
-            end(f, "its finest candidate was run");
-            continue;
-          }
-        const double seconds = predicted_seconds(f);
-        if (seconds >= least)
-          continue;
-        const double unknowns =
-          part == Part::time || progress[f].points.empty()
-            ? 0.
-            : families[f].growth *
-                all[progress[f].points.back()].run->cost("unknowns");
-        if (unknowns > most_unknowns)
-          end(f,
-              "the next mesh would have about " +
-                std::to_string(std::lround(unknowns)) + " unknowns");
-        else if (seconds > most_seconds)
-          end(f,
-              "the next run would take about " +
-                std::to_string(std::lround(seconds)) + " s");
-        else
+        const double seconds = predicted_seconds(f, levels_to(f, error));
+        if (seconds < least && may_go_on(f))
           {
             best  = f;
             least = seconds;
@@ -298,6 +326,29 @@ namespace Crevasse
 
 
 
+  std::optional<std::size_t>
+  AdviseSearch::to_be_looked_at(const double error)
+  {
+    // The first such family is the cheapest one. Where it finds something
+    // suspicious, the others are asked too.
+    bool suspicious = true;
+    for (std::size_t f = 0; f < families.size() && suspicious; ++f)
+      if (families[f].halves_cells)
+        {
+          const std::size_t n = progress[f].points.size();
+          suspicious          = n < 2;
+          for (std::size_t q = 0; q < runs.quantities().size(); ++q)
+            if (n >= 2 && runs.counts(q))
+              suspicious =
+                suspicious || diverges(progress[f], q, error).value_or(true);
+          if (suspicious && n < 3 && may_go_on(f))
+            return f;
+        }
+    return {};
+  }
+
+
+
   void
   AdviseSearch::leave_out_what_diverges(const double error)
   {
@@ -306,8 +357,14 @@ namespace Crevasse
         std::size_t n_diverge = 0, n_converge = 0;
         for (std::size_t f = 0; f < families.size(); ++f)
           if (families[f].halves_cells && runs.counts(q))
-            if (const auto does = diverges(progress[f], q, error))
-              ++(*does ? n_diverge : n_converge);
+            {
+              const auto does = diverges(progress[f], q, error);
+              // What cannot be told yet counts for nothing, unless it will be.
+              if (does)
+                ++(*does ? n_diverge : n_converge);
+              else if (progress[f].points.size() < 3 && !progress[f].ended)
+                ++n_converge;
+            }
         if (n_diverge == 0 || n_converge > 0)
           continue;
         runs.leave_out(q);
@@ -317,7 +374,8 @@ namespace Crevasse
           "stress at a crack tip is infinite, at a free corner zero, and on "
           "the line between two materials it has two values: move the probe "
           "to where the stress is one number");
-        log.line("  " + all_notes.back());
+        log.line("  " + runs.quantities()[q].name +
+                 " does not converge as the cells are halved: left out");
       }
   }
 } // namespace Crevasse

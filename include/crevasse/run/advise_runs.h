@@ -95,9 +95,6 @@ namespace Crevasse
     bool
     periodic() const;
 
-    std::size_t
-    n_computed() const;
-
   private:
     /** What is on disk of a run, or what comes of it. */
     SweepResult
@@ -125,7 +122,6 @@ namespace Crevasse
     const Compared        compared;
     std::vector<Quantity> all_quantities;
     std::vector<bool>     left_out;
-    std::size_t           computed = 0;
 
     std::map<std::string, AdviseRun> runs; ///< by name
     std::map<std::pair<std::string, std::string>, std::vector<double>> known;

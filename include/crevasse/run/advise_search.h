@@ -36,8 +36,9 @@ namespace Crevasse
   };
 
   /**
-   * Runs candidates of some families, the cheapest next one first, until one
-   * has the error asked for and no family could have it cheaper.
+   * Runs candidates of some families, the next one of that which promises the
+   * error asked for at the least cost, until one has it and no family promises
+   * it cheaper.
    *
    * Errors are differences from the finest run of the family that converges
    * best, plus what that one is estimated to be off: its difference from the
@@ -102,14 +103,26 @@ namespace Crevasse
     double
     error_of_last(const Progress &family);
 
-    /** What the next candidate is going to cost. */
+    /** What a candidate is going to cost that many levels further. */
     double
-    predicted_seconds(const std::size_t family) const;
+    predicted_seconds(const std::size_t family, const double n_levels) const;
 
-    /** The family whose next candidate is cheapest, if it costs less than this
-     * and may be run at all. */
+    /** How many levels a family still needs; at least one. */
+    double
+    levels_to(const std::size_t family, const double error) const;
+
+    /** Whether its next candidate may be run: sizes and times are limited. */
+    bool
+    may_go_on(const std::size_t family);
+
+    /** The family that promises the error for the fewest seconds, if these are
+     * less than the given ones. */
     std::optional<std::size_t>
-    cheapest_next(const double less_than);
+    cheapest_next(const double less_than, const double error);
+
+    /** A family whose next run may tell that a quantity does not converge. */
+    std::optional<std::size_t>
+    to_be_looked_at(const double error);
 
     void
     run_next(const std::size_t family);
