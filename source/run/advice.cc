@@ -165,16 +165,14 @@ namespace Crevasse
   std::size_t
   Advice::base_in_time() const
   {
+    // The least work, but such that its errors are small beside what happens.
     const std::vector<AdvisePoint> &points = in_time->points();
-    // Few steps of the scheme that pays, but such that its errors are small
-    // beside what happens.
-    const auto best = in_time->cheapest(part_in_time * command.target_error);
-    const std::size_t family =
-      points[best.value_or(in_time->reference())].family;
+    std::size_t                     best   = in_time->reference();
     for (std::size_t p = 0; p < points.size(); ++p)
-      if (points[p].family == family && points[p].error < error_of_base)
-        return p;
-    return best.value_or(in_time->reference());
+      if (points[p].error < error_of_base &&
+          points[p].run->work() < points[best].run->work())
+        best = p;
+    return best;
   }
 
 

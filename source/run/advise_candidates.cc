@@ -139,9 +139,12 @@ namespace Crevasse
             (adapted ? "_adaptive_" + cycles : "_" + refinements) +
             (graded ? "_tip_" + cycles : "");
           candidate.text = family.text +
-                           (adapted ? " of " + cycles + " cycles"
-                                    : ", " + refinements + " refinements") +
-                           (graded ? " and " + cycles + " cycles" : "");
+                           (adapted ? " in " + cycles + " cycles"
+                                    : (division.halve && level > 0
+                                         ? ", refined " + refinements +
+                                             (level == 1 ? " time" : " times")
+                                         : "")) +
+                           (graded ? " in " + cycles + " cycles" : "");
           candidate.settings = {
             advised("Discretisation/Degree=" + std::to_string(degree)),
             advised("Discretisation/Singular functions=" +

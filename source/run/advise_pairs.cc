@@ -22,7 +22,7 @@ namespace Crevasse
   {
     // What a reference has itself may be missing in a difference from it.
     constexpr double part_of_reference = 0.25;
-    constexpr double part_accepted     = 0.8;
+    constexpr double part_accepted     = 0.9;
 
     constexpr std::size_t most_finalists = 12;
 
@@ -142,8 +142,10 @@ namespace Crevasse
   double
   AdvisePairs::predicted_error(const AdvisePair &pair) const
   {
-    return factor_in_space * space.points()[pair.space].error +
-           factor_in_time * time.points()[pair.time].error;
+    // Both are largest differences, of other probes or at other instants as a
+    // rule: their sum is hardly ever reached.
+    return std::hypot(factor_in_space * space.points()[pair.space].error,
+                      factor_in_time * time.points()[pair.time].error);
   }
 
 
@@ -151,18 +153,14 @@ namespace Crevasse
   double
   AdvisePairs::searched_seconds(const AdvisePair &pair) const
   {
-    // Part of each run does not depend on what it computes.
+    // Part of each run does not depend on its steps.
     double least = std::numeric_limits<double>::infinity();
-    for (const AdviseSearch *search : {&space, &time})
-      for (const AdvisePoint &point : search->points())
-        least = std::min(least, point.run->seconds());
+    for (const AdvisePoint &point : space.points())
+      least = std::min(least, point.run->seconds());
     const double constant = 0.8 * least;
-    const auto   own      = [&](const AdvisePoint &point) {
-      return point.run->seconds() - constant;
-    };
-    return constant + own(space.points()[pair.space]) *
-                        own(time.points()[pair.time]) /
-                        own(time.points()[base]);
+    return constant + (space.points()[pair.space].run->seconds() - constant) *
+                        time.points()[pair.time].run->work() /
+                        time.points()[base].run->work();
   }
 
 

@@ -107,6 +107,16 @@ namespace Crevasse
 
 
 
+  double
+  AdviseRun::work() const
+  {
+    constexpr double solves_of_a_factorisation = 10.;
+    return cost("linear_solves") + cost("rate_evaluations") +
+           solves_of_a_factorisation * cost("factorisations");
+  }
+
+
+
   AdviseRuns::AdviseRuns(const Command     &command,
                          const Scene       &scene,
                          const std::string &directory,

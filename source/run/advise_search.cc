@@ -82,10 +82,10 @@ namespace Crevasse
 
 
 
-  const AdviseFamily &
-  AdviseSearch::family(const std::size_t number) const
+  double
+  AdviseSearch::cost(const AdvisePoint &point) const
   {
-    return families[number];
+    return part == Part::time ? point.run->work() : point.run->seconds();
   }
 
 
@@ -99,9 +99,13 @@ namespace Crevasse
         const bool reference_is_good =
           !all.empty() && all[finest].error <= part_of_reference * error;
         auto next = to_be_looked_at(error);
+        // On a coarse mesh steps that leave a little more cost next to nothing
+        // to know, and may suit a mesh that leaves a little less.
         if (!next)
-          next = cheapest_next(best ? all[*best].run->seconds() : unknown_error,
-                               error);
+          next =
+            best && part == Part::time
+              ? cheapest_next(cost(all[*best]), unknown_error)
+              : cheapest_next(best ? cost(all[*best]) : unknown_error, error);
         if (best && !reference_is_good && !next)
           {
             const std::size_t family = all[finest].family;
@@ -125,7 +129,7 @@ namespace Crevasse
     std::optional<std::size_t> best;
     for (std::size_t p = 0; p < all.size(); ++p)
       if (p != finest && all[p].error <= error &&
-          (!best || all[p].run->seconds() < all[*best].run->seconds()))
+          (!best || cost(all[p]) < cost(all[*best])))
         best = p;
     return best;
   }
@@ -133,8 +137,8 @@ namespace Crevasse
 
 
   double
-  AdviseSearch::predicted_seconds(const std::size_t family,
-                                  const double      n_levels) const
+  AdviseSearch::predicted_cost(const std::size_t family,
+                               const double      n_levels) const
   {
     const std::vector<std::size_t> &own = progress[family].points;
     if (own.empty())
@@ -142,9 +146,9 @@ namespace Crevasse
     // Part of each run is the same for all.
     double least = unknown_error;
     for (const AdvisePoint &point : all)
-      least = std::min(least, point.run->seconds());
-    const double constant = 0.8 * least;
-    return constant + (all[own.back()].run->seconds() - constant) *
+      least = std::min(least, cost(point));
+    const double constant = part == Part::time ? 0. : 0.8 * least;
+    return constant + (cost(all[own.back()]) - constant) *
                         std::pow(families[family].growth, n_levels);
   }
 
@@ -154,7 +158,8 @@ namespace Crevasse
   AdviseSearch::levels_to(const std::size_t family, const double error) const
   {
     const std::vector<std::size_t> &own = progress[family].points;
-    if (own.empty() || all[own.back()].error == unknown_error)
+    if (own.empty() || all[own.back()].error == unknown_error ||
+        error == unknown_error)
       return 1.;
     // As it did last time; before that as the best of all methods do.
     constexpr double hope = 0.15, worst = 0.95;
@@ -178,7 +183,9 @@ namespace Crevasse
         end(f, "its finest candidate was run");
         return false;
       }
-    const double seconds = predicted_seconds(f, 1.);
+    const std::vector<std::size_t> &own = progress[f].points;
+    const double                    seconds =
+      own.empty() ? 0. : families[f].growth * all[own.back()].run->seconds();
     const double unknowns =
       part == Part::time || progress[f].points.empty()
         ? 0.
@@ -204,11 +211,11 @@ namespace Crevasse
     double                     least = less_than;
     for (std::size_t f = 0; f < families.size(); ++f)
       {
-        const double seconds = predicted_seconds(f, levels_to(f, error));
-        if (seconds < least && may_go_on(f))
+        const double cost = predicted_cost(f, levels_to(f, error));
+        if (cost < least && may_go_on(f))
           {
             best  = f;
-            least = seconds;
+            least = cost;
           }
       }
     return best;

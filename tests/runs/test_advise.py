@@ -114,17 +114,24 @@ def test_refusals():
 
 
 def test_crack_tip():
-    """The stress at a tip has no error that could be reached."""
+    """The stress at a tip has no error that could be reached. The periodic state is
+    looked for by what finds it."""
     scene = pathlib.Path("crack.prm")
     scene.write_text(BAR.replace("rectangle", "edge crack")
                      .replace("2, 2", "4, 2")
                      .replace("top: 0.5, 1", "tip: 0.5, 0; top: 0.5, 1"))
-    directory, output, _ = advise("crack", "--error", 0.05, scene=scene)
+    directory, output, _ = advise("crack", "--error", 0.05, "--set",
+                                  "Periodic state/Tolerance=0.1", scene=scene)
     print(output)
     advice = json.loads((directory / "advice.json").read_text())
     check(advice["left_out"] == ["probe_tip/s"] and advice["reached"],
           f"left out: {advice['left_out']}")
     check("probe_tip/s does not converge" in output, output)
+    check(advice["periodic_state"] and
+          float(advice["changes"]["[Periodic state] Tolerance"]["is"]) <= 0.0125,
+          f"a tolerance that fits: {advice['changes']}")
+    advised = run(directory / "advised.prm", "advised_crack")
+    check(advised.summary["converged"], "the advised scene is periodic")
 
 
 for test in (test_target, test_again, test_stop, test_refusals, test_crack_tip):

@@ -44,11 +44,11 @@ namespace Crevasse
   };
 
   /**
-   * Puts the settings in space and in time together: errors are nearly added,
-   * and seconds nearly multiplied. The pair with the least predicted seconds
-   * among those whose predicted errors are small enough is run and compared
-   * with a finer one; what is learned from it corrects the predictions, until
-   * none that was not run promises to be cheaper.
+   * Puts the settings in space and in time together: the squares of errors are
+   * nearly added, and seconds nearly multiplied. The pair with the least
+   * predicted seconds among those whose predicted errors are small enough is
+   * run and compared with a finer one; what is learned from it corrects the
+   * predictions, until none that was not run promises to be cheaper.
    */
   class AdvisePairs
   {

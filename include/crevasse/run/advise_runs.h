@@ -43,6 +43,12 @@ namespace Crevasse
     double
     seconds() const;
 
+    /** Solves, evaluations and factorisations in units of one solve: what
+     * steps cost beside other steps on the same mesh. Seconds of runs on coarse
+     * meshes are mostly set-up and noise. */
+    double
+    work() const;
+
     double
     cost(const std::string &name) const;
   };

@@ -84,8 +84,9 @@ namespace Crevasse
     const std::vector<std::string> &
     notes() const;
 
-    const AdviseFamily &
-    family(const std::size_t number) const;
+    /** What a run costs beside others of this search: seconds, or work. */
+    double
+    cost(const AdvisePoint &point) const;
 
   private:
     struct Progress
@@ -105,9 +106,10 @@ namespace Crevasse
 
     /** What a candidate is going to cost that many levels further. */
     double
-    predicted_seconds(const std::size_t family, const double n_levels) const;
+    predicted_cost(const std::size_t family, const double n_levels) const;
 
-    /** How many levels a family still needs; at least one. */
+    /** How many levels a family still needs; at least one, and no more if the
+     * error does not matter (infinite). */
     double
     levels_to(const std::size_t family, const double error) const;
 
@@ -115,8 +117,8 @@ namespace Crevasse
     bool
     may_go_on(const std::size_t family);
 
-    /** The family that promises the error for the fewest seconds, if these are
-     * less than the given ones. */
+    /** The family that promises the error at the least cost, if this is less
+     * than the given one. */
     std::optional<std::size_t>
     cheapest_next(const double less_than, const double error);
 
