@@ -45,7 +45,7 @@ _crevasse()
       else
         compopt -o filenames
         COMPREPLY=($(compgen -d -- "$word") $(compgen -f -X '!*.@(prm|json)' -- "$word"))
-        [ "$COMP_CWORD" = 1 ] && COMPREPLY+=($(compgen -W "sweep" -- "$word"))
+        [ "$COMP_CWORD" = 1 ] && COMPREPLY+=($(compgen -W "sweep advise" -- "$word"))
       fi ;;
   esac
 }

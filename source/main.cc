@@ -11,6 +11,7 @@
 
 #include <crevasse/output/log.h>
 #include <crevasse/run/adaptive_run.h>
+#include <crevasse/run/advice.h>
 #include <crevasse/run/command_line.h>
 #include <crevasse/run/failure.h>
 #include <crevasse/run/output_choice.h>
@@ -200,6 +201,8 @@ namespace
         StopRequests requests(MPI_COMM_WORLD, command.wall_time);
         if (command.sweep)
           ParameterSweep(command, for_failures, requests, log).run();
+        else if (command.advise)
+          Advice(command, for_failures, requests, log).run();
         else if (command.print_format.empty())
           read_and_run_scene(command, requests, log);
         else if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)

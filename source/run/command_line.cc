@@ -45,6 +45,7 @@ namespace Crevasse
       "Examples:\n"
       "  crevasse prm/raous1980.prm --set \"Geometry/Crack length=0.3\" "
       "--output results/short_crack\n"
+      "  crevasse advise prm/raous1980.prm --error 1e-3\n"
       "  crevasse sweep --help\n\n"
       "Exit status:\n"
       "  0  done\n"
@@ -65,7 +66,8 @@ namespace Crevasse
 
     /** For who calls the program without anything. */
     constexpr const char *what_to_do_next =
-      "Crevasse computes periodic states of cracked viscoelastic solids, from a "
+      "Crevasse computes periodic states of cracked viscoelastic solids, from "
+      "a "
       "scene file:\n\n"
       "  crevasse prm/raous1980.prm       run a scene, here the paper's "
       "example\n"
@@ -75,6 +77,8 @@ namespace Crevasse
       "for a scene\n"
       "                                   of your own\n"
       "  crevasse sweep --help            what accuracy costs\n"
+      "  crevasse advise --help           the cheapest settings for an "
+      "accuracy\n"
       "  crevasse --help                  all options\n\n"
       "doc/getting_started.md tells more.\n";
 
@@ -103,6 +107,29 @@ namespace Crevasse
       "Exit status: as that of a run. Points that are refused or fail have "
       "rows "
       "that say\nso; the status is 3 only if no point has results.";
+
+
+
+    constexpr const char *advise_examples =
+      "The error is that of the displacements and of the stresses of all "
+      "probes over time,\neach relative to its largest value: the largest of "
+      "them counts. Schemes and steps,\nelements and meshes, and the search "
+      "for "
+      "the periodic state are tried, what the body\nis and bears never "
+      "changes.\n\n"
+      "Files in DIR:\n"
+      "  advised.prm           the scene with the settings found: crevasse "
+      "advised.prm\n"
+      "  advice.md             what was chosen, and all that was measured, for "
+      "people\n"
+      "  advice.json           the same for scripts\n"
+      "  runs/                 the runs\n\n"
+      "Example:\n"
+      "  crevasse advise prm/raous1980.prm --error 1e-3\n\n"
+      "What is finished is not computed again: after an interruption the same "
+      "command\ngoes on. doc/advise.md explains the method.\n\n"
+      "Exit status: as that of a run; 3 if the error is not reached with the "
+      "largest\nmeshes that are tried: what comes nearest is written then.";
 
 
 
@@ -244,6 +271,51 @@ namespace Crevasse
       sweep->footer(sweep_examples);
       return sweep;
     }
+
+
+
+    std::string
+    target_problem(const std::string &text)
+    {
+      const std::optional<double> error = Text::to_number(text);
+      if (error && *error > 0. && *error < 1.)
+        return "";
+      return "\"" + Text::shorten(text) +
+             "\" is no relative error: a number greater than 0 and less than "
+             "1, as 1e-3.";
+    }
+
+
+
+    CLI::App *
+    add_advise(CLI::App                 &app,
+               Command                  &command,
+               std::vector<std::string> &overrides)
+    {
+      CLI::App *advise =
+        app.add_subcommand("advise",
+                           "Find the cheapest settings of a scene that reach "
+                           "an error; write them as a scene");
+      advise
+        ->add_option("scene",
+                     command.scene_file,
+                     "The scene: a .prm or .json file")
+        ->required();
+      advise
+        ->add_option("--error",
+                     command.target_error,
+                     "The relative error of the probes' histories that is to "
+                     "be reached, as 1e-3")
+        ->type_name("NUMBER")
+        ->required()
+        ->check(target_problem);
+      add_common_options(*advise,
+                         "results/<scene name>_advice",
+                         command,
+                         overrides);
+      advise->footer(advise_examples);
+      return advise;
+    }
   } // namespace
 
 
@@ -288,7 +360,8 @@ namespace Crevasse
                     ->type_name("FORMAT")
                     ->expected(0, 1)
                     ->check(print_format_problem);
-    const CLI::App *sweep = add_sweep(app, command, overrides);
+    const CLI::App *sweep  = add_sweep(app, command, overrides);
+    const CLI::App *advise = add_advise(app, command, overrides);
     if (argc <= 1)
       {
         std::cerr << what_to_do_next;
@@ -299,14 +372,18 @@ namespace Crevasse
     try
       {
         app.parse(argc, argv);
-        command.sweep = sweep->parsed();
-        if (command.sweep && (!scene->empty() || !print->empty() ||
-                              command.check || command.resume || command.force))
-          throw CLI::ParseError("\"sweep\" comes first, and all else after it.",
-                                CLI::ExitCodes::ExtrasError);
+        command.sweep    = sweep->parsed();
+        command.advise   = advise->parsed();
+        const bool study = command.sweep || command.advise;
+        if ((command.sweep && command.advise) ||
+            (study && (!scene->empty() || !print->empty() || command.check ||
+                       command.resume || command.force)))
+          throw CLI::ParseError(
+            "\"sweep\" or \"advise\" comes first, and all else after it.",
+            CLI::ExitCodes::ExtrasError);
         if (print->count() > 0 && command.print_format.empty())
           command.print_format = "prm";
-        if (scene->empty() && print->empty() && !command.sweep)
+        if (scene->empty() && print->empty() && !study)
           throw CLI::RequiredError("A scene file");
         for (const std::string &text : overrides)
           command.overrides.push_back({text, "--set"});

@@ -77,27 +77,52 @@ namespace Crevasse
 
 
 
+    /** Of a column at the instants compared. */
+    double
+    mean(const std::vector<double>      &column,
+         const std::vector<std::size_t> &rows)
+    {
+      double sum = 0.;
+      for (const std::size_t row : rows)
+        sum += column[row];
+      return rows.empty() ? 0. : sum / rows.size();
+    }
+
+
+
+    /** @param free_constant Whether a constant of the displacements says
+     * nothing. */
     MeasuredError
     compare_with_run(const Quantity &quantity,
                      const History  &history,
                      const History  &reference,
-                     const double    period)
+                     const double    period,
+                     const bool      free_constant)
     {
-      const CommonInstants common(history.instants(),
+      const CommonInstants     common(history.instants(),
                                   reference.instants(),
                                   period);
-      Extremes             extremes;
-      bool                 found = false;
+      std::vector<std::size_t> own_rows, reference_rows;
+      for (const auto &[i, j] : common.pairs)
+        {
+          own_rows.push_back(i);
+          reference_rows.push_back(j);
+        }
+      Extremes extremes;
+      bool     found = false;
       for (const std::string &name : reference.columns())
         if (quantity.selects(name) && history.find(name) != nullptr)
           {
             found               = true;
             const auto &values  = *history.find(name);
             const auto &correct = *reference.find(name);
+            const bool centred = free_constant && name.compare(0, 2, "u_") == 0;
+            const double own   = centred ? mean(values, own_rows) : 0.;
+            const double other = centred ? mean(correct, reference_rows) : 0.;
             for (const double value : correct)
-              extremes.add(value, value);
+              extremes.add(value - other, value - other);
             for (const auto &[i, j] : common.pairs)
-              extremes.add(values[i], correct[j]);
+              extremes.add(values[i] - own, correct[j] - other);
           }
       if (!found)
         return MeasuredError::none("the runs have no such column");
@@ -218,7 +243,7 @@ namespace Crevasse
     if (!contains(folder, quantity))
       return MeasuredError::none("the run has no table " + quantity.table());
     History history = table_of(folder, quantity);
-    if (compared == Compared::last_period)
+    if (compared != Compared::whole_run)
       history.keep_last_period(period);
     if (quantity.exact != nullptr)
       return compare_with_formula(quantity, history);
@@ -226,12 +251,13 @@ namespace Crevasse
       return MeasuredError::none("the reference has no table " +
                                  quantity.table());
     History correct = table_of(reference, quantity);
-    if (compared == Compared::last_period)
+    if (compared != Compared::whole_run)
       {
         correct.keep_last_period(period);
         history.begin_at_zero();
         correct.begin_at_zero();
       }
-    return compare_with_run(quantity, history, correct, period);
+    return compare_with_run(
+      quantity, history, correct, period, compared == Compared::periodic_state);
   }
 } // namespace Crevasse

@@ -29,20 +29,6 @@ namespace Crevasse
 
   namespace
   {
-    std::string
-    sweep_directory(const Command &command, const Scene &scene)
-    {
-      if (!command.output_directory.empty())
-        return command.output_directory;
-      return (!scene.output_directory.empty()
-                ? scene.output_directory
-                : "results/" +
-                    std::filesystem::path(command.scene_file).stem().string()) +
-             "_sweep";
-    }
-
-
-
     bool
     want_stress(const std::vector<Quantity> &quantities)
     {
@@ -136,7 +122,7 @@ namespace Crevasse
     for (const SweepVariant &point : scenes.points)
       all.push_back(&point.scene);
     quantities = choose_quantities(command.sweep_request, all);
-    directory  = sweep_directory(command, scenes.reference.scene);
+    directory  = directory_of_study(command, scenes.reference.scene, "_sweep");
     table      = std::make_unique<SweepTable>(
       plan,
       quantities,

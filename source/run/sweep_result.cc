@@ -91,7 +91,8 @@ namespace Crevasse
                                                    "factorisations",
                                                    "rate_evaluations",
                                                    "seconds",
-                                                   "seconds_time_stepping"};
+                                                   "seconds_time_stepping",
+                                                   "processor_seconds"};
     return names;
   }
 

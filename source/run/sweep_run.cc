@@ -18,6 +18,8 @@
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 
+#include <deal.II/base/timer.h>
+
 #include <filesystem>
 #include <optional>
 
@@ -115,6 +117,7 @@ namespace Crevasse
     Log log(communicator, true);
     log.open_file(folder.file("log.txt"));
     log.line("Crevasse " CREVASSE_VERSION ": a point of a sweep");
+    const Timer  timer;
     SweepRun     run;
     std::string &status = run.result.status = "refused";
     try
@@ -140,10 +143,13 @@ namespace Crevasse
         run.exception      = std::current_exception();
         log.line("crevasse: " + run.result.message);
       }
+    const double seconds = Utilities::MPI::max(timer.cpu_time(), communicator);
     collectively(communicator, [&]() {
       if (first_rank)
         read_costs(folder, run.result);
     });
+    if (run.result.has_results())
+      run.result.costs["processor_seconds"] = seconds;
     return run;
   }
 } // namespace Crevasse

@@ -9,12 +9,14 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/run/scene_difference.h>
 #include <crevasse/run/sweep_scenes.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/scene_file.h>
 #include <crevasse/scene/text.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <map>
 
@@ -69,28 +71,6 @@ namespace Crevasse
 
 
 
-    SweepVariant
-    read(const Command &command, const std::vector<Override> &own)
-    {
-      // Fields of many points fill disks; whoever wants them says so.
-      std::vector<Override> overrides = {{"Output/Fields=none", "sweep"}};
-      overrides.insert(overrides.end(),
-                       command.overrides.begin(),
-                       command.overrides.end());
-      overrides.insert(overrides.end(), own.begin(), own.end());
-
-      dealii::ParameterHandler prm;
-      Problems                 problems;
-      SweepVariant             variant;
-      variant.scene = read_scene(command.scene_file, overrides, prm, problems);
-      variant.scene.check(problems);
-      problems.throw_if_any();
-      variant.used = used_parameters(prm);
-      return variant;
-    }
-
-
-
     void
     refuse_equal_points(const std::vector<SweepVariant> &points,
                         const SweepPlan                 &plan)
@@ -106,6 +86,53 @@ namespace Crevasse
 
 
 
+  SweepVariant
+  read_variant(const std::string           &scene_file,
+               const std::vector<Override> &overrides)
+  {
+    dealii::ParameterHandler prm;
+    Problems                 problems;
+    SweepVariant             variant;
+    variant.scene = read_scene(scene_file, overrides, prm, problems);
+    variant.scene.check(problems);
+    problems.throw_if_any();
+    variant.used       = used_parameters(prm);
+    variant.parameters = scene_as_json(prm);
+    return variant;
+  }
+
+
+
+  SweepVariant
+  read_variant(const Command &command, const std::vector<Override> &own)
+  {
+    // Fields of many points fill disks; whoever wants them says so.
+    std::vector<Override> overrides = {{"Output/Fields=none", "sweep"}};
+    overrides.insert(overrides.end(),
+                     command.overrides.begin(),
+                     command.overrides.end());
+    overrides.insert(overrides.end(), own.begin(), own.end());
+    return read_variant(command.scene_file, overrides);
+  }
+
+
+
+  std::string
+  directory_of_study(const Command     &command,
+                     const Scene       &scene,
+                     const std::string &ending)
+  {
+    if (!command.output_directory.empty())
+      return command.output_directory;
+    return (!scene.output_directory.empty()
+              ? scene.output_directory
+              : "results/" +
+                  std::filesystem::path(command.scene_file).stem().string()) +
+           ending;
+  }
+
+
+
   SweepScenes::SweepScenes(const Command &command, const SweepPlan &plan)
     : points(plan.points().size())
   {
@@ -113,10 +140,11 @@ namespace Crevasse
     std::vector<Override> own;
     for (const std::string &text : command.sweep_request.reference)
       own.push_back({text, "--reference"});
-    mistakes.collect([&]() { reference = read(command, own); });
+    mistakes.collect([&]() { reference = read_variant(command, own); });
     for (std::size_t p = 0; p < points.size(); ++p)
-      mistakes.collect(
-        [&]() { points[p] = read(command, plan.overrides(plan.points()[p])); });
+      mistakes.collect([&]() {
+        points[p] = read_variant(command, plan.overrides(plan.points()[p]));
+      });
     mistakes.throw_if_any();
     refuse_equal_points(points, plan);
   }

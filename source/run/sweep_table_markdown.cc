@@ -26,7 +26,8 @@ namespace Crevasse
       {"factorisations", "factorisations"},
       {"rate_evaluations", "rate evaluations"},
       {"seconds", "seconds"},
-      {"seconds_time_stepping", "of these time stepping"}};
+      {"seconds_time_stepping", "of these time stepping"},
+      {"processor_seconds", "of the processor"}};
 
 
 

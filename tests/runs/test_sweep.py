@@ -23,7 +23,7 @@ pathlib.Path(CRACK).write_text(BAR.replace("rectangle", "edge crack")
                                .replace("2, 2", "4, 2"))
 SETTINGS = overrides(RELAXING)
 STEPS = "Time integration/Steps per period"
-SECONDS = ("seconds", "seconds_time_stepping")
+SECONDS = ("seconds", "seconds_time_stepping", "processor_seconds")
 
 
 def sweep(name, *arguments, status=0, fresh=True, scene=SCENE):

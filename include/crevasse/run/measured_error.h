@@ -52,8 +52,9 @@ namespace Crevasse
   struct MeasuredError
   {
     std::optional<double> value;
-    std::size_t           instants = 0; ///< that both have
-    std::string           reason;       ///< if there is no value
+    std::size_t           instants = 0;  ///< that both have
+    double                size     = 0.; ///< the largest value of the reference
+    std::string           reason;        ///< if there is no value
 
     /** @param extremes differences at common instants, values of the reference
      * at any. */

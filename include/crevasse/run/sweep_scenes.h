@@ -12,6 +12,7 @@
 #ifndef crevasse_run_sweep_scenes_h
 #define crevasse_run_sweep_scenes_h
 
+#include <crevasse/output/summary.h>
 #include <crevasse/run/command_line.h>
 #include <crevasse/run/sweep_plan.h>
 #include <crevasse/scene/scene.h>
@@ -25,8 +26,28 @@ namespace Crevasse
   struct SweepVariant
   {
     Scene       scene;
-    std::string used; ///< its used.prm
+    std::string used;       ///< its used.prm
+    Summary     parameters; ///< see scene_as_json()
   };
+
+  /** Reads and checks a scene. @throw SceneError with all mistakes; FileError
+   */
+  SweepVariant
+  read_variant(const std::string           &scene_file,
+               const std::vector<Override> &overrides);
+
+  /** Reads and checks the scene of the command line with what a study sets
+   * itself; it writes no fields unless one of them says so. @throw SceneError
+   * with all mistakes; FileError */
+  SweepVariant
+  read_variant(const Command &command, const std::vector<Override> &own);
+
+  /** Where a study of a scene keeps its runs, unless the command line says it:
+   * beside the results of the scene, with this @p ending. */
+  std::string
+  directory_of_study(const Command     &command,
+                     const Scene       &scene,
+                     const std::string &ending);
 
   /** All scenes of a sweep, which write no fields unless the command line says
    * so. */

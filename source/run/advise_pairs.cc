@@ -1,0 +1,331 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/run/advise_pairs.h>
+#include <crevasse/scene/problems.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace Crevasse
+{
+  namespace
+  {
+    // What a reference has itself may be missing in a difference from it.
+    constexpr double part_of_reference = 0.25;
+    constexpr double part_accepted     = 0.9;
+
+    constexpr std::size_t most_finalists = 12;
+
+    // What a run is predicted to save must be more than such predictions err.
+    constexpr double worth_trying = 0.9;
+  } // namespace
+
+
+
+  bool
+  AdvisePair::operator<(const AdvisePair &other) const
+  {
+    return std::tie(space, time) < std::tie(other.space, other.time);
+  }
+
+
+
+  bool
+  AdvisePair::operator==(const AdvisePair &other) const
+  {
+    return space == other.space && time == other.time;
+  }
+
+
+
+  AdvisePairs::AdvisePairs(AdviseSearch     &space,
+                           AdviseSearch     &time,
+                           const std::size_t base,
+                           const double      target,
+                           const Run        &run,
+                           AdviseRuns       &runs)
+    : space(space)
+    , time(time)
+    , base(base)
+    , target(target)
+    , run(run)
+    , runs(runs)
+  {
+  }
+
+
+
+  const std::vector<AdviseFinalist> &
+  AdvisePairs::finalists() const
+  {
+    return all;
+  }
+
+
+
+  bool
+  AdvisePairs::find()
+  {
+    // A search that must become finer may do so a few times.
+    constexpr unsigned int n_extensions = 3;
+    double                 in_space = target / 2., in_time = target / 4.;
+    for (unsigned int extension = 0; extension <= n_extensions; ++extension)
+      {
+        while (all.size() + failed.size() < most_finalists)
+          {
+            const AdviseFinalist *good = cheapest_good();
+            const auto            pair =
+              next(good != nullptr ? worth_trying * good->run->seconds()
+                                   : std::numeric_limits<double>::infinity());
+            if (!pair)
+              break;
+            try_pair(*pair);
+          }
+        if (cheapest_good() != nullptr)
+          return true;
+        if (extension == n_extensions)
+          break;
+        in_space /= 2. * std::max(1., factor_in_space);
+        in_time /= 2. * std::max(1., factor_in_time);
+        const bool finer = space.extend_to(in_space);
+        if (!time.extend_to(in_time) && !finer)
+          break;
+      }
+    // Nothing promises it: the most accurate pair tells what can be had.
+    if (all.empty())
+      {
+        std::vector<AdvisePair> pairs = all_pairs();
+        std::sort(pairs.begin(),
+                  pairs.end(),
+                  [&](const AdvisePair &a, const AdvisePair &b) {
+                    return predicted_error(a) < predicted_error(b);
+                  });
+        for (const AdvisePair &pair : pairs)
+          if (all.empty() && failed.size() < most_finalists)
+            try_pair(pair);
+      }
+    if (all.empty())
+      throw NumericalError(
+        "advise: no combination of the settings that were "
+        "tried in space and in time could be run; their "
+        "folders below runs/ have log.txt.");
+    return cheapest_good() != nullptr;
+  }
+
+
+
+  const AdviseFinalist &
+  AdvisePairs::best() const
+  {
+    if (const AdviseFinalist *good = cheapest_good())
+      return *good;
+    return *std::min_element(all.begin(),
+                             all.end(),
+                             [](const AdviseFinalist &a,
+                                const AdviseFinalist &b) {
+                               return a.error < b.error;
+                             });
+  }
+
+
+
+  double
+  AdvisePairs::predicted_error(const AdvisePair &pair) const
+  {
+    // Both are largest differences, of other probes or at other instants as a
+    // rule: their sum is hardly ever reached.
+    return std::hypot(factor_in_space * space.points()[pair.space].error,
+                      factor_in_time * time.points()[pair.time].error);
+  }
+
+
+
+  double
+  AdvisePairs::searched_seconds(const AdvisePair &pair) const
+  {
+    // Part of each run does not depend on its steps.
+    double least = std::numeric_limits<double>::infinity();
+    for (const AdvisePoint &point : space.points())
+      least = std::min(least, point.run->seconds());
+    const double constant = 0.8 * least;
+    return constant + (space.points()[pair.space].run->seconds() - constant) *
+                        time.points()[pair.time].run->work() /
+                        time.points()[base].run->work();
+  }
+
+
+
+  double
+  AdvisePairs::predicted_seconds(const AdvisePair &pair) const
+  {
+    const AdvisePair families{space.points()[pair.space].family,
+                              time.points()[pair.time].family};
+    const auto       learned = factor_of_seconds.find(families);
+    if (learned != factor_of_seconds.end())
+      return learned->second * searched_seconds(pair);
+    // Others were as far off, as far as is known.
+    double sum = 0.;
+    for (const auto &factor : factor_of_seconds)
+      sum += std::log(factor.second);
+    return searched_seconds(pair) *
+           (factor_of_seconds.empty()
+              ? 1.
+              : std::exp(sum / factor_of_seconds.size()));
+  }
+
+
+
+  std::vector<AdvisePair>
+  AdvisePairs::all_pairs() const
+  {
+    std::vector<AdvisePair> pairs;
+    for (std::size_t s = 0; s < space.points().size(); ++s)
+      for (std::size_t t = 0; t < time.points().size(); ++t)
+        pairs.push_back({s, t});
+    return pairs;
+  }
+
+
+
+  bool
+  AdvisePairs::was_run(const AdvisePair &pair) const
+  {
+    return std::find(failed.begin(), failed.end(), pair) != failed.end() ||
+           std::any_of(all.begin(), all.end(), [&](const auto &finalist) {
+             return finalist.pair == pair;
+           });
+  }
+
+
+
+  std::optional<AdvisePair>
+  AdvisePairs::next(const double less_than) const
+  {
+    std::optional<AdvisePair> best;
+    double                    least = less_than;
+    for (const AdvisePair &pair : all_pairs())
+      if (!was_run(pair) && predicted_error(pair) <= part_accepted * target &&
+          predicted_seconds(pair) < least)
+        {
+          best  = pair;
+          least = predicted_seconds(pair);
+        }
+    return best;
+  }
+
+
+
+  const AdviseFinalist *
+  AdvisePairs::cheapest_good() const
+  {
+    const AdviseFinalist *best = nullptr;
+    for (const AdviseFinalist &finalist : all)
+      if (finalist.error <= part_accepted * target &&
+          (best == nullptr || finalist.run->seconds() < best->run->seconds()))
+        best = &finalist;
+    return best;
+  }
+
+
+
+  AdvisePair
+  AdvisePairs::reference_for(const AdvisePair &pair) const
+  {
+    const auto finer =
+      [](const AdviseSearch &search, const std::size_t a, const std::size_t b) {
+        return search.points()[a].error < search.points()[b].error;
+      };
+    // As fine as the searches have come.
+    AdvisePair best{space.reference(), time.reference()};
+    bool       enough = false;
+    for (const AdvisePair &other : all_pairs())
+      if (finer(space, other.space, pair.space) &&
+          finer(time, other.time, pair.time) &&
+          predicted_error(other) <= part_of_reference * target &&
+          std::find(failed.begin(), failed.end(), other) == failed.end() &&
+          (!enough || predicted_seconds(other) < predicted_seconds(best)))
+        {
+          best   = other;
+          enough = true;
+        }
+    return best;
+  }
+
+
+
+  void
+  AdvisePairs::try_pair(const AdvisePair &pair)
+  {
+    using Purpose     = AdvisePeriod::Purpose;
+    const auto run_it = [&](const AdvisePair &one,
+                            const Purpose     purpose) -> const AdviseRun & {
+      return run(space.points()[one.space].candidate,
+                 time.points()[one.time].candidate,
+                 purpose);
+    };
+    AdviseFinalist finalist;
+    finalist.pair = pair;
+    finalist.run  = &run_it(pair, Purpose::result);
+    if (!finalist.run->usable())
+      {
+        failed.push_back(pair);
+        return;
+      }
+    constexpr unsigned int tries = 3;
+    for (unsigned int k = 0; k < tries && finalist.reference == nullptr; ++k)
+      {
+        const AdvisePair reference = reference_for(pair);
+        const AdviseRun *of        = &run_it(reference, Purpose::reference);
+        if (!of->usable()) // its tolerance may be out of reach
+          of = &run_it(reference, Purpose::result);
+        if (!of->usable())
+          {
+            failed.push_back(reference);
+            continue;
+          }
+        finalist.reference = of;
+        finalist.error     = runs.difference(*finalist.run, *of);
+        // What both have in common, they do not differ in.
+        if (reference.space == pair.space)
+          finalist.error += factor_in_space * space.points()[pair.space].error;
+        if (reference.time == pair.time)
+          finalist.error += factor_in_time * time.points()[pair.time].error;
+      }
+    if (finalist.reference == nullptr)
+      finalist.error = predicted_error(pair);
+    all.push_back(finalist);
+    learn(finalist);
+  }
+
+
+
+  void
+  AdvisePairs::learn(const AdviseFinalist &finalist)
+  {
+    const AdvisePoint &in_space = space.points()[finalist.pair.space];
+    const AdvisePoint &in_time  = time.points()[finalist.pair.time];
+    factor_of_seconds[{in_space.family, in_time.family}] =
+      finalist.run->seconds() / searched_seconds(finalist.pair);
+
+    // The larger part explains what the prediction has missed.
+    const double predicted = predicted_error(finalist.pair);
+    if (predicted == 0.)
+      return;
+    const double ratio = std::clamp(finalist.error / predicted, 0.2, 5.);
+    double      &factor =
+      factor_in_space * in_space.error > factor_in_time * in_time.error
+             ? factor_in_space
+             : factor_in_time;
+    factor *= ratio;
+  }
+} // namespace Crevasse

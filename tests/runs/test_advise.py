@@ -1,0 +1,138 @@
+"""Advice: what it chooses has the error asked for, against a run that knows nothing
+of it; the advised scene runs; nothing is computed twice; what cannot be done is told;
+ranks do not matter."""
+
+import json
+import pathlib
+import shutil
+
+from bars import BAR
+from crevasse_run import (check, check_below, execute, execute_on, overrides,
+                          run)
+
+TARGET = 1e-2
+SCENE = "plate.prm"
+# A plate without a crack that bends and creeps, beside a side that is held.
+pathlib.Path(SCENE).write_text(
+    BAR.replace("0; 10*sin", "0; 10*x*sin")
+    .replace("top: 0.5, 1", "top: 0.5, 1; inside: 0.5, 0.5"))
+SETTINGS = overrides(["Material/Viscosity=relaxation time",
+                      "Material/Relaxation time=200", "Boundary/Clamped=0",
+                      "Boundary/Fixed points=none",
+                      "Periodic state/Maximum periods=2"])
+
+
+def advise(name, *arguments, status=0, scene=SCENE, fresh=True, ranks=0):
+    directory = pathlib.Path("results") / name
+    if fresh:
+        shutil.rmtree(directory, ignore_errors=True)
+    words = ("advise", scene, "--output", directory, *arguments)
+    code, output, error = execute_on(ranks, *words) if ranks else execute(*words)
+    check(code == status, f"{name}: exit status {code} instead of {status}\n"
+                          + output + error)
+    return directory, output, error
+
+
+def largest_difference(one, other):
+    """Of u and s of both probes at the instants of the first, relative."""
+    worst = 0.
+    for probe in ("top", "inside"):
+        mine = one.table(f"probe_{probe}.csv")
+        theirs = other.table(f"probe_{probe}.csv")
+        rows = [min(range(len(theirs["t"])),
+                    key=lambda j: abs(theirs["t"][j] - t)) for t in mine["t"]]
+        check(all(abs(theirs["t"][j] - t) < 1e-6
+                  for j, t in zip(rows, mine["t"])), "no common instants")
+        for kind in "us":
+            columns = [name for name in mine if name.startswith(kind + "_")]
+            size = max(abs(x) for name in columns for x in theirs[name])
+            worst = max(worst, *(abs(mine[name][i] - theirs[name][j]) / size
+                                 for name in columns
+                                 for i, j in enumerate(rows)))
+    return worst
+
+
+def test_target():
+    directory, output, _ = advise("target", "--error", TARGET, *SETTINGS)
+    print(output)
+    advice = json.loads((directory / "advice.json").read_text())
+    check(advice["reached"] and advice["error"] <= TARGET, "not reached")
+    check(advice["counts"] and not advice["left_out"], "all probes count")
+
+    advised = run(directory / "advised.prm", "advised")
+    reference = run(SCENE, "reference", [
+        *SETTINGS[1::2], "Geometry/Refinements=5", "Discretisation/Degree=2",
+        "Time integration/Scheme=rk4", "Time integration/Steps per period=40"])
+    check_below(largest_difference(advised, reference), TARGET,
+                "error of the advised scene")
+    original = json.loads((directory / "runs/original/finished.json").read_text())
+    check(original["status"] == "done", "the scene as it was is run too")
+    for changed in ("Geometry", "Material", "Loads", "Boundary", "Output"):
+        check(not any(name.startswith(f"[{changed}]")
+                      and name != "[Geometry] Refinements"
+                      for name in advice["changes"]), f"{changed} was changed")
+    text = (directory / "advised.prm").read_text()
+    check(text.startswith("# plate.prm with the settings") and
+          "advise" in text.splitlines()[0], text[:200])
+    check("(chosen)" in (directory / "advice.md").read_text(), "advice.md")
+
+
+def test_again():
+    """The same answer from what is there, on two ranks too."""
+    first = json.loads(pathlib.Path("results/target/advice.json").read_text())
+    for ranks in (0, 2):
+        times = {path: path.stat().st_mtime_ns
+                 for path in pathlib.Path("results/target/runs").glob("*/*")}
+        directory, output, _ = advise("target", "--error", TARGET, *SETTINGS,
+                                      fresh=False, ranks=ranks)
+        check(all(path.stat().st_mtime_ns == time
+                  for path, time in times.items()), "computed again")
+        check(json.loads((directory / "advice.json").read_text()) == first,
+              "another answer")
+        check("(already there)" in output, output)
+
+
+def test_stop():
+    _, output, _ = advise("stopped", "--error", TARGET, *SETTINGS, "--wall-time",
+                          "0.001", status=5)
+    check("same command goes on" in output, output)
+
+
+def test_refusals():
+    for arguments, status, *messages in (
+            (("--error", "2"), 2, "no relative error"),
+            ((), 2, "--error"),
+            (("--error", "0.1", "--set", "Output/Probes="), 2, "Output/Probes",
+             "no probes"),
+            (("--error", "0.1", "--set", "Material/Youngs=3"), 2, "Young")):
+        _, output, error = advise("refused", *arguments, status=status)
+        for message in messages:
+            check(message in output + error, f"{message}?\n{output}{error}")
+    check(not pathlib.Path("results/refused").exists(), "computed something")
+    code, output, _ = execute("advise", "--help")
+    check(code == 0 and "advised.prm" in output and "--error" in output, output)
+
+
+def test_crack_tip():
+    """The stress at a tip has no error that could be reached. The periodic state is
+    looked for by what finds it."""
+    scene = pathlib.Path("crack.prm")
+    scene.write_text(BAR.replace("rectangle", "edge crack")
+                     .replace("2, 2", "4, 2")
+                     .replace("top: 0.5, 1", "tip: 0.5, 0; top: 0.5, 1"))
+    directory, output, _ = advise("crack", "--error", 0.05, "--set",
+                                  "Periodic state/Tolerance=0.1", scene=scene)
+    print(output)
+    advice = json.loads((directory / "advice.json").read_text())
+    check(advice["left_out"] == ["probe_tip/s"] and advice["reached"],
+          f"left out: {advice['left_out']}")
+    check("probe_tip/s does not converge" in output, output)
+    check(advice["periodic_state"] and
+          float(advice["changes"]["[Periodic state] Tolerance"]["is"]) <= 0.0125,
+          f"a tolerance that fits: {advice['changes']}")
+    advised = run(directory / "advised.prm", "advised_crack")
+    check(advised.summary["converged"], "the advised scene is periodic")
+
+
+for test in (test_target, test_again, test_stop, test_refusals, test_crack_tip):
+    test()
