@@ -26,8 +26,10 @@ namespace Crevasse
 
     constexpr std::size_t most_finalists = 12;
 
-    // What a run is predicted to save must be more than such predictions err.
-    constexpr double worth_trying = 0.9;
+    // Predictions err: what a run of kinds that were run together before saves
+    // must be more than noise, one of others may as well save what it seems to
+    // cost in addition.
+    constexpr double margin_if_known = 0.9, margin_if_new = 1.4;
   } // namespace
 
 
@@ -85,7 +87,7 @@ namespace Crevasse
           {
             const AdviseFinalist *good = cheapest_good();
             const auto            pair =
-              next(good != nullptr ? worth_trying * good->run->seconds()
+              next(good != nullptr ? good->run->seconds()
                                    : std::numeric_limits<double>::infinity());
             if (!pair)
               break;
@@ -165,12 +167,18 @@ namespace Crevasse
 
 
 
+  AdvisePair
+  AdvisePairs::families(const AdvisePair &pair) const
+  {
+    return {space.points()[pair.space].family, time.points()[pair.time].family};
+  }
+
+
+
   double
   AdvisePairs::predicted_seconds(const AdvisePair &pair) const
   {
-    const AdvisePair families{space.points()[pair.space].family,
-                              time.points()[pair.time].family};
-    const auto       learned = factor_of_seconds.find(families);
+    const auto learned = factor_of_seconds.find(families(pair));
     if (learned != factor_of_seconds.end())
       return learned->second * searched_seconds(pair);
     // Others were as far off, as far as is known.
@@ -209,16 +217,22 @@ namespace Crevasse
 
 
   std::optional<AdvisePair>
-  AdvisePairs::next(const double less_than) const
+  AdvisePairs::next(const double seconds) const
   {
     std::optional<AdvisePair> best;
-    double                    least = less_than;
+    double                    least = std::numeric_limits<double>::infinity();
     for (const AdvisePair &pair : all_pairs())
-      if (!was_run(pair) && predicted_error(pair) <= part_accepted * target &&
-          predicted_seconds(pair) < least)
+      if (!was_run(pair) && predicted_error(pair) <= part_accepted * target)
         {
-          best  = pair;
-          least = predicted_seconds(pair);
+          const bool   known     = factor_of_seconds.count(families(pair)) > 0;
+          const double predicted = predicted_seconds(pair);
+          if (predicted <
+              std::min(least,
+                       (known ? margin_if_known : margin_if_new) * seconds))
+            {
+              best  = pair;
+              least = predicted;
+            }
         }
     return best;
   }
@@ -312,20 +326,21 @@ namespace Crevasse
   void
   AdvisePairs::learn(const AdviseFinalist &finalist)
   {
-    const AdvisePoint &in_space = space.points()[finalist.pair.space];
-    const AdvisePoint &in_time  = time.points()[finalist.pair.time];
-    factor_of_seconds[{in_space.family, in_time.family}] =
+    factor_of_seconds[families(finalist.pair)] =
       finalist.run->seconds() / searched_seconds(finalist.pair);
 
-    // The larger part explains what the prediction has missed.
     const double predicted = predicted_error(finalist.pair);
     if (predicted == 0.)
       return;
     const double ratio = std::clamp(finalist.error / predicted, 0.2, 5.);
-    double      &factor =
-      factor_in_space * in_space.error > factor_in_time * in_time.error
-             ? factor_in_space
-             : factor_in_time;
-    factor *= ratio;
+    const bool   space_dominates =
+      factor_in_space * space.points()[finalist.pair.space].error >
+      factor_in_time * time.points()[finalist.pair.time].error;
+    // Which part was predicted too large is not known: the next run will tell.
+    // If the error is larger than predicted, the larger part is to blame.
+    if (ratio < 1. || space_dominates)
+      factor_in_space *= ratio;
+    if (ratio < 1. || !space_dominates)
+      factor_in_time *= ratio;
   }
 } // namespace Crevasse

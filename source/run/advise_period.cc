@@ -23,7 +23,7 @@ namespace Crevasse
     // A march that takes more has found a faster method by then.
     constexpr unsigned int periods_of_a_march   = 30;
     constexpr unsigned int periods_at_least     = 200;
-    constexpr double       tighter_in_reference = 0.1;
+    constexpr double       tighter_in_reference = 10.; ///< this many times
     constexpr double       part_of_tolerance    = 0.1; ///< of the target
     constexpr double       clearly              = 0.7;
 
@@ -168,7 +168,7 @@ namespace Crevasse
     if (searched)
       return settings_of(method(in_time),
                          purpose == Purpose::reference
-                           ? tighter_in_reference * tolerance
+                           ? tolerance / tighter_in_reference
                            : tolerance,
                          maximum_periods);
     if (purpose == Purpose::search)
@@ -186,7 +186,7 @@ namespace Crevasse
     if (searched)
       return "__" + method(in_time) + "_" +
              Text::from_number(purpose == Purpose::reference
-                                 ? tighter_in_reference * tolerance
+                                 ? tolerance / tighter_in_reference
                                  : tolerance);
     return "__" +
            std::to_string(purpose == Purpose::search ? search_periods

@@ -14,6 +14,8 @@
 #include <crevasse/scene/text.h>
 #include <crevasse/scene/text_file.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -42,6 +44,20 @@ namespace Crevasse
     count(const double number)
     {
       return std::to_string(std::llround(number));
+    }
+
+
+
+    /** Text as lines of a comment in a scene. */
+    std::string
+    comment(const std::string &text)
+    {
+      constexpr unsigned int width = 77;
+      std::string            lines;
+      for (const std::string &line :
+           dealii::Utilities::break_text_into_lines(text, width))
+        lines += "# " + line + '\n';
+      return lines;
     }
 
 
@@ -135,14 +151,14 @@ namespace Crevasse
   {
     const std::string name =
       std::filesystem::path(scene_file).filename().string();
-    std::string text = "# " + name +
-                       " with the settings that crevasse advise has found for "
-                       "an error of\n# " +
-                       Text::from_number(target) +
-                       " in the histories of its probes: " + choice + ".\n# " +
-                       measured() +
-                       "\n# What the body is and bears is as it was. Changed "
-                       "are:\n";
+    std::string text =
+      comment(name +
+              " with the settings that crevasse advise has found for an error "
+              "of " +
+              Text::from_number(target) +
+              " in the histories of its probes: " + choice + ".") +
+      comment(measured()) +
+      comment("What the body is and bears is as it was. Changed are:");
     for (const Change &change : changes())
       text += "#   " + change.parameter + " = " + change.now + " (was " +
               (change.before.empty() ? "empty" : change.before) + ")\n";

@@ -137,6 +137,20 @@ namespace Crevasse
 
 
   double
+  AdviseSearch::growth(const std::size_t family) const
+  {
+    const std::vector<std::size_t> &own   = progress[family].points;
+    const double                    least = families[family].growth;
+    if (part == Part::time || own.size() < 2)
+      return least;
+    return std::max(least,
+                    all[own.back()].run->cost("unknowns") /
+                      all[own[own.size() - 2]].run->cost("unknowns"));
+  }
+
+
+
+  double
   AdviseSearch::predicted_cost(const std::size_t family,
                                const double      n_levels) const
   {
@@ -149,7 +163,7 @@ namespace Crevasse
       least = std::min(least, cost(point));
     const double constant = part == Part::time ? 0. : 0.8 * least;
     return constant + (cost(all[own.back()]) - constant) *
-                        std::pow(families[family].growth, n_levels);
+                        std::pow(growth(family), n_levels);
   }
 
 
@@ -185,12 +199,11 @@ namespace Crevasse
       }
     const std::vector<std::size_t> &own = progress[f].points;
     const double                    seconds =
-      own.empty() ? 0. : families[f].growth * all[own.back()].run->seconds();
+      own.empty() ? 0. : growth(f) * all[own.back()].run->seconds();
     const double unknowns =
-      part == Part::time || progress[f].points.empty()
+      part == Part::time || own.empty()
         ? 0.
-        : families[f].growth *
-            all[progress[f].points.back()].run->cost("unknowns");
+        : growth(f) * all[own.back()].run->cost("unknowns");
     if (unknowns > most_unknowns)
       end(f,
           "the next mesh would have about " +

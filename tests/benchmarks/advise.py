@@ -5,12 +5,13 @@ meshes and steps, that reaches the error.
 
     OMP_NUM_THREADS=1 /usr/bin/python3 tests/benchmarks/advise.py build/crevasse [SCENE ...]
 
-Costs are seconds of the processor, the least of three sweeps of a pair. Without names
+Costs are seconds of the processor, the least of three. Without names
 all scenes are computed, some minutes; what is finished in the working directory is
 not computed again."""
 
 import csv
 import json
+import math
 import pathlib
 import re
 import shutil
@@ -33,7 +34,7 @@ SCENES = {
         "Output/Probes=lip: 0, 0; inside: 0.7, 0.2"], 5e-3),
     "thermal fatigue": (PRM / "thermal_fatigue.prm", [
         "Geometry/Subdivisions=10, 6", "Periodic state/Maximum periods=3",
-        "Output/Probes=mouth: 50, 0; inside: 30, 10"], 1e-2),
+        "Output/Probes=edge: 50, 25; inside: 30, 10"], 2e-2),
     "ageing": (PRM / "ageing.prm", [
         "Geometry/Subdivisions=8, 4", "Output/Probes=inside: 0.75, 0.25; "
         "top: 0.5, 1"], 1e-2),
@@ -88,11 +89,10 @@ def meshes(scene, cracked):
 def steps(scene, cracked):
     """Schemes, steps and whether contact events are located, as advise has them."""
     fewer = three_dimensional(scene)
-    base = 15 if "thermal" in scene.name else 10
     found = []
     for scheme, n_levels in (("heun", 4), ("rk4", 3), ("sdirk2", 4),
                              ("trapezoid", 5)):
-        found += [(scheme, str(base << k),
+        found += [(scheme, str(10 << k),
                    "true" if scheme == "rk4" and cracked else "false")
                   for k in range(min(n_levels, 3 if fewer else 5))]
     return found
@@ -114,9 +114,10 @@ def reference_settings(scene, cracked):
         n = 40
     else:
         settings += ["Geometry/Refinements=1", "Refinement/Strategy=adaptive",
-                     "Refinement/Target unknowns=12000"]
+                     # Of a stiffness that varies each instant has a factor.
+                     "Refinement/Target unknowns=" +
+                     ("6000" if "thermal" in scene.name else "12000")]
         n = 80
-    n = 120 if "thermal" in scene.name else n
     return settings + ["Time integration/Scheme=rk4", f"{STEPS}={n}",
                        "Time integration/Step control=uniform",
                        "Time integration/Locate contact events=" +
@@ -168,19 +169,30 @@ def error(directory, reference, probes, period, periodic, left_out):
     return worst
 
 
-def seconds(program, probe, advised, best, where):
-    """The least of three measurements of both scenes, taken in turns: seconds of the
+def seconds(program, probe, scenes, where):
+    """The least of three measurements of each scene, taken in turns: seconds of the
     processor, as a sweep of one point tells them."""
-    least = [1e9, 1e9]
+    least = [math.inf] * len(scenes)
     for repetition in range(3):
-        for k, file in enumerate((advised, best)):
-            directory = where / f"timed_{k}_{repetition}"
+        for k, file in enumerate(scenes):
+            directory = where / "timed"
             shutil.rmtree(directory, ignore_errors=True)
             call(program, "sweep", file, "--output", directory, "--vary",
                  "Title=timed", "--exact", f"probe_{probe}/u_1=t")
             row = next(csv.DictReader(open(directory / "sweep.csv")))
             least[k] = min(least[k], float(row["processor_seconds"]))
     return least
+
+
+def in_words(used):
+    """Settings of a point of the sweep."""
+    values = {name: re.search(rf"set {name} +=([^#\n]*)", used)[1].strip()
+              for name in ("Degree", "Singular functions", "Refinements", "Strategy",
+                           "Cycles", "Scheme", "Steps per period")}
+    return (f"degree {values['Degree']}, {values['Singular functions']} functions, "
+            f"{values['Refinements']} refinements, {values['Strategy']} "
+            f"{values['Cycles']}; {values['Scheme']} "
+            f"{values['Steps per period']}")
 
 
 def judge(program, name):
@@ -237,11 +249,16 @@ def judge(program, name):
               "left_out": advice["left_out"],
               "error of the finest points": sorted(p[1] for p in points)[:3]}
     if good:
-        best = min(good)
-        least = seconds(program, probes[0], where / "advice/advised.prm",
-                        where / "sweep" / best[2] / "used.prm", where)
-        result.update(best=best[2], best_error=best[1], seconds=least[0],
-                      best_seconds=least[1])
+        # One measurement is noisy: the cheapest ones are measured again.
+        cheapest = sorted(good)[:4]
+        own, *others = seconds(
+            program, probes[0], [where / "advice/advised.prm"] +
+            [where / "sweep" / point[2] / "used.prm" for point in cheapest],
+            where)
+        best = others.index(min(others))
+        used = (where / "sweep" / cheapest[best][2] / "used.prm").read_text()
+        result.update(best=in_words(used), best_error=cheapest[best][1],
+                      seconds=own, best_seconds=others[best])
     (where / "result.json").write_text(json.dumps(result, indent=1))
     return result
 

@@ -87,6 +87,10 @@ namespace Crevasse
     double
     searched_seconds(const AdvisePair &pair) const;
 
+    /** Of a pair, in space and in time. */
+    AdvisePair
+    families(const AdvisePair &pair) const;
+
     /** With what other pairs have taught. */
     double
     predicted_seconds(const AdvisePair &pair) const;
@@ -97,10 +101,10 @@ namespace Crevasse
     bool
     was_run(const AdvisePair &pair) const;
 
-    /** The pair to run next, if one promises to reach the target for fewer
-     * seconds than this. */
+    /** The pair to run next, if one promises to reach the target and may take
+     * less than these seconds. */
     std::optional<AdvisePair>
-    next(const double less_than) const;
+    next(const double seconds) const;
 
     /** The cheapest of those that were run and reach the target. */
     const AdviseFinalist *

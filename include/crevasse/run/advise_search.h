@@ -104,6 +104,11 @@ namespace Crevasse
     double
     error_of_last(const Progress &family);
 
+    /** What the work is multiplied with from one level to the next, where
+     * meshes have shown it. */
+    double
+    growth(const std::size_t family) const;
+
     /** What a candidate is going to cost that many levels further. */
     double
     predicted_cost(const std::size_t family, const double n_levels) const;
