@@ -236,11 +236,14 @@ namespace Crevasse
                    count(finalist.run->cost("vi_solves")),
                    seconds(*finalist.run)});
     if (run_as_it_was != nullptr)
-      text += row({"the scene as it was",
-                   error_as_it_was ? short_number(*error_as_it_was) : "",
-                   count(run_as_it_was->cost("unknowns")),
-                   count(run_as_it_was->cost("vi_solves")),
-                   seconds(*run_as_it_was)});
+      text +=
+        row({"the scene as it was",
+             !error_as_it_was                  ? ""
+             : std::isfinite(*error_as_it_was) ? short_number(*error_as_it_was)
+                                               : "no instants in common",
+             count(run_as_it_was->cost("unknowns")),
+             count(run_as_it_was->cost("vi_solves")),
+             seconds(*run_as_it_was)});
     return text;
   }
 

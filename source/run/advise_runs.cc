@@ -307,8 +307,7 @@ namespace Crevasse
       }
     std::vector<double> values;
     for (std::size_t q = 0; q < errors.size(); ++q)
-      if (errors[q].instants > 0 &&
-          errors[q].size <= vanishes * largest[all_quantities[q].column()])
+      if (errors[q].size <= vanishes * largest[all_quantities[q].column()])
         values.push_back(0.);
       else
         values.push_back(errors[q].value.value_or(unknown_difference));

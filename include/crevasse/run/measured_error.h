@@ -13,6 +13,7 @@
 #define crevasse_run_measured_error_h
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -52,9 +53,10 @@ namespace Crevasse
   struct MeasuredError
   {
     std::optional<double> value;
-    std::size_t           instants = 0;  ///< that both have
-    double                size     = 0.; ///< the largest value of the reference
-    std::string           reason;        ///< if there is no value
+    std::size_t           instants = 0; ///< that both have
+    /** The largest value of the reference; NaN if nothing was compared. */
+    double      size = std::numeric_limits<double>::quiet_NaN();
+    std::string reason; ///< if there is no value
 
     /** @param extremes differences at common instants, values of the reference
      * at any. */
