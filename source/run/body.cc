@@ -12,6 +12,7 @@
 #include <crevasse/discretisation/refinement.h>
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/run/body.h>
+#include <crevasse/run/mesh_room.h>
 #include <crevasse/run/tip_functions.h>
 #include <crevasse/scene/built_in_boundary.h>
 #include <crevasse/scene/collectively.h>
@@ -170,7 +171,9 @@ namespace Crevasse
   {
     const auto unrefined = [&scene, communicator]() {
       auto mesh = std::make_shared<Mesh<dim>>(communicator);
-      make_mesh(scene.geometry, *mesh);
+      make_mesh<dim>(scene.geometry, *mesh, [&](const CellCounts &cells) {
+        require_room<dim>(scene, cells, communicator);
+      });
       return mesh;
     };
     return scene.refinement.strategy == "tip"

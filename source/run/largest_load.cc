@@ -143,6 +143,27 @@ namespace Crevasse
 
 
   template <int dim>
+  double
+  load_missed_by_steps(const Body<dim> &body, const StepList &steps)
+  {
+    double missed = 0., largest = 0.;
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      {
+        // A jump at the end of a step is not within it.
+        const double begin = steps.instant(k), end = begin + steps.step(k);
+        Vector       ends   = loads_at(body, begin);
+        Vector       middle = loads_at(body, 0.5 * (begin + end));
+        largest = std::max({largest, ends.l2_norm(), middle.l2_norm()});
+        ends.sadd(0.5, 0.5, loads_at(body, steps.just_before(end)));
+        middle -= ends;
+        missed = std::max(missed, middle.l2_norm());
+      }
+    return largest > 0. ? missed / largest : 0.;
+  }
+
+
+
+  template <int dim>
   std::vector<double>
   instants_of_scale(const Body<dim> &body, const StepList &steps)
   {
@@ -168,6 +189,8 @@ namespace Crevasse
   template std::vector<double> instants_of_extreme_loads<dim>(                 \
     const Body<dim> &, const StepList &);                                      \
   template double largest_load<dim>(const Body<dim> &, const StepList &);      \
+  template double load_missed_by_steps<dim>(const Body<dim> &,                 \
+                                            const StepList &);                 \
   template std::vector<double> instants_of_scale<dim>(const Body<dim> &,       \
                                                       const StepList &)
 

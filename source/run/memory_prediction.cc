@@ -136,6 +136,15 @@ namespace Crevasse
 
 
 
+    /** Vectors, and indices and weights of the loops over cells; measured. */
+    double
+    bytes_of_gmg_vectors(const double unknowns, const unsigned int degree)
+    {
+      return sizeof(double) * (degree == 1 ? 60. : 25.) * unknowns;
+    }
+
+
+
     /** Of what solves with one stiffness. */
     template <int dim>
     double
@@ -147,9 +156,7 @@ namespace Crevasse
                                            scale.own_unknowns,
                                            scale.degree,
                                            scale.n_ranks);
-      // Vectors, and indices and weights of the loops over cells; measured.
-      return sizeof(double) * (scale.degree == 1 ? 60. : 25.) *
-               scale.own_unknowns +
+      return bytes_of_gmg_vectors(scale.own_unknowns, scale.degree) +
              scale.packed_stiffness + bytes_of_coarsest(scale);
     }
 
@@ -241,6 +248,23 @@ namespace Crevasse
 
 
 
+  template <int dim>
+  double
+  least_bytes_of_solver(const LinearSolverChoice::Type type,
+                        const double                   n_unknowns,
+                        const unsigned int             degree,
+                        const unsigned int             n_ranks)
+  {
+    if (type == LinearSolverChoice::gmg)
+      return bytes_of_gmg_vectors(n_unknowns, degree);
+    const double own = n_unknowns / n_ranks;
+    return n_ranks * (bytes_per_entry * n_matrix_entries<dim>(own, degree) +
+                      bytes_of_matrix_solver<dim>(
+                        type, n_unknowns, own, degree, n_ranks));
+  }
+
+
+
   double
   MemoryPrediction::total() const
   {
@@ -278,14 +302,18 @@ namespace Crevasse
 
 
 
-  template MemoryPrediction
-  predict_memory<2>(const Body<2> &,
-                    const StepList &,
-                    const Scene &,
-                    const PeriodicChoice &);
-  template MemoryPrediction
-  predict_memory<3>(const Body<3> &,
-                    const StepList &,
-                    const Scene &,
-                    const PeriodicChoice &);
+#define INSTANTIATE(dim)                                                     \
+  template double least_bytes_of_solver<dim>(const LinearSolverChoice::Type, \
+                                             const double,                   \
+                                             const unsigned int,             \
+                                             const unsigned int);            \
+  template MemoryPrediction predict_memory<dim>(const Body<dim> &,           \
+                                                const StepList &,            \
+                                                const Scene &,               \
+                                                const PeriodicChoice &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
 } // namespace Crevasse

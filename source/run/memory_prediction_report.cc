@@ -52,16 +52,6 @@ namespace Crevasse
 
 
 
-    std::string
-    gigabytes(const double bytes)
-    {
-      char text[40];
-      std::snprintf(text, sizeof(text), "%.3g GB", 1e-9 * bytes);
-      return text;
-    }
-
-
-
     /** What to do about the memory of what solves with the stiffness.
      *
      * @param are_several of these stiffnesses, of instants
@@ -127,11 +117,10 @@ namespace Crevasse
                    const Body<dim>        &body,
                    const Scene            &scene)
     {
-      const MPI_Comm   communicator = body.space.communicator();
-      const double     all   = sum_on_machine(needed.total(), communicator);
-      const double     there = available_memory(communicator);
-      constexpr double uncertainty = 1.25;
-      if (Utilities::MPI::max(all / there, communicator) <= uncertainty)
+      const MPI_Comm communicator = body.space.communicator();
+      const double   all   = sum_on_machine(needed.total(), communicator);
+      const double   there = available_memory(communicator);
+      if (Utilities::MPI::max(all / there, communicator) <= memory_uncertainty)
         return;
 
       const double part =
@@ -186,6 +175,16 @@ namespace Crevasse
       return list;
     }
   } // namespace
+
+
+
+  std::string
+  gigabytes(const double bytes)
+  {
+    char text[40];
+    std::snprintf(text, sizeof(text), "%.3g GB", 1e-9 * bytes);
+    return text;
+  }
 
 
 

@@ -147,6 +147,7 @@ namespace Crevasse
                              integrator.get(),
                              periodic_choice.needs_periodic_strain()))
     , largest_nodal_force(largest_load(body, steps))
+    , missed_load(load_missed_by_steps(body, steps))
     , crack_tip(
         make_crack_tip_analysis<dim>(this->scene, body, secular_split, steps))
   {

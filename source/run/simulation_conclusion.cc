@@ -91,16 +91,17 @@ namespace Crevasse
     constexpr double   doubtful = 1e-6, worthless = 1e-2;
     std::ostringstream rounding;
     rounding
-      << "The body has flown so far that rounding leaves errors of "
-      << stress_rounding
-      << " of its maximum in the stress, which is the difference of "
-         "total and viscous strain. "
+      << "Rounding leaves errors of " << stress_rounding
+      << " of its maximum in the stress, which is the difference of total and "
+         "viscous strain times the stiffness: the body has flown too far, or "
+         "is "
+         "too stiff against changes of volume (Poisson ratio near 0.5). "
       << (secular_split.is_split
             ? "Look"
             : "Split off the mean flow ([Periodic state] Secular split = "
               "on), or look")
-      << " at the relaxation times: they are many orders below the "
-         "period.";
+      << " at the relaxation times, whether they are many orders below the "
+         "period, and at the Poisson ratios.";
     if (stress_rounding > worthless)
       throw NumericalError(rounding.str());
     if (stress_rounding > doubtful)

@@ -133,6 +133,19 @@ namespace Crevasse
              << "; the theory is one of small strains, much less than 1";
         all.push_back(text.str());
       }
+    constexpr double too_much = 0.5;
+    if (missed_load > too_much &&
+        scene.time_integration.step_control != "adaptive")
+      {
+        std::ostringstream text;
+        text
+          << "[Time integration]: in the middle of a step the loads differ by "
+          << std::setprecision(2) << 100. * missed_load
+          << " % of their largest from the mean of those at its ends; steps "
+             "that are too few, or that meet a load at its zeros, compute "
+             "with another load than the scene's. Raise Steps per period";
+        all.push_back(text.str());
+      }
     if (!secular_split.warning.empty())
       all.push_back(secular_split.warning);
     if (integrator != nullptr && !periodic_choice.uses_fourier() &&

@@ -174,16 +174,15 @@ namespace Crevasse
 
 
 
-    /** Reads into a triangulation of its own: a distributed one does not
-     * survive triangles. */
+    /** Into a triangulation of its own: a distributed one does not survive
+     * triangles. */
     template <int dim>
     void
-    read_mesh(const std::string &file_name, Triangulation<dim> &mesh)
+    read_mesh(const std::string &file_name, Triangulation<dim> &coarse)
     {
       const std::string where = "[Geometry] Mesh file = " + file_name + ": ";
 
-      Triangulation<dim> coarse;
-      GridIn<dim>        grid_in(coarse);
+      GridIn<dim> grid_in(coarse);
       try
         {
           if (std::filesystem::path(file_name).extension() == ".msh")
@@ -208,7 +207,18 @@ namespace Crevasse
             "the file's name.");
         }
       require_convex_cells(coarse, where);
-      mesh.copy_triangulation(coarse);
+    }
+
+
+
+    template <int dim>
+    double
+    n_cells_of_plate(const GeometryParameters &parameters)
+    {
+      double n = 1.;
+      for (unsigned int d = 0; d < dim; ++d)
+        n *= parameters.subdivisions[d];
+      return n;
     }
   } // namespace
 
@@ -216,10 +226,22 @@ namespace Crevasse
 
   template <int dim>
   void
-  make_mesh(const GeometryParameters &parameters, Triangulation<dim> &mesh)
+  make_mesh(const GeometryParameters                      &parameters,
+            Triangulation<dim>                            &mesh,
+            const std::function<void(const CellCounts &)> &look)
   {
-    if (parameters.shape == "mesh file")
-      read_mesh(parameters.mesh_file, mesh);
+    const bool         is_file = parameters.shape == "mesh file";
+    Triangulation<dim> from_file;
+    if (is_file)
+      read_mesh(parameters.mesh_file, from_file);
+    if (look)
+      {
+        const double n = is_file ? from_file.n_active_cells()
+                                 : n_cells_of_plate<dim>(parameters);
+        look({n, n * std::pow(2., dim * parameters.refinements)});
+      }
+    if (is_file)
+      mesh.copy_triangulation(from_file);
     else
       {
         make_plate(parameters, mesh);
@@ -233,7 +255,11 @@ namespace Crevasse
 
 
   template void
-  make_mesh<2>(const GeometryParameters &, Triangulation<2> &);
+  make_mesh<2>(const GeometryParameters &,
+               Triangulation<2> &,
+               const std::function<void(const CellCounts &)> &);
   template void
-  make_mesh<3>(const GeometryParameters &, Triangulation<3> &);
+  make_mesh<3>(const GeometryParameters &,
+               Triangulation<3> &,
+               const std::function<void(const CellCounts &)> &);
 } // namespace Crevasse

@@ -424,6 +424,11 @@ CASES = [
           "Anderson depth", "about 0 unknowns fit; the mesh has 30"],
          ["Periodic state/Method=anderson",
           "Periodic state/Anderson depth=1000000000"]),
+    Case("mesh_that_no_memory_holds", 2,  # refused before it is made
+         [r"\[Geometry\]: a mesh of about 1\.6e\+07 cells \(4\.8e\+07 unknowns\) "
+          r"needs at least \S+ GB of memory with the linear solver amg \("],
+         IN_SPACE + ["Geometry/Subdivisions=400, 400, 100", "Loads/Traction=",
+                     "Output/Probes="]),
     Case("comparison_without_memory", 2,
          [r"\[Output\] Elastic comparison = open: .* change their sign .* "
           "without viscosity"],
@@ -713,6 +718,9 @@ UNUSED = [  # settings, and the warnings that they give
     (["Material/Thermal expansion=1e-3", "Loads/Temperature=0.5*t*(1+x)"],
      [r"\[Material\] Thermal expansion and \[Loads\] Temperature: the thermal "
       r"strain is up to 0\.5\d+; the theory is one of small strains"]),
+    (["Loads/Traction=0; sin(2*pi*t/60)"],
+     [r"\[Time integration\]: in the middle of a step the loads differ by 1\d\d %"
+      r" of their largest .* Raise Steps per period"]),
 ]
 
 

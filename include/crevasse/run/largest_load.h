@@ -41,6 +41,13 @@ namespace Crevasse
   double
   largest_load(const Body<dim> &body, const StepList &steps);
 
+  /** How far the load vector in the middle of a step is at most from the mean
+   * of those at its ends, relative to the largest of all: what steps that are
+   * too few, or that meet a load at its zeros, do not see. */
+  template <int dim>
+  double
+  load_missed_by_steps(const Body<dim> &body, const StepList &steps);
+
   /** A few instants whose elastic stress tells the size of all: those of the
    * largest load, and some others of the period. */
   template <int dim>

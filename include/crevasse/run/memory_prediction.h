@@ -12,6 +12,7 @@
 #ifndef crevasse_run_memory_prediction_h
 #define crevasse_run_memory_prediction_h
 
+#include <crevasse/linear/solver_choice.h>
 #include <crevasse/output/log.h>
 #include <crevasse/run/body.h>
 #include <crevasse/run/periodic_choice.h>
@@ -35,14 +36,29 @@ namespace Crevasse
     total() const;
   };
 
-  /** Of this rank. Formulas with constants that were measured, good to 25 %.
-   * Collective. */
+  /** By which factor predictions may be wrong. */
+  constexpr double memory_uncertainty = 1.25;
+
+  /** Of this rank. Formulas with constants that were measured. Collective. */
   template <int dim>
   MemoryPrediction
   predict_memory(const Body<dim>      &body,
                  const StepList       &steps,
                  const Scene          &scene,
                  const PeriodicChoice &choice);
+
+  /** Of all ranks: what solves with one stiffness takes at least, whatever
+   * the body is made of. */
+  template <int dim>
+  double
+  least_bytes_of_solver(const LinearSolverChoice::Type type,
+                        const double                   n_unknowns,
+                        const unsigned int             degree,
+                        const unsigned int             n_ranks);
+
+  /** "1.23 GB" */
+  std::string
+  gigabytes(const double bytes);
 
   /** Prints what the largest rank is going to need. Collective.
    * @throw SceneError if the ranks on a machine need more than it has left,

@@ -204,6 +204,7 @@ namespace Crevasse
     PeriodicChoice                         periodic_choice;
     SecularSplit                           secular_split;
     const double                           largest_nodal_force;
+    const double                           missed_load;      ///< by the steps
     const std::unique_ptr<const CrackTipAnalysis> crack_tip; ///< or null
     std::optional<SecularFlow>                    secular_flow;
     std::size_t                                   rate_evaluations = 0;
