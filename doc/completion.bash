@@ -5,25 +5,26 @@
 # The parameters after --set, --vary and --reference are those that the program
 # prints; it is asked once a shell.
 
-_crevasse_parameters()
+_crevasse_ask_for_parameters()
 {
-  if [ -z "$_crevasse_known_parameters" ]; then
-    _crevasse_known_parameters=$("$1" --print-parameters prm 2> /dev/null | awk '
+  [ -n "$_crevasse_parameters" ] ||
+    _crevasse_parameters=$("$1" --print-parameters prm 2> /dev/null | awk '
       /^ *subsection / { sub(/^ *subsection /, ""); section = $0 "/" }
       /^ *end/         { section = "" }
       /^ *set /        { sub(/^ *set /, ""); sub(/ *=.*/, ""); print section $0 }')
-  fi
-  printf '%s\n' "$_crevasse_known_parameters"
 }
 
 # Names with spaces: each is a line, and is quoted for the shell.
 _crevasse_complete_parameter()
 {
-  local word=${1#[\"\']} IFS=$'\n' name
+  local word=${1#[\"\']} name
   compopt -o nospace
+  _crevasse_ask_for_parameters "$2" # not in a subshell, which would forget them
   while read -r name; do
-    [[ $name == "${word//\\/}"* ]] && COMPREPLY+=("\"$name=")
-  done < <(_crevasse_parameters "$2")
+    [[ $name && $name == "${word//\\/}"* ]] && COMPREPLY+=("\"$name=")
+  done <<< "$_crevasse_parameters"
+  # Of a single one bash would close the quotes, but its value is to come.
+  [ ${#COMPREPLY[@]} != 1 ] || COMPREPLY+=("${COMPREPLY[0]}...")
 }
 
 _crevasse()

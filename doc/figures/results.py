@@ -153,13 +153,18 @@ def require(table, name, path):
 
 
 def read_parameters(path):
-    """{"Section/Name": value} of deal.II's parameter format."""
+    """{"Section/Name": value} of deal.II's parameter format. Titles and names of
+    files may be of any encoding."""
     values, section = {}, []
-    for line in path.read_text().splitlines():
+    text = path.read_text(encoding="utf-8", errors="replace")
+    for number, line in enumerate(text.splitlines(), 1):
         words = line.split("#")[0].strip()
         if words.startswith("subsection "):
             section.append(words.split(None, 1)[1])
         elif words == "end":
+            if not section:
+                raise ResultsError(f"{path}: line {number}: end without a "
+                                   "subsection.")
             section.pop()
         elif words.startswith("set ") and "=" in words:
             name, value = words[4:].split("=", 1)

@@ -40,9 +40,10 @@ def read_rows(directory):
         raise ResultsError(f"{path}: {error}.") from None
     if not rows:
         raise ResultsError(f"{path}: there are no points yet.")
-    if "status" not in rows[0]:
-        raise ResultsError(f"{path}: has no column status: it is not the table of "
-                           "a sweep.")
+    for name in ("point", "status", *COSTS):
+        if name not in rows[0]:
+            raise ResultsError(f"{path}: has no column {name}: it is not the table "
+                               "of a sweep.")
     for point, row in enumerate(rows, 1):
         if None in row or None in row.values():
             raise ResultsError(f"{path}: point {point} has another number of "

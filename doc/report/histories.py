@@ -109,10 +109,11 @@ def thin_rows(values):
 
 
 def last_period(t, period):
-    """Its beginning; None if there are no two periods."""
+    """Its beginning, one period before the end: a run that was stopped may have
+    ended within a period. None where that is nearly the whole run."""
     if t[-1] - t[0] < 1.5 * period:
         return None
-    return t[0] + (round((t[-1] - t[0]) / period, 6) // 1 - 1) * period
+    return t[-1] - period
 
 
 def symbol(column):

@@ -9,6 +9,7 @@ import pathlib
 import jinja2
 
 import wording
+
 TEMPLATES = pathlib.Path(__file__).resolve().parent / "templates"
 CHART_LIBRARY = pathlib.Path("/usr/share/javascript/chart.js/chart.min.js")
 
@@ -24,8 +25,8 @@ def render(template, **content):
     environment.tests["contains"] = lambda points, point: point in points
     environment.globals["plural"] = wording.plural
     return environment.get_template(template).render(
-        chart_library=read_library(), style=(TEMPLATES / "style.css").read_text(),
-        chart_script=(TEMPLATES / "charts.js").read_text(), **content)
+        chart_library=read_library(), style=(TEMPLATES / "style.css").read_text("utf-8"),
+        chart_script=(TEMPLATES / "charts.js").read_text("utf-8"), **content)
 
 
 def read_library():

@@ -67,7 +67,8 @@ def time_of(run):
 def changed_parameters(run):
     """(name, value, default) of those that are not the default."""
     section, changed = [], []
-    for line in (run.directory / "used.prm").read_text().splitlines():
+    text = (run.directory / "used.prm").read_text(encoding="utf-8", errors="replace")
+    for line in text.splitlines():
         words = line.strip()
         if words.startswith("subsection "):
             section.append(words.split(None, 1)[1])

@@ -67,6 +67,20 @@ namespace Crevasse
 
 
 
+    /** What coordinates of the body round to. */
+    template <int dim>
+    double
+    rounding_of_coordinates(const Triangulation<dim> &mesh)
+    {
+      double largest = 0.;
+      for (const auto &cell : mesh.cell_iterators_on_level(0)) // on all ranks
+        for (const unsigned int v : cell->vertex_indices())
+          largest = std::max(largest, cell->vertex(v).norm());
+      return 1e-15 * largest;
+    }
+
+
+
     /** A constrained node of the lip must be held at zero, or hang between
      * nodes of the lip. One that depends on other components, as on an inclined
      * plane of symmetry, could penetrate without anybody noticing. */
@@ -198,6 +212,7 @@ namespace Crevasse
   ContactBoundary<dim>::ContactBoundary(const Space<dim> &space,
                                         Expression      &&gap_formula)
     : gap(std::move(gap_formula))
+    , rounding(rounding_of_coordinates<dim>(space.mesh()))
   {
     collectively(space.communicator(), [&]() { find_nodes(space); });
     share_weights(space);
@@ -358,8 +373,6 @@ namespace Crevasse
   ContactBoundary<dim>::gap_at(const Point<dim> &point) const
   {
     const double value = gap.value(point);
-    // What coordinates round to, where the gap closes at a tip.
-    const double rounding = 1e-15 * point.norm();
     if (value > rounding)
       {
         std::ostringstream message;

@@ -26,7 +26,8 @@ namespace Crevasse
   lip_state(const ContactBoundary<dim> &lip, const State &state)
   {
     const MPI_Comm communicator = state.displacement.get_mpi_communicator();
-    const double   touching     = 1e-10 * state.displacement.linfty_norm();
+    const double   displacement = state.displacement.linfty_norm();
+    const double   touching     = 1e-10 * displacement;
 
     LipState here;
     for (unsigned int k = 0; k < lip.nodes().size(); ++k)
@@ -51,7 +52,11 @@ namespace Crevasse
     Utilities::MPI::max(ArrayView<const double>(maxima.data(), maxima.size()),
                         communicator,
                         ArrayView<double>(maxima.data(), maxima.size()));
-    return {static_cast<unsigned int>(sums[0]), sums[1], maxima[0], maxima[1]};
+    return {static_cast<unsigned int>(sums[0]),
+            sums[1],
+            maxima[0],
+            maxima[1],
+            displacement};
   }
 
 

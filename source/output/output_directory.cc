@@ -59,7 +59,8 @@ namespace Crevasse
 
 
 
-    /** What a run writes besides used.prm, as far as it is there.
+    /** What a run writes besides used.prm, and the report of it, which would
+     * tell of other results than those beside it; as far as it is there.
      * @throw FileError if a directory is in the way: told now, not when the run
      * comes to write it. */
     std::vector<fs::path>
@@ -68,7 +69,7 @@ namespace Crevasse
       static const std::regex ours(
         "summary\\.json(\\.part)?|log\\.txt|solution\\.pvd|used\\.prm|"
         "solution_[0-9.]+\\.p?vtu|(probe_.*|contact|periods|relaxation|"
-        "load_work|crack_tip)\\.csv|"
+        "load_work|crack_tip)\\.csv|report\\.html|"
         "contact_problem_[0-9_]+([a-z_]+\\.mtx|\\.petsc|\\.petsc\\.info)");
       std::vector<fs::path>  found;
       std::error_code        error;

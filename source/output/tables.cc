@@ -98,8 +98,9 @@ namespace Crevasse
   {
     const LipState now = lip_state(lip, sample.state);
     if (of_last_period && sample.step == 0)
-      opening = 0.;
-    opening = std::max(opening, now.largest_opening);
+      opening = displacement = 0.;
+    opening      = std::max(opening, now.largest_opening);
+    displacement = std::max(displacement, now.largest_displacement);
     if (table != nullptr)
       table->add_row({sample.time,
                       double(now.closed_nodes),
@@ -115,6 +116,7 @@ namespace Crevasse
   {
     archive.section("contact table");
     archive.common(opening);
+    archive.common(displacement);
   }
 
 
@@ -124,6 +126,15 @@ namespace Crevasse
   ContactTable<dim>::largest_opening() const
   {
     return opening;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactTable<dim>::largest_displacement() const
+  {
+    return displacement;
   }
 
 

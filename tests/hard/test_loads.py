@@ -20,10 +20,12 @@ def test_zero():
 
 
 def test_degenerate():
-    """The bar's closed form, s_11 = F(t): the lip neither opens nor bears."""
+    """The bar's closed form, s_11 = F(t): the lip neither opens nor bears. What
+    rounding moves its nodes by is not taken for a lip that goes on to close."""
     for solver in ("condensed active set", "active set", "projected sor"):
         results = compute("degenerate_lip", [f"Contact/Solver={solver}",
-                                             "Contact/Relaxation factor=1.9"])
+                                             "Contact/Relaxation factor=1.9",
+                                             "Periodic state/Tolerance=1e-4"])
         stress = column(results, "body", "s_11")
         strain = max(stress) / 13000
         check_close(max(stress), 10, 1e-10, f"degenerate, {solver}: stress")

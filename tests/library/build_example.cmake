@@ -1,4 +1,5 @@
-# Installs the library, builds the example with what is installed, and runs it.
+# Installs program and library, builds the example with what is installed, and runs
+# both.
 set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 set(build ${CMAKE_CURRENT_BINARY_DIR}/example)
 file(REMOVE_RECURSE ${prefix} ${build})
@@ -8,4 +9,5 @@ foreach(command
     "--build;${build}")
   execute_process(COMMAND ${CMAKE_COMMAND} ${command} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
+execute_process(COMMAND ${prefix}/bin/crevasse --version COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${build}/creeping_string COMMAND_ERROR_IS_FATAL ANY)

@@ -180,12 +180,13 @@ def test_earlier_results():
     succeed(*arguments)
     check(theirs.exists(), "removed a table where no run had been")
 
+    (directory / "report.html").write_text("of these results")
     first = {path.name: path.read_bytes() for path in directory.iterdir()
              if path not in (notes, directory / "running")}
     other = (*arguments, "--set", "Output/Probes=other: 0.3, 0.6")
     for number, options in enumerate(((), ("--force",), ()), 1):
         succeed(*other, *options)
-        for name in ("probe_A.csv", "probe_measured.csv"):
+        for name in ("probe_A.csv", "probe_measured.csv", "report.html"):
             check(not (directory / name).exists(),
                   f"{name} could be taken for this run's")
         check((directory / "probe_other.csv").exists() and notes.exists(),

@@ -257,15 +257,16 @@ def unfinished_runs():
     directory = copy("bare", "killed")
     (directory / "summary.json").unlink()
     log = directory / "log.txt"
-    log.write_text(log.read_text().split("\n       2 ")[0] + "\n")
+    log.write_text(log.read_text().split("\n       3 ")[0] + "\n")
     path = directory / "contact.csv"
-    path.write_text("\n".join(path.read_text().splitlines()[:60]) + "\n885,3")
+    path.write_text("\n".join(path.read_text().splitlines()[:100]) + "\n1485,3")
     page, said = report(directory)
     check("Broken off" in said, f"killed: {said}")
     check_says(page, "The tables end at t =", "There is no checkpoint",
                "a boundary has the role Contact", "There is no summary yet")
-    force = data_of(page)["charts"][0]["views"]["whole"]["t"]
-    check(len(force) == 59, f"{len(force)} whole rows instead of 59")
+    views = data_of(page)["charts"][0]["views"]
+    check(len(views["whole"]["t"]) == 99, f"{len(views['whole']['t'])} whole rows")
+    check(views["last"]["t"][0] == 1470 - 600, "a period, though within the third")
     running = directory / "running"
     running.write_text(f"process {os.getpid()} on {socket.gethostname()}\n")
     check_says(report(directory)[0], "The run is going on")
@@ -307,9 +308,15 @@ def damaged_runs():
     directory = copy("bare", "damaged_missing")
     (directory / "contact.csv").unlink()
     check("contact.csv: is missing" in report(directory, 4)[1], "no contact.csv")
-    directory = copy("bare", "damaged_used")
-    edit(directory / "used.prm", r"^ *set Period .*\n", "")
-    check("Loads/Period" in report(directory, 2)[1], "no period")
+    for lost, message in ((r"^ *set Period .*\n", "Loads/Period"),
+                          (r"^subsection Loads\n", "end without a subsection")):
+        directory = copy("bare", "damaged_used")
+        edit(directory / "used.prm", lost, "")
+        check(message in report(directory, 2)[1], f"no {lost} in used.prm")
+    directory = copy("bare", "latin_1")
+    path = directory / "used.prm"
+    path.write_bytes(path.read_bytes().replace(b"three periods", b"drei Zyklen \xfcber"))
+    check_says(report(directory)[0], "drei Zyklen")
 
 
 def folders_without_results():

@@ -1,5 +1,5 @@
 """The pages of the documentation, without the program: each is reachable from
-README.md, links lead somewhere, the walk-throughs are patches that fit the
+README.md, links lead somewhere, sources that are named exist, the walk-throughs are patches that fit the
 source, and messages that doc/troubleshooting.md quotes are the program's."""
 
 import pathlib
@@ -26,6 +26,20 @@ def broken_links():
         for target in links(path):
             if not target.exists():
                 yield f"{path.name}: there is no {target}"
+
+
+def missing_sources():
+    """Named with their folder, as time/heun.cc or tests/runs/bars.py."""
+    there = {"/" + path.relative_to(ROOT).as_posix()
+             for folder in ("source", "include", "tests", "doc", "prm")
+             for path in (ROOT / folder).rglob("*")}
+    for path in PAGES:
+        named = {name for words in re.findall(r"`([^`]+)`", prose(path))
+                 for name in re.findall(r"[\w./-]+/\w+\.(?:cc|h|py|prm)\b", words)}
+        for name in sorted(named):
+            made_up = re.search("NAME|/X/y|^DIR/|^results/", name)
+            if not made_up and not any(file.endswith("/" + name) for file in there):
+                yield f"{path.name}: there is no {name}"
 
 
 def unreachable_pages():
@@ -71,7 +85,7 @@ def unknown_messages():
             yield f"{path.name}: the program does not say: {quote}"
 
 
-found = [*broken_links(), *unreachable_pages(), *patches_that_do_not_fit(),
-         *unknown_messages()]
+found = [*broken_links(), *missing_sources(), *unreachable_pages(),
+         *patches_that_do_not_fit(), *unknown_messages()]
 print("\n".join(found) or "All pages are in order.")
 sys.exit(1 if found else 0)

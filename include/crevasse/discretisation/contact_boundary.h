@@ -132,7 +132,8 @@ namespace Crevasse
     void
     share_weights(const Space<dim> &space);
 
-    const Expression          gap;
+    const Expression gap;
+    const double rounding; ///< of coordinates, seen where a gap closes at a tip
     std::vector<LipNode<dim>> lip_nodes;
     std::vector<HeldNode>     held_nodes;
   };

@@ -47,7 +47,7 @@ namespace Crevasse
   class ContactTable : public Observer
   {
   public:
-    /** @param of_last_period what the largest opening is that of.
+    /** @param of_last_period what the largest values are those of.
      * @param goes_on see CsvTable. */
     ContactTable(const ContactBoundary<dim> &lip,
                  const std::string          &file_name,
@@ -64,11 +64,16 @@ namespace Crevasse
     double
     largest_opening() const;
 
+    /** The largest displacement likewise, of the whole body. */
+    double
+    largest_displacement() const;
+
   private:
     const ContactBoundary<dim> &lip;
     const bool                  of_last_period;
     std::unique_ptr<CsvTable>   table;
-    double                      opening = 0.;
+    double                      opening      = 0.;
+    double                      displacement = 0.;
   };
 
   /** periods.csv: how the run approached its periodic state, at which cost. */
