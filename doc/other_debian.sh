@@ -34,7 +34,8 @@ fi
 # Mounts that end with the command, and are seen by it alone.
 inside() {
   unshare --mount --pid --fork --kill-child bash -c '
-    mount --rbind /dev "$0/dev" && mount -t proc proc "$0/proc" && exec chroot "$0" "$@"
+    mount --rbind /dev "$0/dev" && mount --rbind /sys "$0/sys" &&
+    mount -t proc proc "$0/proc" && exec chroot "$0" "$@"
   ' "$root" env LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "$@"
 }
