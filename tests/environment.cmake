@@ -3,4 +3,5 @@ set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
 set(ENV{OMP_NUM_THREADS} 1)
 # More ranks than cores, which must then not spin while they wait.
 set(ENV{OMPI_MCA_rmaps_base_oversubscribe} 1)
+set(ENV{PRTE_MCA_rmaps_default_mapping_policy} :oversubscribe) # Open MPI 5
 set(ENV{OMPI_MCA_mpi_yield_when_idle} 1)

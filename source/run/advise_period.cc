@@ -30,7 +30,7 @@ namespace Crevasse
 
 
     const AdviseCandidate &
-    example(const std::vector<AdviseFamily> &families, const std::string &text)
+    example(const std::vector<AdviseFamily> &families, const char *text)
     {
       const auto family =
         std::find_if(families.begin(),

@@ -152,12 +152,14 @@ namespace Crevasse
   {
     const BoundaryRoles      roles = boundary_roles(scene);
     std::vector<std::string> parts;
-    for (const auto &[role, ids] : {std::make_pair("clamped", &roles.clamped),
-                                    std::make_pair("symmetry", &roles.symmetry),
-                                    std::make_pair("loaded", &roles.loaded),
-                                    std::make_pair("contact", &roles.contact)})
-      if (!ids->empty())
-        parts.push_back(list_ids(role, *ids));
+    const auto               add = [&parts](const char *role, const auto &ids) {
+      if (!ids.empty())
+        parts.push_back(list_ids(role, ids));
+    };
+    add("clamped", roles.clamped);
+    add("symmetry", roles.symmetry);
+    add("loaded", roles.loaded);
+    add("contact", roles.contact);
     for (const FixedPoint<dim> &fixed_point : fixed_points<dim>(scene))
       parts.push_back(describe_fixed_point(fixed_point));
     return Text::join(parts, "; ");

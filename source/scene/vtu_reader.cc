@@ -66,13 +66,12 @@ namespace Crevasse
 
 
     const Element &
-    child(const VtkXmlFile  &file,
-          const Element     &element,
-          const std::string &name)
+    child(const VtkXmlFile &file, const Element &element, const char *name)
     {
       const auto place = element.find(name);
       if (place == element.not_found())
-        file.refuse("has a piece without the element " + name + ".");
+        file.refuse(std::string("has a piece without the element ") + name +
+                    ".");
       return place->second;
     }
 

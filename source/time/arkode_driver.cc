@@ -24,39 +24,26 @@
 namespace Crevasse
 {
   using dealii::SUNDIALS::internal::make_nvector_view;
+  using dealii::SUNDIALS::internal::unwrap_nvector;
   using dealii::SUNDIALS::internal::unwrap_nvector_const;
 
   namespace
   {
-    using Wrapper = dealii::SUNDIALS::ARKode<Vector>;
-
     /** Of the step that an error estimate asks for; ARKODE's own. */
     constexpr double arkode_safety = 0.96;
 
 
 
-    Wrapper::AdditionalData
-    wrapper_settings(const ArkodeDriver::Settings &settings,
-                     const ArkodeTable            &table)
+    std::unique_ptr<void, void (*)(void *)>
+    make_memory(const ARKRhsFn   explicit_function,
+                const ARKRhsFn   implicit_function,
+                const N_Vector   state,
+                const SUNContext context)
     {
-      Wrapper::AdditionalData data;
-      data.final_time    = settings.period;
-      data.maximum_order = table.table()->q;
-      if (settings.is_adaptive)
-        data.relative_tolerance = 0.;
-      data.anderson_acceleration_subspace = 0; // not used, see ExactStage
-      return data;
-    }
-
-
-
-    SUNContext
-    make_context()
-    {
-      SUNContext context = nullptr;
-      SUNContext_Create(nullptr, &context);
-      AssertThrow(context != nullptr, dealii::ExcOutOfMemory(0));
-      return context;
+      void *const memory =
+        ARKStepCreate(explicit_function, implicit_function, 0., state, context);
+      AssertThrow(memory != nullptr, dealii::ExcOutOfMemory(0));
+      return {memory, [](void *pointer) { ARKStepFree(&pointer); }};
     }
   } // namespace
 
@@ -87,43 +74,35 @@ namespace Crevasse
                              EventFunctions    *events,
                              const double       step,
                              const Vector      &r)
-    : Wrapper(wrapper_settings(settings, table), r.get_mpi_communicator())
-    , settings(settings)
+    : settings(settings)
     , table(table)
     , equation(equation)
     , events(events)
     , aligned_steps(settings.unit)
-    , context(make_context(),
-              [](SUNContext pointer) { SUNContext_Free(&pointer); })
+    , context(make_sundials_context())
     , current(r)
     , view(make_nvector_view(current, context.get()))
+    , memory(make_memory(settings.is_implicit ? nullptr : &right_hand_side,
+                         settings.is_implicit ? &right_hand_side : nullptr,
+                         view,
+                         context.get()))
   {
-    auto &right_hand_side =
-      settings.is_implicit ? implicit_function : explicit_function;
-    right_hand_side = [this](const double t, const Vector &y, Vector &f) {
-      return guarded([&]() { this->equation.rate(t, y, f); });
-    };
+    collect_messages(memory.get(), context.get(), words);
+    check(ARKStepSetUserData(memory.get(), this));
+    set_method();
     if (settings.is_adaptive)
-      get_local_tolerances = [this]() -> Vector & {
-        return this->settings.tolerances;
-      };
-    custom_setup = [this](void *memory) { set_up(memory); };
-    reset(0., step, r);
+      set_step_control();
+    check(ARKStepSetInitStep(memory.get(), step));
+    check(ARKStepSetStopTime(memory.get(), settings.period));
   }
 
 
 
   void
-  ArkodeDriver::set_up(void *memory)
+  ArkodeDriver::set_method()
   {
-    check(ARKStepSetErrHandlerFn(
-      memory,
-      [](int, const char *, const char *, char *message, void *self) {
-        static_cast<ArkodeDriver *>(self)->words = message;
-      },
-      this));
     const ARKodeButcherTable tables = table.table();
-    check(ARKStepSetTables(memory,
+    check(ARKStepSetTables(memory.get(),
                            tables->q,
                            tables->p,
                            settings.is_implicit ? tables : nullptr,
@@ -137,36 +116,36 @@ namespace Crevasse
               [&]() { equation.implicit_rate(t, known, c, rate); });
           },
           context.get());
-        check(ARKStepSetNonlinearSolver(memory, exact_stage->solver()));
+        check(ARKStepSetNonlinearSolver(memory.get(), exact_stage->solver()));
         // An exact stage has told its rate.
-        check(ARKStepSetDeduceImplicitRhs(memory, 1));
+        check(ARKStepSetDeduceImplicitRhs(memory.get(), 1));
       }
     // ARKODE lowers it to one below the order of the method. From 4 on each
     // instant between steps takes evaluations, which steps of a list have not.
     const int degree = settings.is_adaptive ? ARK_INTERP_MAX_DEGREE : 3;
-    check(ARKStepSetInterpolantType(memory, ARK_INTERP_HERMITE));
-    check(ARKStepSetInterpolantDegree(memory, degree));
-    if (settings.is_adaptive)
-      set_step_control(memory);
+    check(ARKStepSetInterpolantType(memory.get(), ARK_INTERP_HERMITE));
+    check(ARKStepSetInterpolantDegree(memory.get(), degree));
   }
 
 
 
   void
-  ArkodeDriver::set_step_control(void *memory)
+  ArkodeDriver::set_step_control()
   {
+    check(ARKStepSVtolerances(
+      memory.get(), 0., make_nvector_view(settings.tolerances, context.get())));
     constexpr double shortest = 1e-12; // of the period
-    check(ARKStepSetMinStep(memory, shortest * settings.period));
-    check(ARKStepSetSafetyFactor(memory, arkode_safety));
+    check(ARKStepSetMinStep(memory.get(), shortest * settings.period));
+    check(ARKStepSetSafetyFactor(memory.get(), arkode_safety));
     // What is constant for a while asks for steps that miss what comes after.
     constexpr double longest = 1. / 4.;
-    check(ARKStepSetMaxStep(memory, longest * settings.period));
+    check(ARKStepSetMaxStep(memory.get(), longest * settings.period));
     if (settings.is_implicit)
       {
-        check(ARKStepSetAdaptivityFn(memory, &choose_step, this));
+        check(ARKStepSetAdaptivityFn(memory.get(), &choose_step, this));
         // Each of these would shorten a step to one that is not aligned.
-        check(ARKStepSetSmallNumEFails(memory, 1000));
-        check(ARKStepSetFixedStepBounds(memory, 1., 1.));
+        check(ARKStepSetSmallNumEFails(memory.get(), 1000));
+        check(ARKStepSetFixedStepBounds(memory.get(), 1., 1.));
       }
     if (events != nullptr)
       seek_events(true);
@@ -175,13 +154,28 @@ namespace Crevasse
 
 
   int
-  ArkodeDriver::root_function(realtype  t,
-                              N_Vector  y,
-                              realtype *values,
-                              void     *user_data)
+  ArkodeDriver::right_hand_side(sunrealtype t,
+                                N_Vector    y,
+                                N_Vector    f,
+                                void       *user_data)
   {
-    // What deal.II's wrapper has given is itself.
-    auto *self = static_cast<ArkodeDriver *>(static_cast<Wrapper *>(user_data));
+    auto *self = static_cast<ArkodeDriver *>(user_data);
+    return self->guarded([&]() {
+      self->equation.rate(t,
+                          *unwrap_nvector_const<Vector>(y),
+                          *unwrap_nvector<Vector>(f));
+    });
+  }
+
+
+
+  int
+  ArkodeDriver::root_function(sunrealtype  t,
+                              N_Vector     y,
+                              sunrealtype *values,
+                              void        *user_data)
+  {
+    auto *self = static_cast<ArkodeDriver *>(user_data);
     return self->guarded([&]() {
       self->events->evaluate(t, *unwrap_nvector_const<Vector>(y), values);
     });
@@ -191,17 +185,17 @@ namespace Crevasse
 
   int
   ArkodeDriver::choose_step(N_Vector,
-                            realtype t,
-                            realtype last,
-                            realtype,
-                            realtype,
-                            realtype error,
-                            realtype,
-                            realtype,
+                            sunrealtype t,
+                            sunrealtype last,
+                            sunrealtype,
+                            sunrealtype,
+                            sunrealtype error,
+                            sunrealtype,
+                            sunrealtype,
                             int,
-                            int       embedded_order,
-                            realtype *step,
-                            void     *self)
+                            int          embedded_order,
+                            sunrealtype *step,
+                            void        *self)
   {
     constexpr double smallest = std::numeric_limits<double>::min();
     const double     wish =
@@ -228,12 +222,11 @@ namespace Crevasse
   void
   ArkodeDriver::restart(const double t, const double step, const Vector &r)
   {
-    void *memory = get_arkode_memory();
     current      = r;
     current_time = t;
-    check(ARKStepReset(memory, t, view));
-    check(ARKStepSetInitStep(memory, step));
-    check(ARKStepSetStopTime(memory, settings.period));
+    check(ARKStepReset(memory.get(), t, view));
+    check(ARKStepSetInitStep(memory.get(), step));
+    check(ARKStepSetStopTime(memory.get(), settings.period));
   }
 
 
@@ -241,8 +234,8 @@ namespace Crevasse
   void
   ArkodeDriver::fix_step(const double step, const double end)
   {
-    check(ARKStepSetFixedStep(get_arkode_memory(), step));
-    check(ARKStepSetStopTime(get_arkode_memory(), end));
+    check(ARKStepSetFixedStep(memory.get(), step));
+    check(ARKStepSetStopTime(memory.get(), end));
   }
 
 
@@ -250,7 +243,7 @@ namespace Crevasse
   void
   ArkodeDriver::stop_at(const double t)
   {
-    check(ARKStepSetStopTime(get_arkode_memory(), t));
+    check(ARKStepSetStopTime(memory.get(), t));
   }
 
 
@@ -258,11 +251,10 @@ namespace Crevasse
   void
   ArkodeDriver::seek_events(const bool on)
   {
-    void *memory = get_arkode_memory();
     seeks_events = on;
     const int n  = on ? events->count(current) : 0;
-    check(ARKStepRootInit(memory, n, n > 0 ? &root_function : nullptr));
-    check(ARKStepSetNoInactiveRootWarn(memory));
+    check(ARKStepRootInit(memory.get(), n, n > 0 ? &root_function : nullptr));
+    check(ARKStepSetNoInactiveRootWarn(memory.get()));
   }
 
 
@@ -271,11 +263,8 @@ namespace Crevasse
   ArkodeDriver::step()
   {
     const auto evolve = [this]() {
-      return ARKStepEvolve(get_arkode_memory(),
-                           settings.period,
-                           view,
-                           &current_time,
-                           ARK_ONE_STEP);
+      return ARKStepEvolve(
+        memory.get(), settings.period, view, &current_time, ARK_ONE_STEP);
     };
     const int code = evolve();
     if (code == ARK_ILL_INPUT && seeks_events && !thrown)
@@ -314,7 +303,7 @@ namespace Crevasse
   ArkodeDriver::next_step() const
   {
     double step;
-    ARKStepGetCurrentStep(get_arkode_memory(), &step);
+    ARKStepGetCurrentStep(memory.get(), &step);
     return step;
   }
 
@@ -323,8 +312,8 @@ namespace Crevasse
   void
   ArkodeDriver::interpolate(const double t, Vector &r)
   {
-    check(ARKStepGetDky(
-      get_arkode_memory(), t, 0, make_nvector_view(r, context.get())));
+    check(
+      ARKStepGetDky(memory.get(), t, 0, make_nvector_view(r, context.get())));
   }
 
 
@@ -332,11 +321,10 @@ namespace Crevasse
   IntegratorStatistics
   ArkodeDriver::statistics() const
   {
-    void    *memory = get_arkode_memory();
     long int steps, rejected, failed;
-    ARKStepGetNumSteps(memory, &steps);
-    ARKStepGetNumErrTestFails(memory, &rejected);
-    ARKStepGetNumStepSolveFails(memory, &failed);
+    ARKStepGetNumSteps(memory.get(), &steps);
+    ARKStepGetNumErrTestFails(memory.get(), &rejected);
+    ARKStepGetNumStepSolveFails(memory.get(), &failed);
     return {{"steps", steps},
             {"rejected_steps", rejected},
             {"convergence_failures", failed}};

@@ -21,6 +21,15 @@ namespace Crevasse
   using dealii::SUNDIALS::internal::unwrap_nvector;
   using dealii::SUNDIALS::internal::unwrap_nvector_const;
 
+  namespace
+  {
+    // To ARKODE what is negative is a failure that no other step mends. (The
+    // names that SUNDIALS has for them differ between its releases.)
+    constexpr int solved = 0, not_solved = -1;
+  } // namespace
+
+
+
   ExactStage::ExactStage(const Solve &solve, const SUNContext context)
     : solve(solve)
     , handle(SUNNonlinSolNewEmpty(context))
@@ -33,14 +42,14 @@ namespace Crevasse
     };
     // The system is known without that.
     handle->ops->setsysfn = [](SUNNonlinearSolver, SUNNonlinSolSysFn) {
-      return SUN_NLS_SUCCESS;
+      return solved;
     };
     handle->ops->solve = [](SUNNonlinearSolver self,
                             N_Vector,
                             N_Vector correction,
                             N_Vector,
-                            realtype,
-                            booleantype,
+                            sunrealtype,
+                            sunbooleantype,
                             void *arkode_memory) {
       return static_cast<ExactStage *>(self->content)
         ->solve_stage(arkode_memory, correction);
@@ -78,15 +87,15 @@ namespace Crevasse
                                       &c,
                                       &data,
                                       &user_data) < 0)
-      return SUN_NLS_MEM_NULL;
+      return not_solved;
     known = *unwrap_nvector_const<Vector>(predicted);
     known += *unwrap_nvector_const<Vector>(data);
     rate.reinit(known, true);
     if (solve(t, known, c, rate) != 0)
-      return SUN_NLS_EXT_FAIL;
+      return not_solved;
     Vector &z_c = *unwrap_nvector<Vector>(correction);
     z_c         = *unwrap_nvector_const<Vector>(data);
     z_c.add(c, rate);
-    return SUN_NLS_SUCCESS;
+    return solved;
   }
 } // namespace Crevasse

@@ -17,24 +17,23 @@
 #include <crevasse/time/event_functions.h>
 #include <crevasse/time/exact_stage.h>
 #include <crevasse/time/remembered_rate.h>
+#include <crevasse/time/sundials.h>
 
-#include <deal.II/sundials/arkode.h>
 #include <deal.II/sundials/n_vector.h>
 
 #include <exception>
 #include <memory>
 #include <string>
-#include <type_traits>
 
 namespace Crevasse
 {
   /**
-   * ARKODE as Arkode uses it: deal.II's wrapper for its memory and vectors, and
-   * step by step its own functions, with every return code checked (deal.II 9.4
-   * does that in debug mode only). Exceptions are kept while C code is on the
-   * stack.
+   * ARKODE as Arkode uses it: its own functions on deal.II's vectors, with
+   * every return code checked. (deal.II's class ARKode has not these steps and
+   * events, and hides the context in which messages are caught.) Exceptions are
+   * kept while C code is on the stack.
    */
-  class ArkodeDriver : private dealii::SUNDIALS::ARKode<Vector>
+  class ArkodeDriver
   {
   public:
     struct Settings
@@ -101,12 +100,11 @@ namespace Crevasse
     statistics() const;
 
   private:
-    /** Options that deal.II's wrapper has not. */
     void
-    set_up(void *memory);
+    set_method();
 
     void
-    set_step_control(void *memory);
+    set_step_control();
 
     /** Runs @p evaluate and returns 0; else keeps what it threw. */
     template <typename Evaluate>
@@ -118,21 +116,24 @@ namespace Crevasse
     check(const int code);
 
     static int
-    root_function(realtype t, N_Vector y, realtype *values, void *user_data);
+    right_hand_side(sunrealtype t, N_Vector y, N_Vector f, void *self);
+
+    static int
+    root_function(sunrealtype t, N_Vector y, sunrealtype *values, void *self);
 
     static int
     choose_step(N_Vector,
-                realtype t,
-                realtype last,
-                realtype,
-                realtype,
-                realtype error,
-                realtype,
-                realtype,
+                sunrealtype t,
+                sunrealtype last,
+                sunrealtype,
+                sunrealtype,
+                sunrealtype error,
+                sunrealtype,
+                sunrealtype,
                 int,
-                int       embedded_order,
-                realtype *step,
-                void     *self);
+                int          embedded_order,
+                sunrealtype *step,
+                void        *self);
 
     Settings           settings;
     const ArkodeTable &table;
@@ -140,19 +141,18 @@ namespace Crevasse
     EventFunctions    *events;
     const AlignedSteps aligned_steps;
 
-    using Context =
-      std::unique_ptr<std::remove_pointer_t<SUNContext>, void (*)(SUNContext)>;
-    using View = dealii::SUNDIALS::internal::NVectorView<Vector>;
+    using View   = dealii::SUNDIALS::internal::NVectorView<Vector>;
+    using Memory = std::unique_ptr<void, void (*)(void *)>;
 
-    /** That of deal.II's wrapper is not to be had. */
-    const Context               context;
+    std::string                 words; ///< SUNDIALS' last message
+    const SundialsContext       context;
     double                      current_time = 0.;
     Vector                      current;
-    const View                  view; ///< of it: ARKODE keeps a pointer
+    const View                  view;   ///< of it: ARKODE keeps a pointer
+    const Memory                memory; ///< ARKODE's
     std::unique_ptr<ExactStage> exact_stage;
     std::exception_ptr          thrown;
     bool                        seeks_events = false;
-    std::string                 words; ///< ARKODE's last message
   };
 } // namespace Crevasse
 

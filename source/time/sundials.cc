@@ -1,0 +1,62 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/time/sundials.h>
+
+#include <deal.II/base/config.h>
+#include <deal.II/base/exceptions.h>
+
+#include <arkode/arkode_arkstep.h>
+
+namespace Crevasse
+{
+  SundialsContext
+  make_sundials_context()
+  {
+    SUNContext context = nullptr;
+#if DEAL_II_SUNDIALS_VERSION_GTE(7, 0, 0)
+    SUNContext_Create(SUN_COMM_NULL, &context);
+#else
+    SUNContext_Create(nullptr, &context);
+#endif
+    AssertThrow(context != nullptr, dealii::ExcOutOfMemory(0));
+    return {context, [](SUNContext pointer) { SUNContext_Free(&pointer); }};
+  }
+
+
+
+  void
+  collect_messages([[maybe_unused]] void            *arkode_memory,
+                   [[maybe_unused]] const SUNContext context,
+                   std::string                      &words)
+  {
+#if DEAL_II_SUNDIALS_VERSION_GTE(7, 0, 0)
+    SUNContext_ClearErrHandlers(context);
+    SUNContext_PushErrHandler(
+      context,
+      [](int,
+         const char *,
+         const char *,
+         const char *message,
+         SUNErrCode,
+         void *all_words,
+         SUNContext) { *static_cast<std::string *>(all_words) = message; },
+      &words);
+#else
+    ARKStepSetErrHandlerFn(
+      arkode_memory,
+      [](int, const char *, const char *, char *message, void *all_words) {
+        *static_cast<std::string *>(all_words) = message;
+      },
+      &words);
+#endif
+  }
+} // namespace Crevasse
