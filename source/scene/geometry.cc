@@ -11,8 +11,10 @@
 
 #include <crevasse/scene/built_in_boundary.h>
 #include <crevasse/scene/geometry.h>
+#include <crevasse/scene/gmsh_check.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
+#include <crevasse/scene/text_file.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
@@ -20,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
 #include <sstream>
 
@@ -118,9 +119,6 @@ namespace Crevasse
     std::string
     reason(const std::exception &error)
     {
-      if (dynamic_cast<const std::ios::failure *>(&error) != nullptr)
-        return "the file breaks off, or has something else where a number "
-               "must be";
       const auto *exception = dynamic_cast<const ExceptionBase *>(&error);
       if (exception == nullptr)
         return error.what();
@@ -157,12 +155,7 @@ namespace Crevasse
                          const std::string        &where)
     {
       if (!mesh.all_reference_cells_are_hyper_cube())
-        throw SceneError(
-          where + (dim == 2
-                     ? "has triangles; only quadrilaterals are allowed (Gmsh: "
-                       "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1)."
-                     : "has tetrahedra or other cells; only hexahedra are "
-                       "allowed (Gmsh: Mesh.SubdivisionAlgorithm = 2)."));
+        throw SceneError(where + only_hypercubes(dim));
       for (const auto &cell : mesh.active_cell_iterators())
         if (!is_convex<dim>(cell))
           throw SceneError(where + "the cell around " +
@@ -182,16 +175,21 @@ namespace Crevasse
     {
       const std::string where = "[Geometry] Mesh file = " + file_name + ": ";
 
+      const bool is_gmsh =
+        std::filesystem::path(file_name).extension() == ".msh";
+      const std::string text = is_gmsh ? read_text_file(file_name) : "";
+
       GridIn<dim> grid_in(coarse);
       try
         {
-          if (std::filesystem::path(file_name).extension() == ".msh")
+          if (is_gmsh)
             {
-              // Without exceptions deal.II would read on where a file breaks
-              // off, for ever or until it crashes.
-              std::ifstream file(file_name);
-              file.exceptions(std::ios::failbit | std::ios::badbit);
-              grid_in.read_msh(file);
+              GmshCheck(text, dim).check();
+              std::istringstream stream(text);
+              // Without exceptions deal.II would go on after something that it
+              // could not read, for ever or until it crashes.
+              stream.exceptions(std::ios::failbit | std::ios::badbit);
+              grid_in.read_msh(stream);
             }
           else
             grid_in.read(file_name);
