@@ -305,13 +305,13 @@ def test_round_trips():
 
 
 # What bash does at a tabulator, for several lines; stops at the first error.
-COMPLETE = """
+COMPLETE = r"""
 set -eu
 source "$1"
 compopt() { :; }
 answer() {
   COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
-  _crevasse "$1" "${@: -1}" "${@: -2:1}"
+  _crevasse "$1" "${*: -1}" "${*: -2:1}"
   echo "$(IFS='|'; echo "${COMPREPLY[*]}")"
 }
 program=$2
