@@ -34,7 +34,8 @@ _crevasse_add()
 
 _crevasse_complete_option()
 {
-  _crevasse_add -W "$("$1" "$2" --help 2> /dev/null | grep -o -e '--[a-z-]*')" -- "$3"
+  _crevasse_add -W "$("$1" "$2" --help 2> /dev/null |
+    grep -o -e '--[a-z-]*' | sort -u)" -- "$3"
 }
 
 _crevasse()
