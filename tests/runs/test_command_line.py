@@ -5,8 +5,9 @@ import json
 import pathlib
 import re
 import shutil
+import subprocess
 
-from crevasse_run import SOURCE, check, execute, run
+from crevasse_run import PROGRAM, SOURCE, check, execute, run
 
 SCENE = """\
 set Title = A = b, c
@@ -304,8 +305,51 @@ def test_round_trips():
     check_same_tables(results, run(scene, "json"), "JSON")
 
 
+# What bash does at a tabulator, for several lines; stops at the first error.
+COMPLETE = r"""
+set -eu
+source "$1"
+compopt() { :; }
+answer() {
+  COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
+  _crevasse "$1" "${*: -1}" "${*: -2:1}"
+  echo "$(IFS='|'; echo "${COMPREPLY[*]}")"
+}
+program=$2
+answer "$program" my
+answer "$program" x.prm --output my
+answer "$program" adv
+answer "$program" x.prm --che
+answer "$program" x.prm --set "\"Geometry/Crack"
+answer "$program" x.prm --set "'Geometry/Crack"
+program=gone
+answer "$program" x.prm --vary Tit
+answer "$program" x.prm --che
+"""
+
+
+def test_completion():
+    """In the strictest shell. The parameters are asked for once: they are known when
+    the program is gone."""
+    directory = remove("completion")
+    (directory / "my folder").mkdir(parents=True)
+    for name in ("my scene.prm", "my.json", "my.txt"):
+        (directory / name).touch()
+    process = subprocess.run(
+        ["bash", "-c", COMPLETE, "bash", SOURCE / "doc/completion.bash", PROGRAM],
+        cwd=directory, text=True, capture_output=True, timeout=60)
+    check(process.returncode == 0 and not process.stderr,
+          f"completion: {process.returncode} {process.stderr}")
+    found = process.stdout.splitlines()
+    check(found == ["my folder|my scene.prm|my.json", "my folder", "advise",
+                    "--check", *(f"{name}=|{name}=..." for name in (
+                        '"Geometry/Crack length', "'Geometry/Crack length",
+                        '"Title')), ""], f"completion: {found}")
+
+
 test_questions()
 test_mistakes()
+test_completion()
 test_check()
 test_predicted_memory()
 test_quiet_and_output()
