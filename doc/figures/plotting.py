@@ -235,11 +235,16 @@ def print_table(header, rows):
     print(flush=True)
 
 
-def study_options(description, name, kept="runs are"):
-    """What the command line of a study says: the program, where what it
-    computes is kept, where its figures go and in which formats."""
+def study_options(description, name, kept="runs are", studies=None):
+    """What the command line of a study says: the program, which of several
+    studies, where what it computes is kept, where its figures go and in which
+    formats."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("program", type=pathlib.Path, help="build/crevasse")
+    if studies:
+        parser.add_argument("--studies", nargs="+", choices=list(studies),
+                            default=list(studies),
+                            help="which ones (all)")
     parser.add_argument("--output", type=pathlib.Path,
                         default=pathlib.Path("results") / name,
                         help=f"where the {kept} kept")

@@ -17,6 +17,7 @@ from results import ResultsError
 COSTS = {"vi_solves": "variational inequalities",
          "linear_solves": "linear solves",
          "seconds": "wall time (s)",
+         "processor_seconds": "time of the processor (s)",
          "seconds_time_stepping": "wall time of the time stepping (s)"}
 MARKERS = "osD^vPX*"
 
