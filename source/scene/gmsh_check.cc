@@ -49,6 +49,11 @@ namespace Crevasse
     words.expect("$Elements");
     check_elements();
     words.expect("$EndElements");
+    if (!faces.has_cells())
+      words.refuse(
+        std::string("there are no ") +
+        (dim == 2 ? "quadrilaterals" : "hexahedra") +
+        ", which are the cells with Dimension = " + std::to_string(dim));
     faces.check();
   }
 

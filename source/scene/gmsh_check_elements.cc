@@ -150,7 +150,7 @@ namespace Crevasse
       }
     words.refuse("the element type " + std::to_string(type) +
                  " is not allowed with Dimension = " + std::to_string(dim) +
-                 "; there are points (15), lines (1), quadrilaterals (3)" +
+                 "; allowed are points (15), lines (1), quadrilaterals (3)" +
                  (dim == 3 ? ", hexahedra (5)" : "") +
                  " (Gmsh: Mesh.ElementOrder = 1)");
   }

@@ -96,6 +96,14 @@ namespace Crevasse
 
 
 
+  bool
+  MeshFaces::has_cells() const
+  {
+    return !of_cells.empty();
+  }
+
+
+
   void
   MeshFaces::sort(std::vector<Face> &faces)
   {

@@ -33,7 +33,7 @@ namespace Crevasse
 
 
 
-    struct Place
+    struct FileLine
     {
       std::string  file;
       unsigned int line = 0; ///< 0: none
@@ -42,7 +42,7 @@ namespace Crevasse
 
 
     /** The place that a message begins with, as in "scene.prm:12: ...". */
-    Place
+    FileLine
     place_of(const std::string &message)
     {
       for (std::size_t colon = message.find(':'); colon != std::string::npos;
@@ -71,7 +71,7 @@ namespace Crevasse
         rank.emplace(place_of(message).file, rank.size());
 
       const auto key = [&rank](const std::string &message) {
-        const Place place = place_of(message);
+        const FileLine place = place_of(message);
         return std::make_tuple(place.line == 0, rank[place.file], place.line);
       };
       std::stable_sort(messages.begin(),

@@ -37,6 +37,9 @@ namespace Crevasse
                  const int               id,
                  const unsigned int      line);
 
+    bool
+    has_cells() const;
+
     /** After the last one was added. @throw SceneError */
     void
     check();
