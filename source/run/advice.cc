@@ -127,6 +127,7 @@ namespace Crevasse
       throw NumericalError(
         "advise: nothing could be run on the coarsest mesh: " +
         Text::join(in_time->notes(), "; "));
+    runs.require_histories(*in_time->points().front().run);
 
     const std::size_t     base  = base_in_time();
     const AdviseCandidate steps = in_time->points()[base].candidate;
@@ -152,6 +153,7 @@ namespace Crevasse
       *in_time,
       base,
       command.target_error,
+      period.times_those_of_a_search(),
       [this](const AdviseCandidate &space,
              const AdviseCandidate &time,
              const Purpose          purpose) -> const AdviseRun & {
@@ -224,7 +226,9 @@ namespace Crevasse
                         runs);
     report.choice   = space.text + "; " + time.text + "; " + period.text(time);
     report.original = &original;
-    report.advised  = &advised_scene;
+    if (best.reference != nullptr)
+      report.errors = runs.differences(*best.run, *best.reference);
+    report.advised = &advised_scene;
     collectively(communicator, [&]() {
       if (first_rank)
         report.write(directory);

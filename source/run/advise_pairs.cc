@@ -26,6 +26,9 @@ namespace Crevasse
 
     constexpr std::size_t most_finalists = 12;
 
+    // What one run of a pair, or of its reference, may be predicted to take.
+    constexpr double most_seconds = 1200.;
+
     // Predictions err: what a run of kinds that were run together before saves
     // must be more than noise, one of others may as well save what it seems to
     // cost in addition.
@@ -54,12 +57,14 @@ namespace Crevasse
                            AdviseSearch     &time,
                            const std::size_t base,
                            const double      target,
+                           const double      times_the_periods,
                            const Run        &run,
                            AdviseRuns       &runs)
     : space(space)
     , time(time)
     , base(base)
     , target(target)
+    , times_the_periods(times_the_periods)
     , run(run)
     , runs(runs)
   {
@@ -105,23 +110,29 @@ namespace Crevasse
       }
     // Nothing promises it: the most accurate pair tells what can be had.
     if (all.empty())
-      {
-        std::vector<AdvisePair> pairs = all_pairs();
-        std::sort(pairs.begin(),
-                  pairs.end(),
-                  [&](const AdvisePair &a, const AdvisePair &b) {
-                    return predicted_error(a) < predicted_error(b);
-                  });
-        for (const AdvisePair &pair : pairs)
-          if (all.empty() && failed.size() < most_finalists)
-            try_pair(pair);
-      }
+      for (const AdvisePair &pair : most_accurate_first())
+        if (all.empty() && failed.size() < most_finalists)
+          try_pair(pair);
     if (all.empty())
       throw NumericalError(
         "advise: no combination of the settings that were "
         "tried in space and in time could be run; their "
         "folders below runs/ have log.txt.");
     return cheapest_good() != nullptr;
+  }
+
+
+
+  std::vector<AdvisePair>
+  AdvisePairs::most_accurate_first() const
+  {
+    std::vector<AdvisePair> pairs = affordable_pairs();
+    std::sort(pairs.begin(),
+              pairs.end(),
+              [&](const AdvisePair &a, const AdvisePair &b) {
+                return predicted_error(a) < predicted_error(b);
+              });
+    return pairs;
   }
 
 
@@ -155,12 +166,13 @@ namespace Crevasse
   double
   AdvisePairs::searched_seconds(const AdvisePair &pair) const
   {
-    // Part of each run does not depend on its steps.
+    // Part of each run does not depend on its steps, nor on its periods.
     double least = std::numeric_limits<double>::infinity();
     for (const AdvisePoint &point : space.points())
       least = std::min(least, point.run->seconds());
     const double constant = 0.8 * least;
     return constant + (space.points()[pair.space].run->seconds() - constant) *
+                        times_the_periods *
                         time.points()[pair.time].run->work() /
                         time.points()[base].run->work();
   }
@@ -194,12 +206,23 @@ namespace Crevasse
 
 
   std::vector<AdvisePair>
-  AdvisePairs::all_pairs() const
+  AdvisePairs::affordable_pairs() const
   {
     std::vector<AdvisePair> pairs;
+    AdvisePair              cheapest{0, 0};
     for (std::size_t s = 0; s < space.points().size(); ++s)
       for (std::size_t t = 0; t < time.points().size(); ++t)
-        pairs.push_back({s, t});
+        {
+          const AdvisePair pair{s, t};
+          const double     seconds = predicted_seconds(pair);
+          if (seconds <= most_seconds)
+            pairs.push_back(pair);
+          if (seconds < predicted_seconds(cheapest))
+            cheapest = pair;
+        }
+    // Even if nothing is, something must be run.
+    if (pairs.empty())
+      pairs.push_back(cheapest);
     return pairs;
   }
 
@@ -221,7 +244,7 @@ namespace Crevasse
   {
     std::optional<AdvisePair> best;
     double                    least = std::numeric_limits<double>::infinity();
-    for (const AdvisePair &pair : all_pairs())
+    for (const AdvisePair &pair : affordable_pairs())
       if (!was_run(pair) && predicted_error(pair) <= part_accepted * target)
         {
           const bool   known     = factor_of_seconds.count(families(pair)) > 0;
@@ -252,25 +275,30 @@ namespace Crevasse
 
 
 
-  AdvisePair
+  std::optional<AdvisePair>
   AdvisePairs::reference_for(const AdvisePair &pair) const
   {
+    // The finest of a search has nothing that is finer.
     const auto finer =
       [](const AdviseSearch &search, const std::size_t a, const std::size_t b) {
-        return search.points()[a].error < search.points()[b].error;
+        return search.points()[a].error < search.points()[b].error ||
+               (a == b && b == search.reference());
       };
-    // As fine as the searches have come.
-    AdvisePair best{space.reference(), time.reference()};
-    bool       enough = false;
-    for (const AdvisePair &other : all_pairs())
-      if (finer(space, other.space, pair.space) &&
+    const double              enough = part_of_reference * target;
+    std::optional<AdvisePair> best;
+    for (const AdvisePair &other : affordable_pairs())
+      if (!(other == pair) && finer(space, other.space, pair.space) &&
           finer(time, other.time, pair.time) &&
-          predicted_error(other) <= part_of_reference * target &&
-          std::find(failed.begin(), failed.end(), other) == failed.end() &&
-          (!enough || predicted_seconds(other) < predicted_seconds(best)))
+          std::find(failed.begin(), failed.end(), other) == failed.end())
         {
-          best   = other;
-          enough = true;
+          // The cheapest of those that will do, or else the most accurate one.
+          const auto rank = [&](const AdvisePair &one) {
+            const double error = predicted_error(one);
+            return error <= enough ? std::make_pair(0, predicted_seconds(one))
+                                   : std::make_pair(1, error);
+          };
+          if (!best || rank(other) < rank(*best))
+            best = other;
         }
     return best;
   }
@@ -298,21 +326,23 @@ namespace Crevasse
     constexpr unsigned int tries = 3;
     for (unsigned int k = 0; k < tries && finalist.reference == nullptr; ++k)
       {
-        const AdvisePair reference = reference_for(pair);
-        const AdviseRun *of        = &run_it(reference, Purpose::reference);
+        const auto reference = reference_for(pair);
+        if (!reference)
+          break;
+        const AdviseRun *of = &run_it(*reference, Purpose::reference);
         if (!of->usable()) // its tolerance may be out of reach
-          of = &run_it(reference, Purpose::result);
+          of = &run_it(*reference, Purpose::result);
         if (!of->usable())
           {
-            failed.push_back(reference);
+            failed.push_back(*reference);
             continue;
           }
         finalist.reference = of;
         finalist.error     = runs.difference(*finalist.run, *of);
         // What both have in common, they do not differ in.
-        if (reference.space == pair.space)
+        if (reference->space == pair.space)
           finalist.error += factor_in_space * space.points()[pair.space].error;
-        if (reference.time == pair.time)
+        if (reference->time == pair.time)
           finalist.error += factor_in_time * time.points()[pair.time].error;
       }
     if (finalist.reference == nullptr)

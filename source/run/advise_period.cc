@@ -179,6 +179,14 @@ namespace Crevasse
 
 
 
+  double
+  AdvisePeriod::times_those_of_a_search() const
+  {
+    return searched ? 1. : static_cast<double>(own_periods) / search_periods;
+  }
+
+
+
   std::string
   AdvisePeriod::name(const AdviseCandidate &in_time,
                      const Purpose          purpose) const

@@ -206,8 +206,9 @@ namespace Crevasse
     for (const Change &change : changes())
       text += row({change.parameter, change.before, change.now});
     text +=
-      "\nThe error is the largest relative one of u and s of all probes, "
-      "over ";
+      '\n' + table_of_quantities() +
+      "\nThe error is the largest of these, each relative to the largest value "
+      "of its quantity, over ";
     text += runs.periodic()
               ? "the last period; displacements are compared less their mean "
                 "values, for a constant of them depends on how the periodic "
@@ -219,6 +220,18 @@ namespace Crevasse
       table_of_finalists() + "\n## Errors in time, on a coarse mesh\n\n" +
       table_of_points(time) + "\n## Errors in space, with the same steps\n\n" +
       table_of_points(space) + "\n" + notes();
+    return text;
+  }
+
+
+
+  std::string
+  AdviseReport::table_of_quantities() const
+  {
+    std::string text = header({"quantity", "difference from the reference"});
+    for (std::size_t q = 0; q < errors.size(); ++q)
+      text += row({runs.quantities()[q].name,
+                   runs.counts(q) ? short_number(errors[q]) : "left out"});
     return text;
   }
 
@@ -307,6 +320,8 @@ namespace Crevasse
     json["error"]   = best.error;
     json["seconds"] = best.run->seconds();
     json["run"]     = best.run->name;
+    for (std::size_t q = 0; q < errors.size(); ++q)
+      json["errors"][runs.quantities()[q].name] = errors[q];
     json["reference"] =
       best.reference != nullptr ? Summary(best.reference->name) : Summary();
     for (const Change &change : changes())

@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/run/advise_runs.h>
+#include <crevasse/run/body.h>
 #include <crevasse/run/sweep_folder.h>
 #include <crevasse/run/sweep_run.h>
 #include <crevasse/scene/collectively.h>
@@ -46,18 +47,46 @@ namespace Crevasse
 
 
 
-    /** u and s of every probe. */
-    std::vector<Quantity>
-    probe_quantities(const Scene &scene)
+    /** Whether runs of different meshes can be compared in it. @throw
+     * SceneError if the scene does not write its table. */
+    void
+    check_quantity(const Quantity &quantity, const Scene &scene)
     {
-      if (scene.output.probes.empty())
-        throw SceneError(
-          "advise: the scene has no probes, and so no histories of which an "
-          "error could be measured. Name the points whose displacement and "
-          "stress matter, as --set \"Output/Probes=mouth: 1, 0\".");
+      const std::string where = "--quantities " + quantity.name + ": ";
+      if (quantity.is_stress_field() || quantity.table() == "periods")
+        throw SceneError(where +
+                         "this differs from mesh to mesh. Take columns of "
+                         "probes, contact, crack_tip or load_work.");
+      if (quantity.table() == "contact" &&
+          boundary_roles(scene).contact.empty())
+        throw SceneError(where + "the scene has no contact.");
+      if (quantity.table() == "crack_tip" && !scene.crack_tip.stress_intensity)
+        throw SceneError(where +
+                         "the scene does not ask for it: set [Crack tip] "
+                         "Stress intensity = true.");
+      if (quantity.table() == "load_work" && !scene.output.load_work)
+        throw SceneError(where +
+                         "the scene does not ask for it: set [Output] "
+                         "Load work = true.");
+    }
+
+
+
+    /** Those that the user has named, or u and s of every probe. */
+    std::vector<Quantity>
+    quantities_of(const std::string &list, const Scene &scene)
+    {
       SweepRequest request;
-      request.reference                = {"the finest runs"};
-      std::vector<Quantity> quantities = choose_quantities(request, {&scene});
+      request.reference = {"the finest runs"};
+      request.error     = list;
+      std::vector<Quantity> quantities =
+        choose_quantities(request, {&scene}, "--quantities");
+      if (!list.empty())
+        {
+          for (const Quantity &quantity : quantities)
+            check_quantity(quantity, scene);
+          return quantities;
+        }
       quantities.erase(std::remove_if(quantities.begin(),
                                       quantities.end(),
                                       [](const Quantity &quantity) {
@@ -65,6 +94,12 @@ namespace Crevasse
                                                  0, 6, "probe_") != 0;
                                       }),
                        quantities.end());
+      if (quantities.empty())
+        throw SceneError(
+          "advise: the scene has no probes, and so no histories of which an "
+          "error could be measured. Name the points whose displacement and "
+          "stress matter, as --set \"Output/Probes=mouth: 1, 0\", or other "
+          "quantities, as --quantities contact/force.");
       return quantities;
     }
 
@@ -132,7 +167,7 @@ namespace Crevasse
     , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
     , period(scene.loads.period)
     , compared(what_is_compared(scene))
-    , all_quantities(probe_quantities(scene))
+    , all_quantities(quantities_of(command.quantities, scene))
     , left_out(all_quantities.size(), false)
   {
   }
@@ -312,6 +347,28 @@ namespace Crevasse
       else
         values.push_back(errors[q].value.value_or(unknown_difference));
     return values;
+  }
+
+
+
+  void
+  AdviseRuns::require_histories(const AdviseRun &run) const
+  {
+    collectively(communicator, [&]() {
+      const std::string own = folder(run.name);
+      if (first_rank &&
+          std::all_of(
+            all_quantities.begin(),
+            all_quantities.end(),
+            [&](const Quantity &quantity) {
+              return history_error(quantity, own, own, period, compared).size ==
+                     0.;
+            }))
+        throw NumericalError(
+          "advise: " + run.name +
+          ": all that is compared is 0 at all instants, so that there is no "
+          "relative error. Is the body loaded, and do the probes move?");
+    });
   }
 
 

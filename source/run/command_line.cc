@@ -51,12 +51,9 @@ namespace Crevasse
       "  0  done\n"
       "  2  bad command line, parameter, expression or mesh, found before "
       "computing\n"
-      "  3  numerical failure (no convergence, unstable step, rigid motion "
-      "left "
-      "free);\n"
-      "     also if the stress is not periodic after Maximum periods: all "
-      "results are\n"
-      "     written then\n"
+      "  3  numerical failure (no convergence, unstable step, rigid motion);\n"
+      "     also if the stress is not periodic after Maximum periods; all\n"
+      "     results are written\n"
       "  4  cannot read or write a file\n"
       "  5  stopped on request (SIGTERM, SIGINT, SIGHUP, --wall-time, a file\n"
       "     \"stop\" in the output directory), checkpoint written: --resume "
@@ -111,21 +108,18 @@ namespace Crevasse
 
 
     constexpr const char *advise_examples =
-      "The error is that of the displacements and of the stresses of all "
-      "probes over time,\neach relative to its largest value: the largest of "
-      "them counts. Schemes and steps,\nelements and meshes, and the search "
-      "for "
-      "the periodic state are tried, what the body\nis and bears never "
+      "The error is the largest of all quantities, each relative to its "
+      "largest value.\nSchemes and steps, elements and meshes, and the search "
+      "for the periodic state are\ntried; what the body is and bears never "
       "changes.\n\n"
       "Files in DIR:\n"
-      "  advised.prm           the scene with the settings found: crevasse "
+      "  advised.prm   the scene with the settings found: crevasse "
       "advised.prm\n"
-      "  advice.md             what was chosen, and all that was measured, for "
-      "people\n"
-      "  advice.json           the same for scripts\n"
-      "  runs/                 the runs\n\n"
+      "  advice.md     what was chosen and all that was measured, for people\n"
+      "  advice.json   the same for scripts\n"
+      "  runs/         the runs\n\n"
       "Example:\n"
-      "  crevasse advise prm/raous1980.prm --error 1e-3\n\n"
+      "  crevasse advise prm/raous1980.prm --error 1e-2\n\n"
       "What is finished is not computed again: after an interruption the same "
       "command\ngoes on. doc/advise.md explains the method.\n\n"
       "Exit status: as that of a run; 3 if the error is not reached with the "
@@ -277,12 +271,13 @@ namespace Crevasse
     std::string
     target_problem(const std::string &text)
     {
-      const std::optional<double> error = Text::to_number(text);
-      if (error && *error > 0. && *error < 1.)
+      // Rounding and the contact solvers' tolerance are not far below 1e-8.
+      const double error = Text::to_number(text).value_or(0.);
+      if (error >= 1e-8 && error < 1.)
         return "";
       return "\"" + Text::shorten(text) +
-             "\" is no relative error: a number greater than 0 and less than "
-             "1, as 1e-3.";
+             "\" is no relative error that could be reached: a number of at "
+             "least 1e-8 and less than 1, as 1e-3.";
     }
 
 
@@ -309,6 +304,13 @@ namespace Crevasse
         ->type_name("NUMBER")
         ->required()
         ->check(target_problem);
+      advise
+        ->add_option("--quantities",
+                     command.quantities,
+                     "Quantities that are to have it, separated by commas, as "
+                     "probe_mouth/u, crack_tip/K_I; without it u and s of all "
+                     "probes")
+        ->type_name("LIST");
       add_common_options(*advise,
                          "results/<scene name>_advice",
                          command,

@@ -58,11 +58,14 @@ namespace Crevasse
                                                 AdvisePeriod::Purpose)>;
 
     /** @param base the point in time that all points in space were run with;
-     * the index. */
+     * the index.
+     * @param times_the_periods by how much more periods a pair has than a run
+     * of the searches. */
     AdvisePairs(AdviseSearch     &space,
                 AdviseSearch     &time,
                 const std::size_t base,
                 const double      target,
+                const double      times_the_periods,
                 const Run        &run,
                 AdviseRuns       &runs);
 
@@ -95,8 +98,12 @@ namespace Crevasse
     double
     predicted_seconds(const AdvisePair &pair) const;
 
+    /** Those that do not take too long; the cheapest one in any case. */
     std::vector<AdvisePair>
-    all_pairs() const;
+    affordable_pairs() const;
+
+    std::vector<AdvisePair>
+    most_accurate_first() const;
 
     bool
     was_run(const AdvisePair &pair) const;
@@ -110,9 +117,10 @@ namespace Crevasse
     const AdviseFinalist *
     cheapest_good() const;
 
-    /** The cheapest pair that is finer in both parts and accurate enough to
-     * measure against; as fine as possible if there is none. */
-    AdvisePair
+    /** The cheapest pair that is finer in both parts, or the finest, and
+     * accurate enough to measure against, else the most accurate of them;
+     * nothing if there is none. */
+    std::optional<AdvisePair>
     reference_for(const AdvisePair &pair) const;
 
     void
@@ -123,7 +131,7 @@ namespace Crevasse
 
     AdviseSearch     &space, &time;
     const std::size_t base;
-    const double      target;
+    const double      target, times_the_periods;
     const Run         run;
     AdviseRuns       &runs;
 

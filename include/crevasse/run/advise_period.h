@@ -52,6 +52,11 @@ namespace Crevasse
     std::vector<Override>
     settings(const AdviseCandidate &in_time, const Purpose purpose) const;
 
+    /** By how much more periods a result has than a run of a search, if their
+     * number is fixed. */
+    double
+    times_those_of_a_search() const;
+
     /** What they add to the name of a run; the same if they are the same. */
     std::string
     name(const AdviseCandidate &in_time, const Purpose purpose) const;

@@ -46,7 +46,10 @@ namespace Crevasse
     static std::string
     short_number(const double number);
 
-    std::string         choice; ///< in words
+    std::string choice; ///< in words
+    /** Of the choice against its reference, for each quantity; empty if there
+     * is no reference. */
+    std::vector<double> errors;
     const SweepVariant *original = nullptr;
     const SweepVariant *advised  = nullptr;
     /** The scene with its own settings, once it has been run. */
@@ -69,6 +72,8 @@ namespace Crevasse
     scene() const;
     std::string
     markdown() const;
+    std::string
+    table_of_quantities() const;
     std::string
     table_of_finalists() const;
     std::string

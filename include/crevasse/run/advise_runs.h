@@ -60,7 +60,8 @@ namespace Crevasse
   class AdviseRuns
   {
   public:
-    /** @throw SceneError if the scene has no probes. */
+    /** @throw SceneError if the scene has no probes, or not what the user wants
+     * to be compared. */
     AdviseRuns(const Command     &command,
                const Scene       &scene,
                const std::string &directory,
@@ -83,6 +84,10 @@ namespace Crevasse
     /** The largest of them, but for what was left out. */
     double
     difference(const AdviseRun &one, const AdviseRun &reference);
+
+    /** @throw NumericalError if all histories of a run are zero. */
+    void
+    require_histories(const AdviseRun &run) const;
 
     const std::vector<Quantity> &
     quantities() const;

@@ -152,6 +152,10 @@ namespace Crevasse
              const std::size_t quantity,
              const double      error);
 
+    /** Tells once if one quantity alone makes the search expensive. */
+    void
+    name_the_hardest();
+
     const Part                      part;
     const std::vector<AdviseFamily> families;
     const Run                       run;
@@ -162,6 +166,7 @@ namespace Crevasse
     std::vector<AdvisePoint> all;
     std::size_t              finest = 0;
     std::vector<std::string> all_notes;
+    bool                     hardest_is_named = false;
   };
 } // namespace Crevasse
 

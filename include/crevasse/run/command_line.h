@@ -55,6 +55,7 @@ namespace Crevasse
     SweepRequest          sweep_request;
     bool                  advise       = false; ///< its cheapest settings
     double                target_error = 0.;    ///< that they are to reach
+    std::string           quantities;           ///< with this error; a list
 
     /** Set if there is nothing to do but to exit: help, version, or a mistake,
      * about which the user has been told. */
