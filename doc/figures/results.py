@@ -115,8 +115,8 @@ class Results(RunFolder):
         super().__init__(directory)
         try:
             self.summary = json.loads(
-                (self.directory / "summary.json").read_text())
-        except ValueError as error:
+                (self.directory / "summary.json").read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
             raise ResultsError(f"{directory}/summary.json: {error}.") from None
         if self.summary.get("dimension", 2) != 2:
             raise ResultsError(f"{directory}: the run is three-dimensional; "
@@ -155,11 +155,15 @@ def require(table, name, path):
 def read_parameters(path):
     """{"Section/Name": value} of deal.II's parameter format."""
     values, section = {}, []
-    for line in path.read_text().splitlines():
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except (OSError, ValueError) as error:
+        raise ResultsError(f"{path}: cannot be read ({error}).") from None
+    for line in lines:
         words = line.split("#")[0].strip()
         if words.startswith("subsection "):
             section.append(words.split(None, 1)[1])
-        elif words == "end":
+        elif words == "end" and section:
             section.pop()
         elif words.startswith("set ") and "=" in words:
             name, value = words[4:].split("=", 1)

@@ -24,8 +24,10 @@ def render(template, **content):
     environment.tests["contains"] = lambda points, point: point in points
     environment.globals["plural"] = wording.plural
     return environment.get_template(template).render(
-        chart_library=read_library(), style=(TEMPLATES / "style.css").read_text(),
-        chart_script=(TEMPLATES / "charts.js").read_text(), **content)
+        chart_library=read_library(),
+        style=(TEMPLATES / "style.css").read_text(encoding="utf-8"),
+        chart_script=(TEMPLATES / "charts.js").read_text(encoding="utf-8"),
+        **content)
 
 
 def read_library():

@@ -67,7 +67,8 @@ def time_of(run):
 def changed_parameters(run):
     """(name, value, default) of those that are not the default."""
     section, changed = [], []
-    for line in (run.directory / "used.prm").read_text().splitlines():
+    used = (run.directory / "used.prm").read_text(encoding="utf-8")
+    for line in used.splitlines():
         words = line.strip()
         if words.startswith("subsection "):
             section.append(words.split(None, 1)[1])
