@@ -115,8 +115,8 @@ class Results(RunFolder):
         super().__init__(directory)
         try:
             self.summary = json.loads(
-                (self.directory / "summary.json").read_text())
-        except ValueError as error:
+                (self.directory / "summary.json").read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
             raise ResultsError(f"{directory}/summary.json: {error}.") from None
         if self.summary.get("dimension", 2) != 2:
             raise ResultsError(f"{directory}: the run is three-dimensional; "
@@ -156,7 +156,10 @@ def read_parameters(path):
     """{"Section/Name": value} of deal.II's parameter format. Titles and names of
     files may be of any encoding."""
     values, section = {}, []
-    text = path.read_text(encoding="utf-8", errors="replace")
+    try:
+        text = path.read_text(encoding="utf-8", errors="replace")
+    except OSError as error:
+        raise ResultsError(f"{path}: cannot be read ({error}).") from None
     for number, line in enumerate(text.splitlines(), 1):
         words = line.split("#")[0].strip()
         if words.startswith("subsection "):

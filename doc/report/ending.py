@@ -4,8 +4,8 @@
 """How a run ended, in words."""
 
 import collections
+import fcntl
 import json
-import os
 import re
 import socket
 
@@ -92,31 +92,37 @@ def failed(run, message):
 
 def going_on(run):
     """None if no process is at it."""
+    path = run.directory / "running"
     try:
-        words = (run.directory / "running").read_text().split()
-        process, host = int(words[1]), words[3]
-    except (OSError, IndexError, ValueError):
+        words = path.read_text(errors="replace").split()
+        process, host = words[1], words[3]
+    except (OSError, IndexError):
         return None
-    if host != socket.gethostname():
+    at_it = is_locked(path)
+    if host != socket.gethostname() or at_it is None:
         return Ending("plain", "The run may be going on", [
             f"The file running says: by process {process} on {host}, which cannot "
             "be seen from here. If it does not run there, it was killed. "
             + reached(run), checkpoint(run)])
-    if not is_alive(process):
+    if not at_it:
         return None
     return Ending("plain", "The run is going on", [
         f"Process {process} is at it. {reached(run)} Make the report again when it "
         "is done; a file named stop in the output directory stops it."])
 
 
-def is_alive(process):
+def is_locked(path):
+    """As long as the run lives it holds a lock on this file, which a kill or the end
+    of its machine releases; its number may be another process's by now. None if
+    that cannot be told."""
     try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except PermissionError:
-        pass  # that of another user
-    return True
+        with open(path) as file:
+            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return True
+    except OSError:
+        return None
+    return False
 
 
 def killed(run):
@@ -145,7 +151,7 @@ def checkpoint(run):
         return "There is no checkpoint: the run has to begin anew."
     path = run.directory / "checkpoint" / str(max(numbers)) / "manifest.json"
     try:  # the first line is the checksum of the others
-        manifest = json.loads(path.read_text().split("\n", 1)[1])
+        manifest = json.loads(path.read_text(errors="replace").split("\n", 1)[1])
         place = f"before step {manifest['step'] + 1} of period {manifest['period']}"
     except (OSError, ValueError, IndexError, KeyError, TypeError):
         place = "which cannot be read"

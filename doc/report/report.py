@@ -53,12 +53,21 @@ def page_of(directory):
                        "no used.prm) nor of a sweep (no sweep.csv).")
 
 
+def write(path, text):
+    """Names of directories need not be UTF-8."""
+    try:
+        path.write_bytes(text.encode("utf-8", errors="replace"))
+    except OSError as error:
+        raise OSError(f"{path}: {error.strerror}. --output FILE writes the report "
+                      "elsewhere.") from None
+
+
 def main(words=None):
     options = arguments(words)
     output = options.output or options.results / "report.html"
     try:
         text, notes, damages = page_of(options.results)
-        output.write_text(text, encoding="utf-8")
+        write(output, text)
     except ResultsError as error:
         print(f"report.py: {error}", file=sys.stderr)
         return 2
@@ -76,4 +85,5 @@ def main(words=None):
 
 
 if __name__ == "__main__":
+    sys.stdout.reconfigure(errors="backslashreplace")  # names need not be text
     sys.exit(main())

@@ -4,22 +4,25 @@
 """Reads what a run has written, whole or not, and notes what is damaged."""
 
 import csv
-import json
 import re
 
 import numpy
 
+import summary_file
 from results import ResultsError, RunFolder, named_points
 
 # Tables in which "nan" has a meaning: it cannot be told.
 MAY_BE_UNKNOWN = {"periods.csv": ("stress_change", "stress_error_estimate")}
 ROW_A_STEP = ("probe_", "contact.", "crack_tip.", "load_work.")
-TABLES = (*ROW_A_STEP, "periods.", "relaxation.")
 TABLES_OF_EFFECTS = {"contact": "contact.csv", "stress intensity": "crack_tip.csv"}
-SECTIONS = ("effects", "counters", "certificate", "seconds", "extremes",
-            "secular", "drift", "crack_tip", "contact_solver", "linear_solver",
-            "time_integration", "libraries", "refinement",
-            "elastic_comparison")
+# Columns that the charts take; a later version may have others, too.
+COLUMNS = {"probe_": ("t", "u_1", "s_11"),
+           "contact.": ("t", "closed_nodes", "force", "largest_pressure"),
+           "crack_tip.": ("t", "K_I", "energy_release_rate"),
+           "load_work.": ("t", "load_work"),
+           "periods.": ("period", "t_end", "stress_change",
+                        "stress_error_estimate"),
+           "relaxation.": ("relaxation_factor", "iterations")}
 EFFECT = re.compile(r"^  (\S.*?)\s+(on|off) +\((.*)\)$", re.M)
 MESH = re.compile(r"^  mesh: (\d+) cells, (\d+) unknowns, (\d+) quadrature "
                   r"points(?:, (\d+) contact nodes)?", re.M)
@@ -42,7 +45,7 @@ class Run(RunFolder):
             self.summary = self.summary_of_log()
         self.tables = {}
         for path in sorted(self.directory.glob("*.csv")):
-            if path.name.startswith(TABLES):  # not what others left there
+            if path.name.startswith(tuple(COLUMNS)):  # not what others left there
                 self.read_table(path)
         if self.finished:
             self.require_tables()
@@ -56,7 +59,8 @@ class Run(RunFolder):
     def read_log(self):
         """The log of the last start; a run that was resumed has several."""
         try:
-            text = (self.directory / "log.txt").read_text(errors="replace")
+            text = (self.directory / "log.txt").read_text(encoding="utf-8",
+                                                          errors="replace")
         except OSError:
             return ""
         starts = [match.start() for match
@@ -65,16 +69,9 @@ class Run(RunFolder):
 
     def read_summary(self):
         path = self.directory / "summary.json"
-        try:
-            summary = json.loads(path.read_text())
-        except (OSError, ValueError) as error:
-            return self.note(path, f"{error}") or {}
-        if not isinstance(summary, dict):
-            return self.note(path, "is not a summary") or {}
-        for name in SECTIONS:
-            if not isinstance(summary.get(name, {}), dict):
-                self.note(path, f"{name} is not a section")
-                del summary[name]
+        summary, troubles = summary_file.read(path)
+        for trouble in troubles:
+            self.note(path, trouble)
         return summary
 
     def summary_of_log(self):
@@ -95,7 +92,7 @@ class Run(RunFolder):
         """Into the tables if it is whole. The last row of a run that is going
         on may be half written and is left out then."""
         try:
-            with open(path, newline="") as file:
+            with open(path, newline="", encoding="utf-8") as file:
                 header, *rows = list(csv.reader(file)) or [[]]
         except (OSError, ValueError, csv.Error) as error:
             return self.note(path, f"{error}")
@@ -118,7 +115,10 @@ class Run(RunFolder):
             self.tables[path.name] = table
 
     def trouble_with(self, name, table):
-        """What is wrong with the numbers; None if nothing is."""
+        """What is wrong with columns or numbers; None if nothing is."""
+        for column in columns_of(name):
+            if column not in table:
+                return f"has no column {column}"
         for column, values in table.items():
             if (name in MAY_BE_UNKNOWN and column in MAY_BE_UNKNOWN[name]
                     or name == "relaxation.csv"):
@@ -175,6 +175,12 @@ class Run(RunFolder):
             value = value.get(name) if isinstance(value, dict) else None
         return value if isinstance(value, (int, float)) and not isinstance(
             value, bool) else None
+
+
+def columns_of(name):
+    """Those that a table of this name must have."""
+    return next(columns for begin, columns in COLUMNS.items()
+                if name.startswith(begin))
 
 
 def ends_with_line(path):

@@ -5,8 +5,10 @@
 and, where a parameter of the problem itself varies, what the points found."""
 
 import json
+import math
 import re
 
+import summary_file
 import work_precision
 from histories import COLOURS
 from page import render
@@ -60,7 +62,7 @@ def read_description(directory):
     """Title and reference, of sweep.json."""
     path = directory / "sweep.json"
     try:
-        description = json.loads(path.read_text())
+        description = json.loads(path.read_text(encoding="utf-8"))
         if isinstance(description, dict):
             return description, []
         return {}, [f"{path.name}: is not a description of a sweep."]
@@ -150,7 +152,8 @@ def not_done(row):
 
 def drawable(row, cost, error):
     """Whether logarithmic axes can show it."""
-    return (number(row[cost]) or 0) > 0 and (number(row[error]) or 0) > 0
+    return (0 < (number(row[cost]) or 0) < math.inf
+            and 0 < (number(row[error]) or 0) < math.inf)
 
 
 def pareto_front(rows, cost, error):
@@ -180,16 +183,14 @@ def find(directory, rows, damages):
         path = directory / row["point"]
         if not (path / "summary.json").is_file():
             continue
-        try:
-            summary = json.loads((path / "summary.json").read_text())
-        except (OSError, ValueError) as error:
-            damages.append(f"{row['point']}/summary.json: {error}.")
-            continue
+        summary, troubles = summary_file.read(path / "summary.json")
+        damages += [f"{row['point']}/summary.json: {trouble.rstrip('.')}."
+                    for trouble in troubles]
         for name, keys in FINDINGS.items():
             value = summary
             for key in keys:
                 value = value.get(key) if isinstance(value, dict) else None
-            if isinstance(value, (int, float)):
+            if isinstance(value, (int, float)) and math.isfinite(value):
                 found[name][row["point"]] = value
     return {name: points for name, points in found.items()
             if points and changes(points.values())}

@@ -48,7 +48,7 @@ def whole(value):
 
 
 def seconds(value):
-    if not isinstance(value, (int, float)):
+    if not isinstance(value, (int, float)) or not math.isfinite(value):
         return "–"
     if value < 120:
         return f"{significant(value, 3)} s"

@@ -4,6 +4,7 @@ of runs that are not whole, and how a browser shows them."""
 import base64
 import contextlib
 import csv
+import fcntl
 import html
 import io
 import json
@@ -269,7 +270,10 @@ def unfinished_runs():
     check(views["last"]["t"][0] == 1470 - 600, "a period, though within the third")
     running = directory / "running"
     running.write_text(f"process {os.getpid()} on {socket.gethostname()}\n")
-    check_says(report(directory)[0], "The run is going on")
+    check_says(report(directory)[0], "Broken off")  # the number is another's now
+    with open(running) as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        check_says(report(directory)[0], "The run is going on")
     running.write_text(f"process {os.getpid()} on elsewhere\n")
     check_says(report(directory)[0], "The run may be going on")
     running.unlink()
@@ -294,6 +298,9 @@ def damaged_runs():
             ("back", "crack_tip.csv", "^75,", "15,", "crack_tip.csv: line 7: t goes"),
             ("word", "contact.csv", "^75,[^,]*", "75,x", "contact.csv: could not"),
             ("json", "summary.json", r'"cells": \d+,', '"cells" 12', "summary.json:"),
+            ("shape", "summary.json", r'"on": true', '"on": [1, 2]',
+             "effects is not what a run writes"),
+            ("column", "periods.csv", "^period,", "periods,", "no column period"),
             ("field", "solution_0000.0.vtu", r"<Points>(.*\n)*", "",
              "solution_0000.0.vtu: is incomplete"),
             ("pvd", "solution.pvd", r"<Collection>(.*\n)*", "",
@@ -317,6 +324,15 @@ def damaged_runs():
     path = directory / "used.prm"
     path.write_bytes(path.read_bytes().replace(b"three periods", b"drei Zyklen \xfcber"))
     check_says(report(directory)[0], "drei Zyklen")
+
+
+def odd_names():
+    """Of directories: neither HTML nor UTF-8."""
+    for name in ("<b>&amp; é", os.fsdecode(b"latin \xe9")):
+        directory = copy("bare", name)
+        page, _ = report(directory)
+        check("<b>" not in page.split("<script>")[0], f"{name}: markup")
+        shutil.rmtree(directory)
 
 
 def folders_without_results():
@@ -370,6 +386,7 @@ other_runs()
 sweep()
 unfinished_runs()
 damaged_runs()
+odd_names()
 folders_without_results()
 command_line()
 shown_well({name: f"results/{name}" for name in
