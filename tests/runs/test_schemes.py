@@ -179,7 +179,7 @@ for scheme, systems in (("predictor corrector", 8), ("sdirk2", 16)):
 # load the contact problems fail, else the stress of a run that ended well does.
 for name, load, words in (
         ("mean load", " + 3", "Secular split = on takes the mean away"),
-        ("no mean load", "", "rounding leaves errors of")):
+        ("no mean load", "", "Rounding leaves errors of")):
     status, _, message = execute(
         WHOLE, "--output", "results/swamped", *overrides([
             "Material/Relaxation time=1e-14" if load else
