@@ -5,6 +5,7 @@ import math
 
 from hard_case import (MODULUS, check, check_below, column, compute,
                        largest_difference)
+from mesh_writer import write
 
 TAU, LOAD, RATIO = 60., 10., 0.2
 GAP = 10.6 * RATIO * LOAD / MODULUS
@@ -91,6 +92,12 @@ def test_gap_at_the_tip():
         check_below(max(abs(x - expected) for x in
                         column(results, probe, "opening")), 1e-15,
                     f"gap: opening at {probe} - gap")
+
+    # At the origin a coordinate's own size says nothing of its rounding.
+    write("tip.msh", lambda x, y: (x - 0.5 if x != 0.5 else -1e-17, y))
+    compute("mesh_file", ["Geometry/Mesh file=tip.msh", "Loads/Traction=0; 0",
+                          "Boundary/Fixed points=-0.5, 0: 1",
+                          "Output/Probes=mouth: 0.5, 0", "Boundary/Gap=-1e-4*x"])
 
 
 test_late_closing()
