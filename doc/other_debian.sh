@@ -5,7 +5,7 @@
 #   doc/other_debian.sh RELEASE FOLDER [COMMAND...]
 #
 # RELEASE is trixie (Debian 13), bookworm (12) or another. FOLDER is where the
-# chroot is, or comes to be: 6 GB for trixie, of which 1.6 GB are downloaded.
+# chroot is, or comes to be: 6 GB for trixie, of which 0.9 GB are downloaded.
 # Without COMMAND the two of README.md are run; with one, that alone, for example
 # "bash". A second call takes the chroot as it is, copies what has changed of the
 # source, and compiles that.
