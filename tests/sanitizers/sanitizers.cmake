@@ -17,6 +17,9 @@ string(REPLACE "-ggdb" "-g1" DEAL_II_CXX_FLAGS_DEBUG "${DEAL_II_CXX_FLAGS_DEBUG}
 string(REPLACE "-D_FORTIFY_SOURCE=2" "-D_GLIBCXX_ASSERTIONS"
   DEAL_II_CXX_FLAGS "${DEAL_II_CXX_FLAGS}")
 
+# gold warns of symbols of the sanitizers that it cannot export.
+string(REPLACE "-fuse-ld=gold" "" DEAL_II_LINKER_FLAGS "${DEAL_II_LINKER_FLAGS}")
+
 set(ignored ${CMAKE_CURRENT_LIST_DIR}/ignored.txt)
 set(sanitizers -fsanitize=address,undefined,fuzzer-no-link
   -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
