@@ -101,6 +101,12 @@ def test_stop():
 def test_refusals():
     for arguments, status, *messages in (
             (("--error", "2"), 2, "no relative error"),
+            (("--error", "1e-14"), 2, "no relative error", "1e-8"),
+            (("--error", "0.1", "--quantities", "probe_tap/u"), 2,
+             "--quantities probe_tap/u", "probe_top"),
+            (("--error", "0.1", "--quantities", "stress"), 2, "mesh to mesh"),
+            (("--error", "0.1", "--quantities", "crack_tip/K_I"), 2,
+             "Stress intensity"),
             ((), 2, "--error"),
             (("--error", "0.1", "--set", "Output/Probes="), 2, "Output/Probes",
              "no probes"),
@@ -111,6 +117,22 @@ def test_refusals():
     check(not pathlib.Path("results/refused").exists(), "computed something")
     code, output, _ = execute("advise", "--help")
     check(code == 0 and "advised.prm" in output and "--error" in output, output)
+
+
+def test_quantities():
+    """Only what is named has to have the error."""
+    directory, _, _ = advise("quantities", "--error", "0.05", "--quantities",
+                             "probe_top/u", *SETTINGS)
+    advice = json.loads((directory / "advice.json").read_text())
+    check(advice["reached"] and advice["counts"] == ["probe_top/u"]
+          and advice["errors"]["probe_top/u"] <= 0.05, f"{advice['errors']}")
+    check("| probe_top/u |" in (directory / "advice.md").read_text(), "its error")
+
+
+def test_nothing_moves():
+    _, output, error = advise("unloaded", "--error", "0.05", *SETTINGS, "--set",
+                              "Loads/Traction=0; 0", status=3)
+    check("0 at all instants" in error, output + error)
 
 
 def test_crack_tip():
@@ -134,5 +156,6 @@ def test_crack_tip():
     check(advised.summary["converged"], "the advised scene is periodic")
 
 
-for test in (test_target, test_again, test_stop, test_refusals, test_crack_tip):
+for test in (test_target, test_again, test_stop, test_refusals,
+             test_quantities, test_nothing_moves, test_crack_tip):
     test()
