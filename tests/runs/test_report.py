@@ -299,7 +299,7 @@ def damaged_runs():
             ("json", "summary.json", r'"cells": \d+,', '"cells" 12', "summary.json:"),
             ("shape", "summary.json", r'"on": true', '"on": [1, 2]',
              "effects is not what a run writes"),
-            ("column", "periods.csv", "^period,", "periods,", "no column period"),
+            ("column", "contact.csv", "^t,closed_nodes", "t,closed", "no column closed_"),
             ("field", "solution_0000.0.vtu", r"<Points>(.*\n)*", "",
              "solution_0000.0.vtu: is incomplete"),
             ("pvd", "solution.pvd", r"<Collection>(.*\n)*", "",
