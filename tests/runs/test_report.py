@@ -336,7 +336,11 @@ def folders_without_results():
     other = pathlib.Path("results/other")
     other.mkdir(exist_ok=True)
     (other / "notes.txt").write_text("nothing\n")
+    advice = pathlib.Path("results/advice")
+    advice.mkdir(exist_ok=True)
+    (advice / "advice.json").write_text("{}")
     for directory, message in (("results/nowhere", "no such directory"),
+                               (advice, "in advice.md"),
                                (empty, "is empty"),
                                (other, "not the output directory of a run")):
         said = report(directory, 2)[1]
