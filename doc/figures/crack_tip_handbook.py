@@ -16,6 +16,8 @@ import sys
 
 sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 
+from results import existing_program
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENE = ROOT / "prm" / "studies" / "crack_tip_handbook.prm"
 LENGTHS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6)
@@ -64,7 +66,7 @@ def intensity(program, settings, directory):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=pathlib.Path, help="build/crevasse")
+    parser.add_argument("program", type=existing_program, help="build/crevasse")
     parser.add_argument("--output", type=pathlib.Path,
                         default=pathlib.Path("results/crack_tip_handbook"),
                         help="where the last run is kept")

@@ -12,6 +12,11 @@ import csv
 import json
 import pathlib
 import subprocess
+import sys
+
+sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
+
+from results import existing_program
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COARSE_CELLS = 16  # along each side
@@ -72,7 +77,7 @@ def print_table(program, levels, directory):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=pathlib.Path, help="build/crevasse")
+    parser.add_argument("program", type=existing_program, help="build/crevasse")
     parser.add_argument("--output", type=pathlib.Path,
                         default=pathlib.Path("results/incompressibility"))
     parser.add_argument("--levels", type=int, default=3,

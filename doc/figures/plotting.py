@@ -19,6 +19,8 @@ from matplotlib.tri import Triangulation
 import numpy
 from PIL import Image
 
+from results import existing_program
+
 # Okabe and Ito's palette, told apart with every kind of colour vision.
 BLUE, VERMILION, GREEN = "#0072B2", "#D55E00", "#009E73"
 PURPLE = "#CC79A7"
@@ -245,6 +247,7 @@ def study_options(description, name, kept="runs are", studies=None):
         parser.add_argument("--studies", nargs="+", choices=list(studies),
                             default=list(studies),
                             help="which ones (all)")
+    parser.add_argument("program", type=existing_program, help="build/crevasse")
     parser.add_argument("--output", type=pathlib.Path,
                         default=pathlib.Path("results") / name,
                         help=f"where the {kept} kept")

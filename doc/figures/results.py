@@ -4,9 +4,11 @@
 """Reads what one run of Crevasse has written: parameters and
 probes, and where the fields are."""
 
+import argparse
 import collections
 import csv
 import json
+import os
 import pathlib
 import xml.etree.ElementTree as ElementTree
 
@@ -121,6 +123,15 @@ class Results(RunFolder):
         if self.summary.get("dimension", 2) != 2:
             raise ResultsError(f"{directory}: the run is three-dimensional; "
                                "these figures are for two dimensions.")
+
+
+def existing_program(text):
+    """What a study's command line names; told if it is not there."""
+    path = pathlib.Path(text)
+    if not (path.is_file() and os.access(path, os.X_OK)):
+        raise argparse.ArgumentTypeError(
+            f"{text} is no program. cmake --build build makes build/crevasse.")
+    return path
 
 
 def read_xml(path):

@@ -16,6 +16,8 @@ import sys
 
 sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 
+from results import existing_program
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COARSE_CELLS = 4  # along each side
 
@@ -104,7 +106,7 @@ def draw(runs, finest, path):
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=pathlib.Path, help="build/crevasse")
+    parser.add_argument("program", type=existing_program, help="build/crevasse")
     parser.add_argument("--output", type=pathlib.Path,
                         default=pathlib.Path("results/signorini_rates"))
     parser.add_argument("--levels", type=int, default=6,

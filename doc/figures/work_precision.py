@@ -144,7 +144,10 @@ def draw(rows, options):
     name_costs(axes)
     if others:
         axes.legend()
-    figure.savefig(options.out)
+    try:
+        figure.savefig(options.out)
+    except (OSError, ValueError) as problem:  # the directory, the format
+        sys.exit(f"{options.out}: {problem}. --out FILE takes another one.")
     print(options.out)
 
 

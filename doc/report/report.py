@@ -47,6 +47,10 @@ def page_of(directory):
     if (directory / "summary.json").is_file():
         raise ResultsError(f"{directory}: used.prm is missing, without which "
                            "nothing is known of the scene.")
+    if (directory / "advice.json").is_file():
+        raise ResultsError(f"{directory}: of crevasse advise, which tells in advice.md "
+                           "what it found. Reports are of the runs in "
+                           f"{directory}/runs, one each.")
     if not any(directory.iterdir()):
         raise ResultsError(f"{directory}: the directory is empty.")
     raise ResultsError(f"{directory}: not the output directory of a run (there is "

@@ -107,10 +107,12 @@ namespace Crevasse
         {
           const fs::path folder =
             used.parent_path() / ("earlier_" + std::to_string(number));
-          if (fs::create_directory(folder, error))
-            fs::copy_file(used, folder / used.filename(), error);
-          else if (!error)
-            continue;
+          std::error_code not_there;
+          if (fs::exists(fs::symlink_status(folder, not_there)))
+            continue; // a folder, or a file or link of someone
+          if (fs::create_directory(folder, error) &&
+              !fs::copy_file(used, folder / used.filename(), error))
+            fs::remove_all(folder, not_there); // nothing is kept in it
           return folder;
         }
     }

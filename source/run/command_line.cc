@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/run/command_line.h>
+#include <crevasse/run/command_line_mistake.h>
 #include <crevasse/run/version.h>
 #include <crevasse/scene/text.h>
 
@@ -393,7 +394,7 @@ namespace Crevasse
     catch (const CLI::ParseError &error)
       {
         command.exit   = true;
-        command.status = app.exit(error) == 0 ? done : bad_input;
+        command.status = tell(error, app) == 0 ? done : bad_input;
       }
     return command;
   }

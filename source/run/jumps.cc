@@ -136,12 +136,13 @@ namespace Crevasse
   find_jumps(const Scene &scene, const Body<dim> &body, const StepList &steps)
   {
     std::vector<double> jumps;
-    if (!can_jump(scene))
-      return jumps;
-    const double largest = largest_load(body, steps);
-    const double thermal_strain =
+    const double        largest = largest_load(body, steps);
+    const double        thermal_strain =
       body.material.largest_thermal_strain(steps.survey_instants({}));
-    for (unsigned int k = 1; k <= steps.n_steps(); ++k)
+    // A period ends where t begins anew: any formula can jump there.
+    for (unsigned int k = can_jump(scene) ? 1 : steps.n_steps();
+         k <= steps.n_steps();
+         ++k)
       {
         const double end    = steps.instant(k);
         const double t      = steps.within_period(end);

@@ -1,5 +1,5 @@
 """Hard cases of the steps in time: steps at the bound of stability, thirty
-reversals of the load in a period, coefficients that jump."""
+reversals of the load in a period, coefficients and loads that jump."""
 
 import math
 import re
@@ -94,7 +94,25 @@ def test_jumps():
                 "jump, exponential, which is exact here")
 
 
+def test_sawtooth():
+    """A load that jumps where t begins anew, without a word in its formula that
+    tells of it: u = y (F + (integral of F) / tau) / E, which schemes of order 2
+    integrate exactly."""
+    for scheme in ("heun", "sdirk2", "rk4"):
+        results = compute("stability_bound", [
+            "Boundary/Symmetry=automatic", "Loads/Temperature=0",
+            "Loads/Traction=0; 10*t/600", "Material/Poisson ratio=0",
+            "Periodic state/Maximum periods=2", "Time integration/Steps per period=20",
+            f"Time integration/Scheme={scheme}"])
+        exact = [0.5 * (10 * (t % 600) / 600
+                        + (t // 600 * 3000 + 10 * (t % 600)**2 / 1200) / 60) / 13000
+                 for t in column(results, "body", "t")]
+        check_below(largest_difference(column(results, "body", "u_2"), exact), 1e-10,
+                    f"sawtooth, {scheme}")
+
+
 test_growth()
 test_bound()
 test_reversals()
 test_jumps()
+test_sawtooth()

@@ -88,7 +88,11 @@ def test_questions():
 def test_mistakes():
     for arguments, message in (
             ((), "crevasse --print-parameters "),
-            (("--frobnicate",), "--frobnicate"),
+            (("--frobnicate",), 'no option "--frobnicate".'),
+            (("a.prm", "--ouput", "x"), 'did you mean "--output"?'),
+            (("a.prm", "--error=1e-3"), 'one of "sweep" and "advise"'),
+            (("sweep", "--hepl"), 'of "sweep"; did you mean "--help"?'),
+            (("swep", "a.prm"), 'did you mean "sweep"?'),
             (("a.prm", "b.prm"), "b.prm"),
             (("a.prm", "--set"), "--set"),
             (("a.prm", "--output"), "--output"),
@@ -197,6 +201,9 @@ def test_earlier_results():
               == first, "the first run's results are kept")
         check((directory / "earlier_2").exists() == (number == 3),
               "--force keeps nothing")
+    (directory / "earlier_3").write_text("somebody's notes\n")
+    succeed(*other)
+    check((directory / "earlier_4" / "used.prm").exists(), "not beside earlier_3")
 
 
 def test_set():

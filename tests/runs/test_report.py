@@ -300,7 +300,7 @@ def damaged_runs():
             ("json", "summary.json", r'"cells": \d+,', '"cells" 12', "summary.json:"),
             ("shape", "summary.json", r'"on": true', '"on": [1, 2]',
              "effects is not what a run writes"),
-            ("column", "periods.csv", "^period,", "periods,", "no column period"),
+            ("column", "contact.csv", "^t,closed_nodes", "t,closed", "no column closed_"),
             ("field", "solution_0000.0.vtu", r"<Points>(.*\n)*", "",
              "solution_0000.0.vtu: is incomplete"),
             ("pvd", "solution.pvd", r"<Collection>(.*\n)*", "",
@@ -341,7 +341,11 @@ def folders_without_results():
     other = pathlib.Path("results/other")
     other.mkdir(exist_ok=True)
     (other / "notes.txt").write_text("nothing\n")
+    advice = pathlib.Path("results/advice")
+    advice.mkdir(exist_ok=True)
+    (advice / "advice.json").write_text("{}")
     for directory, message in (("results/nowhere", "no such directory"),
+                               (advice, "in advice.md"),
                                (empty, "is empty"),
                                (other, "not the output directory of a run")):
         said = report(directory, 2)[1]

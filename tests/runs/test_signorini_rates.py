@@ -2,6 +2,7 @@
 h^(3/2) (Q2): prm/studies/signorini_rates.prm."""
 
 import math
+import subprocess
 import sys
 
 from crevasse_run import PROGRAM, SOURCE, check, check_below
@@ -32,4 +33,14 @@ def test_rates():
                         f"end of contact, {run.cells} cells")
 
 
+def test_no_program():
+    """Told, without a trace of Python."""
+    script = SOURCE / "doc/figures/signorini_rates.py"
+    process = subprocess.run([sys.executable, script, "nowhere"], text=True,
+                             capture_output=True, timeout=60)
+    check(process.returncode == 2 and "nowhere is no program" in process.stderr
+          and "Traceback" not in process.stderr, process.stderr)
+
+
 test_rates()
+test_no_program()

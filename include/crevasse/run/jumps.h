@@ -19,9 +19,9 @@
 
 namespace Crevasse
 {
-  /** The ends of steps at which loads or material jump in time. Looked for only
-   * if a formula can jump at all, that is if it has a comparison, a condition
-   * or a rounding in it. Collective. */
+  /** The ends of steps at which loads or material jump in time: the end of the
+   * period, where t begins anew, and others if a formula can jump there, that
+   * is if it has a comparison, a condition or a rounding in it. Collective. */
   template <int dim>
   std::vector<double>
   find_jumps(const Scene &scene, const Body<dim> &body, const StepList &steps);
