@@ -242,12 +242,11 @@ def study_options(description, name, kept="runs are", studies=None):
     studies, where what it computes is kept, where its figures go and in which
     formats."""
     parser = argparse.ArgumentParser(description=description)
-    parser.add_argument("program", type=pathlib.Path, help="build/crevasse")
+    parser.add_argument("program", type=existing_program, help="build/crevasse")
     if studies:
         parser.add_argument("--studies", nargs="+", choices=list(studies),
                             default=list(studies),
                             help="which ones (all)")
-    parser.add_argument("program", type=existing_program, help="build/crevasse")
     parser.add_argument("--output", type=pathlib.Path,
                         default=pathlib.Path("results") / name,
                         help=f"where the {kept} kept")
