@@ -9,7 +9,6 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/output/output_directory.h>
 #include <crevasse/run/advice.h>
 #include <crevasse/run/advise_report.h>
 #include <crevasse/run/version.h>
@@ -75,10 +74,7 @@ namespace Crevasse
   void
   Advice::run()
   {
-    collectively(communicator, [&]() {
-      if (first_rank)
-        require_writable_directory(directory);
-    });
+    const auto lock = take_study_directory(directory, communicator);
     log.open_file(directory + "/advice.log");
     log.line("Crevasse " CREVASSE_VERSION ": settings of " +
              std::filesystem::path(command.scene_file).filename().string() +

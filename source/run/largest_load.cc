@@ -146,17 +146,21 @@ namespace Crevasse
   double
   load_missed_by_steps(const Body<dim> &body, const StepList &steps)
   {
-    double missed = 0., largest = 0.;
+    // Commensurate with nothing: the middle of a step may meet a zero, too.
+    constexpr double fraction = 0.6180339887498949;
+    double           missed = 0., largest = 0.;
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
       {
-        // A jump at the end of a step is not within it.
         const double begin = steps.instant(k), end = begin + steps.step(k);
-        Vector       ends   = loads_at(body, begin);
-        Vector       middle = loads_at(body, 0.5 * (begin + end));
-        largest = std::max({largest, ends.l2_norm(), middle.l2_norm()});
-        ends.sadd(0.5, 0.5, loads_at(body, steps.just_before(end)));
-        middle -= ends;
-        missed = std::max(missed, middle.l2_norm());
+        Vector       line   = loads_at(body, begin);
+        Vector       within = loads_at(body, begin + fraction * (end - begin));
+        largest = std::max({largest, line.l2_norm(), within.l2_norm()});
+        // A jump at the end of a step is not within it.
+        line.sadd(1. - fraction,
+                  fraction,
+                  loads_at(body, steps.just_before(end)));
+        within -= line;
+        missed = std::max(missed, within.l2_norm());
       }
     return largest > 0. ? missed / largest : 0.;
   }

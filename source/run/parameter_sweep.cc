@@ -9,7 +9,6 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/output/output_directory.h>
 #include <crevasse/run/history.h>
 #include <crevasse/run/parameter_sweep.h>
 #include <crevasse/run/sweep_run.h>
@@ -179,10 +178,7 @@ namespace Crevasse
   void
   ParameterSweep::run()
   {
-    collectively(communicator, [&]() {
-      if (first_rank)
-        require_writable_directory(directory);
-    });
+    const auto lock = take_study_directory(directory, communicator);
     log.open_file(directory + "/sweep.log");
     log.line("Crevasse " CREVASSE_VERSION ": sweep of " +
              std::filesystem::path(command.scene_file).filename().string() +

@@ -138,12 +138,12 @@ namespace Crevasse
         scene.time_integration.step_control != "adaptive")
       {
         std::ostringstream text;
-        text
-          << "[Time integration]: in the middle of a step the loads differ by "
-          << std::setprecision(2) << 100. * missed_load
-          << " % of their largest from the mean of those at its ends; steps "
-             "that are too few, or that meet a load at its zeros, compute "
-             "with another load than the scene's. Raise Steps per period";
+        text << "[Time integration]: within a step the loads differ by "
+             << std::lround(100. * missed_load)
+             << " % of their largest from a straight line between its ends; "
+                "steps that are too few, or that meet a load at its zeros, "
+                "compute with another load than the scene's. Raise Steps per "
+                "period";
         all.push_back(text.str());
       }
     if (!secular_split.warning.empty())

@@ -9,8 +9,10 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/output/output_directory.h>
 #include <crevasse/run/scene_difference.h>
 #include <crevasse/run/sweep_scenes.h>
+#include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/scene_file.h>
 #include <crevasse/scene/text.h>
@@ -129,6 +131,22 @@ namespace Crevasse
               : "results/" +
                   std::filesystem::path(command.scene_file).stem().string()) +
            ending;
+  }
+
+
+
+  std::unique_ptr<DirectoryLock>
+  take_study_directory(const std::string &directory,
+                       const MPI_Comm     communicator)
+  {
+    std::unique_ptr<DirectoryLock> lock;
+    collectively(communicator, [&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
+        return;
+      require_writable_directory(directory);
+      lock = std::make_unique<DirectoryLock>(directory);
+    });
+    return lock;
   }
 
 

@@ -110,6 +110,8 @@ def test_refusals():
             ((), 2, "--error"),
             (("--error", "0.1", "--set", "Output/Probes="), 2, "Output/Probes",
              "no probes"),
+            (("--error", "0.1", "--set", "Periodic state/Maximum periods=0"), 2,
+             "Maximum periods = 0"),
             (("--error", "0.1", "--set", "Material/Youngs=3"), 2, "Young")):
         _, output, error = advise("refused", *arguments, status=status)
         for message in messages:

@@ -41,9 +41,9 @@ namespace Crevasse
   double
   largest_load(const Body<dim> &body, const StepList &steps);
 
-  /** How far the load vector in the middle of a step is at most from the mean
-   * of those at its ends, relative to the largest of all: what steps that are
-   * too few, or that meet a load at its zeros, do not see. */
+  /** How far the load vector within a step is at most from the straight line
+   * between its ends, relative to the largest of all: what steps that are too
+   * few, or that meet a load at its zeros, do not see. */
   template <int dim>
   double
   load_missed_by_steps(const Body<dim> &body, const StepList &steps);

@@ -12,11 +12,15 @@
 #ifndef crevasse_run_sweep_scenes_h
 #define crevasse_run_sweep_scenes_h
 
+#include <crevasse/output/directory_lock.h>
 #include <crevasse/output/summary.h>
 #include <crevasse/run/command_line.h>
 #include <crevasse/run/sweep_plan.h>
 #include <crevasse/scene/scene.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,6 +52,12 @@ namespace Crevasse
   directory_of_study(const Command     &command,
                      const Scene       &scene,
                      const std::string &ending);
+
+  /** Makes it, and keeps other studies out of it as long as the lock exists,
+   * which the first rank has. Collective. @throw FileError */
+  std::unique_ptr<DirectoryLock>
+  take_study_directory(const std::string &directory,
+                       const MPI_Comm     communicator);
 
   /** All scenes of a sweep, which write no fields unless the command line says
    * so. */
