@@ -18,7 +18,6 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -106,12 +105,10 @@ namespace Crevasse
                             ? Utilities::MPI::this_mpi_process(communicator)
                             : none,
                           communicator);
-    std::array<double, VoigtMatrix<2>::n_independent_components> entries = {};
-    if (at_tip)
-      std::copy(at_tip->begin_raw(), at_tip->end_raw(), entries.begin());
-    entries = Utilities::MPI::broadcast(communicator, entries, root);
-    VoigtMatrix<2> own;
-    std::copy(entries.begin(), entries.end(), own.begin_raw());
+    const VoigtMatrix<2> own =
+      Utilities::MPI::broadcast(communicator,
+                                at_tip.value_or(VoigtMatrix<2>()),
+                                root);
 
     plane_elasticity.emplace(own);
     const double boundary = end;
