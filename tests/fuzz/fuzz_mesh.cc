@@ -63,6 +63,15 @@ namespace
 
 
 
+/** Open MPI keeps memory until the process ends. */
+extern "C" const char *
+__asan_default_options()
+{
+  return "detect_leaks=0";
+}
+
+
+
 extern "C" int
 LLVMFuzzerInitialize(int *argc, char ***argv)
 {
