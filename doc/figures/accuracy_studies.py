@@ -16,6 +16,7 @@ sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 
 from plotting import (BLUE, GREEN, GREY, INK, PURPLE, VERMILION, pyplot, save,
                       study_options)
+from work_precision import name_costs
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ORANGE, SKY, BROWN = "#E69F00", "#56B4E9", "#8C510A"
@@ -76,7 +77,7 @@ def draw_lines(axes, lines, styles, x, y):
                         linewidth=1.3, label=label)
     axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
     if x == "processor_seconds":
-        axes.xaxis.set_major_formatter(plain)
+        name_costs(axes)
     if y == "processor_seconds":
         axes.yaxis.set_major_formatter(plain)
 
@@ -230,16 +231,16 @@ def schemes():
 def schemes_and_steps(studies):
     figure, panels = pyplot.subplots(1, 2, figsize=(8.2, 3.9), sharey=True,
                                      constrained_layout=True)
-    for axes, refinements in zip(panels, (0, 2)):
+    for axes, ratio in zip(panels, (0.1, 0.01)):
         lines = studies.sweep(
-            f"schemes_{refinements}", "time_schemes.prm", schemes(),
-            "--set", f"Geometry/Refinements={refinements}", "--error", STRESS,
-            *each("--reference", steps("rk4 with events", 1280)),
-            repetitions=1 if refinements else 2)
+            f"schemes_{ratio:g}", "time_schemes.prm", schemes(), *each(
+                "--set", {"Geometry/Refinements": 2,
+                          "Material/Relaxation time": f"{600 * ratio:g}"}),
+            "--error", STRESS,
+            *each("--reference", steps("rk4 with events", 1280)))
         draw_lines(axes, lines, SCHEME_STYLES, "processor_seconds",
                    "error:" + STRESS)
-        unknowns = next(iter(lines.values()))[0]["unknowns"]
-        axes.set(title=f"{unknowns} unknowns", xlabel=SECONDS)
+        axes.set(title=rf"$\tau/T = {ratio:g}$", xlabel=SECONDS)
     panels[0].set_ylabel("error of the stress at C, two periods")
     name_lines(figure, panels[0], 4)
     return figure
