@@ -16,6 +16,7 @@ sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
 
 from plotting import (BLUE, GREEN, GREY, INK, PURPLE, VERMILION, pyplot, save,
                       study_options)
+from work_precision import name_costs
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ORANGE, SKY, BROWN = "#E69F00", "#56B4E9", "#8C510A"
@@ -76,7 +77,7 @@ def draw_lines(axes, lines, styles, x, y):
                         linewidth=1.3, label=label)
     axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
     if x == "processor_seconds":
-        axes.xaxis.set_major_formatter(plain)
+        name_costs(axes)
     if y == "processor_seconds":
         axes.yaxis.set_major_formatter(plain)
 
@@ -230,16 +231,16 @@ def schemes():
 def schemes_and_steps(studies):
     figure, panels = pyplot.subplots(1, 2, figsize=(8.2, 3.9), sharey=True,
                                      constrained_layout=True)
-    for axes, refinements in zip(panels, (0, 2)):
+    for axes, ratio in zip(panels, (0.1, 0.01)):
         lines = studies.sweep(
-            f"schemes_{refinements}", "time_schemes.prm", schemes(),
-            "--set", f"Geometry/Refinements={refinements}", "--error", STRESS,
-            *each("--reference", steps("rk4 with events", 1280)),
-            repetitions=1 if refinements else 2)
+            f"schemes_{ratio:g}", "time_schemes.prm", schemes(), *each(
+                "--set", {"Geometry/Refinements": 2,
+                          "Material/Relaxation time": f"{600 * ratio:g}"}),
+            "--error", STRESS,
+            *each("--reference", steps("rk4 with events", 1280)))
         draw_lines(axes, lines, SCHEME_STYLES, "processor_seconds",
                    "error:" + STRESS)
-        unknowns = next(iter(lines.values()))[0]["unknowns"]
-        axes.set(title=f"{unknowns} unknowns", xlabel=SECONDS)
+        axes.set(title=rf"$\tau/T = {ratio:g}$", xlabel=SECONDS)
     panels[0].set_ylabel("error of the stress at C, two periods")
     name_lines(figure, panels[0], 4)
     return figure
@@ -252,6 +253,7 @@ LINEAR_STYLES = {"cholesky": (BLUE, "s", SOLID), "amg": (VERMILION, "^", SOLID),
 PLANE = [("14, 4", n) for n in range(2, 6)]
 SPACE = [("4, 4, 2", 1), ("6, 6, 3", 1), ("4, 4, 2", 2), ("6, 6, 3", 2),
          ("4, 4, 2", 3)]  # 1215 to 55 539 unknowns
+LARGEST = [("6, 6, 3", 3)]  # 180 075, for a factorisation and its best rival
 
 
 def linear(solver, degree, cells, refinements):
@@ -265,12 +267,14 @@ def linear_solvers(studies):
                                      constrained_layout=True)
     plane = "contact_solvers.prm", PLANE, "probe_C/opening"
     space = "linear_solvers.prm", SPACE, "probe_front/opening"
-    for axes, title, degree, (scene, sizes, quantity) in zip(
+    for axes, title, degree, rival, (scene, sizes, quantity) in zip(
             panels, ("plane, degree 2", "space, degree 1", "space, degree 2"),
-            (2, 1, 2), (plane, space, space)):
+            (2, 1, 2), (None, "amg", "gmg"), (plane, space, space)):
+        with_largest = ("cholesky", rival) if rival else ()
         lines = studies.sweep(
             title.replace(", ", "_").replace(" ", "_"), scene,
-            {solver: [linear(solver, degree, *size) for size in sizes]
+            {solver: [linear(solver, degree, *size) for size in sizes
+                      + LARGEST * (solver in with_largest)]
              for solver in LINEAR_STYLES},
             *each("--set", {"Time integration/Steps per period": 10}),
             "--error", quantity,
