@@ -21,6 +21,8 @@
 #include <crevasse/scene/problems.h>
 #include <crevasse/scene/text.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -359,11 +361,14 @@ namespace Crevasse
                   history.largest(),
                   error);
     log.line(text);
-    // A crack that stays closed has an intensity of rounding: the energy tells
-    // of which size others would be.
+    // A crack that stays closed has an intensity of rounding: the density of
+    // the energy tells of which size others of its length would be.
     constexpr double large = 0.1, negligible = 1e-3;
-    const double     usual =
-      std::sqrt(modulus(0.) * energy / region.largest_radius());
+    const double     density =
+      energy / GridTools::volume(
+                 static_cast<const Triangulation<2> &>(body.space.mesh()));
+    const double usual =
+      std::sqrt(modulus(0.) * density * region.largest_radius());
     if (const double size =
           std::max(std::abs(history.largest()), std::abs(history.least()));
         error > large * size && size > negligible * usual)
