@@ -234,7 +234,10 @@ main(int argc, char **argv)
   if (command.exit)
     return command.status;
 
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // PETSc, with which deal.II may start, takes options for its own and tells at
+  // the end which it has not used: it gets the name of the program alone.
+  int                                      only_name = 1;
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(only_name, argv, 1);
   // Whoever reads the log may end before the run does; Open MPI has its own
   // mind about this.
   std::signal(SIGPIPE, SIG_IGN);

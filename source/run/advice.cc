@@ -24,11 +24,6 @@ namespace Crevasse
 
   namespace
   {
-    // Errors of the parts are added; steps are searched on a coarse mesh, where
-    // finer ones cost little and leave more choice.
-    constexpr double part_in_time  = 0.25;
-    constexpr double part_in_space = 0.5;
-
     // Steps with which candidates in space are compared.
     constexpr double error_of_base = 0.1;
 
@@ -118,7 +113,7 @@ namespace Crevasse
       },
       runs,
       log);
-    in_time->extend_to(part_in_time * command.target_error);
+    in_time->extend_to(AdvisePairs::part_in_time * command.target_error);
     if (in_time->points().empty())
       throw NumericalError(
         "advise: nothing could be run on the coarsest mesh: " +
@@ -136,7 +131,7 @@ namespace Crevasse
       },
       runs,
       log);
-    in_space->extend_to(part_in_space * command.target_error);
+    in_space->extend_to(AdvisePairs::part_in_space * command.target_error);
     if (runs.n_that_count() == 0)
       throw NumericalError(
         "advise: no history of the probes converges as the cells are halved, "

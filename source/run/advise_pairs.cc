@@ -85,7 +85,7 @@ namespace Crevasse
   {
     // A search that must become finer may do so a few times.
     constexpr unsigned int n_extensions = 3;
-    double                 in_space = target / 2., in_time = target / 4.;
+    double in_space = part_in_space * target, in_time = part_in_time * target;
     for (unsigned int extension = 0; extension <= n_extensions; ++extension)
       {
         while (all.size() + failed.size() < most_finalists)

@@ -88,16 +88,21 @@ namespace Crevasse
                 steps.settings,
                 settings_of(method_of_others, tolerance, maximum_periods)}));
     };
-    constexpr unsigned int tries = 4;
-    for (unsigned int k = 0; k < tries; ++k, tolerance /= 4.)
+    constexpr unsigned int tries     = 4;
+    bool                   confirmed = false;
+    for (unsigned int k = 0; k < tries && !confirmed; ++k)
       {
+        if (k > 0)
+          tolerance /= 4.;
         const AdviseRun &tight = run_with(tolerance / 100.);
-        if (!tight.usable() || runs.difference(run_with(tolerance), tight) <=
-                                 part_of_tolerance * target)
+        if (!tight.usable())
           break;
+        confirmed = runs.difference(run_with(tolerance), tight) <=
+                    part_of_tolerance * target;
       }
     log.line("  periodic state: " + method_of_others +
              " with Tolerance = " + Text::from_number(tolerance) +
+             (confirmed ? "" : ", not confirmed by a tighter one") +
              "; with trapezoid " + method_of_trapezoid);
   }
 

@@ -101,9 +101,11 @@ namespace Crevasse
   AdviseSearch::name_the_hardest()
   {
     constexpr double many_unknowns = 1e4, clearly = 4.;
-    const auto      &own = progress[all[finest].family].points;
-    if (hardest_is_named || part == Part::time || own.size() < 2 ||
+    if (hardest_is_named || part == Part::time || all.empty() ||
         all[finest].run->cost("unknowns") < many_unknowns)
+      return;
+    const auto &own = progress[all[finest].family].points;
+    if (own.size() < 2)
       return;
     const std::vector<double> &changes =
       runs.differences(*all[own[own.size() - 2]].run, *all[own.back()].run);

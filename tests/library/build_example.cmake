@@ -5,7 +5,7 @@ set(build ${CMAKE_CURRENT_BINARY_DIR}/example)
 file(REMOVE_RECURSE ${prefix} ${build})
 foreach(command
     "--install;${BUILD};--prefix;${prefix}"
-    "-S;${EXAMPLE};-B;${build};-G;${GENERATOR};-DCMAKE_PREFIX_PATH=${prefix};-DDEAL_II_DIR=${DEAL_II_DIR}"
+    "-S;${EXAMPLE};-B;${build};-G;${GENERATOR};-DCMAKE_PREFIX_PATH=${prefix};-DDEAL_II_DIR=${DEAL_II_DIR};-DCMAKE_CXX_COMPILER=${COMPILER}"
     "--build;${build}")
   execute_process(COMMAND ${CMAKE_COMMAND} ${command} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()

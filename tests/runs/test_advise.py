@@ -80,13 +80,14 @@ def test_target():
 def test_again():
     """The same answer from what is there, on two ranks too."""
     first = json.loads(pathlib.Path("results/target/advice.json").read_text())
+    def times():
+        return {path: path.stat().st_mtime_ns
+                for path in pathlib.Path("results/target/runs").glob("*/*")}
     for ranks in (0, 2):
-        times = {path: path.stat().st_mtime_ns
-                 for path in pathlib.Path("results/target/runs").glob("*/*")}
+        before = times()
         directory, output, _ = advise("target", "--error", TARGET, *SETTINGS,
                                       fresh=False, ranks=ranks)
-        check(all(path.stat().st_mtime_ns == time
-                  for path, time in times.items()), "computed again")
+        check(times() == before, "computed again")
         check(json.loads((directory / "advice.json").read_text()) == first,
               "another answer")
         check("(already there)" in output, output)
@@ -119,6 +120,14 @@ def test_refusals():
     check(not pathlib.Path("results/refused").exists(), "computed something")
     code, output, _ = execute("advise", "--help")
     check(code == 0 and "advised.prm" in output and "--error" in output, output)
+
+
+def test_first_is_refused():
+    """Explicit steps of a tenth of the period are too long for this material."""
+    directory, output, _ = advise("fast", "--error", TARGET, *SETTINGS, "--set",
+                                  "Material/Relaxation time=10")
+    check("refused" in output, output)
+    check(json.loads((directory / "advice.json").read_text())["reached"], output)
 
 
 def test_quantities():

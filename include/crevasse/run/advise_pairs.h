@@ -57,6 +57,11 @@ namespace Crevasse
                                                 const AdviseCandidate &time,
                                                 AdvisePeriod::Purpose)>;
 
+    /** The errors, of the target, which the searches are to reach first. Steps
+     * are searched on a coarse mesh, where finer ones cost little and leave
+     * more choice. */
+    static constexpr double part_in_space = 0.5, part_in_time = 0.25;
+
     /** @param base the point in time that all points in space were run with;
      * the index.
      * @param times_the_periods by how much more periods a pair has than a run
