@@ -98,10 +98,10 @@ namespace Crevasse
   AdvisePairs
   Advice::find()
   {
-    using Purpose       = AdvisePeriod::Purpose;
-    const auto time     = families_in_time(original.scene);
-    const auto meshes   = families_in_space(original.scene);
-    const auto coarsest = meshes.front().candidates.front();
+    using Purpose                  = AdvisePeriod::Purpose;
+    const auto            time     = families_in_time(original.scene);
+    const auto            meshes   = families_in_space(original.scene);
+    const AdviseCandidate coarsest = coarsest_mesh(meshes.front());
     period.choose(time, coarsest, common, runs, log);
 
     log.line("Time, on a coarse mesh:");
@@ -151,6 +151,28 @@ namespace Crevasse
         return run_pair(space, time, purpose);
       },
       runs);
+  }
+
+
+
+  const AdviseCandidate &
+  Advice::coarsest_mesh(const AdviseFamily &meshes)
+  {
+    for (unsigned int k = 0; k <= meshes.refusals_that_pass; ++k)
+      {
+        const AdviseCandidate &mesh = meshes.candidates[k];
+        const AdviseRun       &trial =
+          runs.run(mesh.name + "__own_steps",
+                   joined({common,
+                           mesh.settings,
+                           {advised("Periodic state/Method=march"),
+                            advised("Periodic state/Start from=rest"),
+                            advised("Periodic state/Tolerance=0"),
+                            advised("Periodic state/Maximum periods=1")}}));
+        if (trial.result.status != "refused")
+          return mesh;
+      }
+    return meshes.candidates.front();
   }
 
 

@@ -20,6 +20,9 @@ namespace Crevasse
   {
     constexpr unsigned int n_levels_in_time  = 9;
     constexpr unsigned int n_levels_in_space = 7;
+    // Other reasons than cells that are too large do not pass, and each level
+    // takes longer to be refused.
+    constexpr unsigned int refusals_in_space = 2;
 
 
 
@@ -39,7 +42,7 @@ namespace Crevasse
     {
       AdviseFamily family;
       family.text = scheme + (locate_events ? " with located events" : "");
-      family.refusal_passes = true;
+      family.refusals_that_pass = n_levels_in_time;
       for (unsigned int level = 0; level < n_levels_in_time; ++level)
         {
           const std::string n = std::to_string(fewest_steps(scene) << level);
@@ -124,8 +127,9 @@ namespace Crevasse
                      : adapted         ? ", adaptive mesh"
                      : n_functions > 0 ? ", singular functions"
                                        : "");
-      family.growth       = adapted ? 3. : dimension == 2 ? 4. : 8.;
-      family.halves_cells = !graded && !adapted && n_functions == 0;
+      family.growth             = adapted ? 3. : dimension == 2 ? 4. : 8.;
+      family.halves_cells       = !graded && !adapted && n_functions == 0;
+      family.refusals_that_pass = division.halve ? refusals_in_space : 0;
       for (unsigned int level = 0; level < n_levels_in_space; ++level)
         {
           const std::string refinements =

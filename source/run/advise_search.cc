@@ -245,8 +245,8 @@ namespace Crevasse
     const AdviseRun &of = run(candidate);
     if (of.usable())
       add(family, {candidate, &of, family});
-    else if (!(of.result.status == "refused" &&
-               families[family].refusal_passes))
+    else if (of.result.status != "refused" ||
+             ++progress[family].n_refused > families[family].refusals_that_pass)
       end(family,
           candidate.text + " " + of.result.status + ": " +
             first_sentence(of.result.message));

@@ -146,6 +146,19 @@ def test_nothing_moves():
     check("0 at all instants" in error, output + error)
 
 
+def test_coarse_cells_are_refused():
+    """Around the tip there is no room for the integral: finer meshes are tried."""
+    scene = pathlib.Path("tip.prm")
+    scene.write_text(BAR.replace("rectangle", "edge crack").replace("2, 2", "4, 2"))
+    directory, output, _ = advise(
+        "tip", "--error", 0.05, "--quantities", "crack_tip/K_I", "--set",
+        "Crack tip/Stress intensity=true", scene=scene)
+    check("q1_0__own_steps" in output and "refused" in output, output)
+    advice = json.loads((directory / "advice.json").read_text())
+    check(advice["reached"] and advice["errors"]["crack_tip/K_I"] <= 0.05,
+          f"{advice['errors']}")
+
+
 def test_crack_tip():
     """The stress at a tip has no error that could be reached. The periodic state is
     looked for by what finds it."""

@@ -56,6 +56,10 @@ namespace Crevasse
     AdvisePairs
     find();
 
+    /** The first of a family's meshes on which the scene is not refused. */
+    const AdviseCandidate &
+    coarsest_mesh(const AdviseFamily &meshes);
+
     /** The point in time that candidates in space are run with. */
     std::size_t
     base_in_time() const;

@@ -36,9 +36,9 @@ namespace Crevasse
     std::vector<AdviseCandidate> candidates;
     /** What the work is multiplied with from one to the next. */
     double growth = 2.;
-    /** Whether a finer candidate may do where a coarse one is refused: a step
-     * may be too long, an element is never too large. */
-    bool refusal_passes = false;
+    /** How many may be refused before one that is not: a step may be too long,
+     * and a cell too large for what is computed around a crack tip. */
+    unsigned int refusals_that_pass = 0;
     /** Whether all cells are halved from one to the next, and nothing else is
      * done about singularities. */
     bool halves_cells = false;

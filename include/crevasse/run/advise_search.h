@@ -91,7 +91,8 @@ namespace Crevasse
   private:
     struct Progress
     {
-      std::size_t              next = 0; ///< candidate
+      std::size_t              next      = 0; ///< candidate
+      unsigned int             n_refused = 0;
       std::vector<std::size_t> points;
       bool                     ended = false;
     };
