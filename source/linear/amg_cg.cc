@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/linear/amg_cg.h>
+#include <crevasse/linear/matrix_product.h>
 
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
@@ -78,6 +79,6 @@ namespace Crevasse
   void
   AmgCg::multiply(Vector &result, const Vector &v) const
   {
-    matrix.vmult(result, v);
+    Crevasse::multiply(matrix, result, v);
   }
 } // namespace Crevasse

@@ -10,7 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/linear/complex_mumps.h>
-#include <crevasse/linear/complex_product.h>
+#include <crevasse/linear/matrix_product.h>
 #include <crevasse/linear/mumps_instance.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>

@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 #include <crevasse/linear/matrix_operator.h>
+#include <crevasse/linear/matrix_product.h>
 
 #include <algorithm>
 
@@ -28,7 +29,7 @@ namespace Crevasse
   void
   MatrixOperator::vmult(Vector &result, const Vector &v) const
   {
-    sparse_matrix.vmult(result, v);
+    multiply(sparse_matrix, result, v);
   }
 
 

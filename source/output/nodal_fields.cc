@@ -11,7 +11,9 @@
 
 #include <crevasse/output/nodal_fields.h>
 
-#include <deal.II/base/symmetric_tensor.h>
+// For eigenvectors(), whose name in a library that GCC has compiled is not the
+// one that Clang looks for.
+#include <deal.II/base/symmetric_tensor.templates.h>
 #include <deal.II/dofs/dof_tools.h>
 
 namespace Crevasse

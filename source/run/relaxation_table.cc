@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 #include <crevasse/contact/relaxation_factor.h>
+#include <crevasse/linear/matrix_product.h>
 #include <crevasse/output/csv_table.h>
 #include <crevasse/run/elastic_displacement.h>
 #include <crevasse/run/largest_load.h>
@@ -35,7 +36,7 @@ namespace Crevasse
     residual_norm(const SparseMatrix &matrix, const Vector &q, const Vector &b)
     {
       Vector residual(b);
-      matrix.vmult(residual, q);
+      multiply(matrix, residual, q);
       residual -= b;
       return residual.linfty_norm();
     }

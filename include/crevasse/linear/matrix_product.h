@@ -9,14 +9,25 @@
 //
 // ---------------------------------------------------------------------
 
-#ifndef crevasse_linear_complex_product_h
-#define crevasse_linear_complex_product_h
+#ifndef crevasse_linear_matrix_product_h
+#define crevasse_linear_matrix_product_h
 
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 namespace Crevasse
 {
+  /** result = A v, by Epetra. Collective. The same as deal.II's vmult(), whose
+   * name in a library that GCC has compiled is not the one that Clang looks
+   * for.
+   *
+   * @param[out] result with the layout of the rows.
+   * @param v with that of the columns; ghosts are not read. */
+  void
+  multiply(const dealii::TrilinosWrappers::SparseMatrix             &matrix,
+           dealii::LinearAlgebra::distributed::Vector<double>       &result,
+           const dealii::LinearAlgebra::distributed::Vector<double> &v);
+
   /** y = (A' + iA'') x, in real and imaginary parts. Collective.
    *
    * @param[out] y_real @p y_imaginary with the layout of the rows. */
