@@ -11,10 +11,10 @@
 
 #include <crevasse/output/nodal_fields.h>
 
-// For eigenvectors(), whose name in a library that GCC has compiled is not the
-// one that Clang looks for.
-#include <deal.II/base/symmetric_tensor.templates.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/lapack_support.h>
+#include <deal.II/lac/lapack_templates.h>
 
 namespace Crevasse
 {
@@ -66,6 +66,48 @@ namespace Crevasse
           part[i][j] = stress[i][j];
       return part;
     }
+
+
+
+    /** A principal stress and its direction, of length 1. */
+    template <int dim>
+    using Principal = std::pair<double, Tensor<1, dim>>;
+
+    /** The largest first. By LAPACK, for the name that deal.II's eigenvectors()
+     * has in a library compiled by GCC is not the one that Clang looks for. */
+    template <int dim>
+    std::array<Principal<dim>, dim>
+    principal_stresses(const SymmetricTensor<2, dim> &stress)
+    {
+      std::array<double, dim * dim> vectors;
+      std::array<double, dim>       values;
+      std::array<double, 16 * dim>  work;
+      const types::blas_int         n = dim, n_work = work.size();
+      types::blas_int               info = 0;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          vectors[i * dim + j] = stress[i][j];
+      syev("V",
+           "U",
+           &n,
+           vectors.data(),
+           &n,
+           values.data(),
+           work.data(),
+           &n_work,
+           &info);
+      AssertThrow(info == 0, LAPACKSupport::ExcErrorCode("syev", info));
+
+      std::array<Principal<dim>, dim> principal;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int ascending = dim - 1 - d;
+          principal[d].first           = values[ascending];
+          for (unsigned int c = 0; c < dim; ++c)
+            principal[d].second[c] = vectors[ascending * dim + c];
+        }
+      return principal;
+    }
   } // namespace
 
 
@@ -96,7 +138,7 @@ namespace Crevasse
       const SymmetricTensor<2, 3> s              = deviator(stress);
       invariants.second_deviator_invariant(node) = 0.5 * (s * s);
 
-      const auto pairs = eigenvectors(in_plane<dim>(stress));
+      const auto pairs = principal_stresses(in_plane<dim>(stress));
       for (unsigned int d = 0; d < dim; ++d)
         {
           invariants.principal_stress[d](node) = pairs[d].first;

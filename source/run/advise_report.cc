@@ -175,7 +175,11 @@ namespace Crevasse
       std::string(reached ? "Advice: " : "Nearest: ") + choice,
       "  " + measured(),
       "  It takes " + seconds(*best.run) + " s of the processor."};
-    if (run_as_it_was != nullptr)
+    if (run_as_it_was != nullptr && !run_as_it_was->result.has_results())
+      lines.push_back(
+        "  The scene with its own settings: " + run_as_it_was->result.status +
+        ": " + run_as_it_was->result.message);
+    else if (run_as_it_was != nullptr)
       lines.back() +=
         " The scene's own settings take " + seconds(*run_as_it_was) + " s" +
         (error_as_it_was && std::isfinite(*error_as_it_was)
@@ -248,7 +252,10 @@ namespace Crevasse
                    count(finalist.run->cost("unknowns")),
                    count(finalist.run->cost("vi_solves")),
                    seconds(*finalist.run)});
-    if (run_as_it_was != nullptr)
+    if (run_as_it_was != nullptr && !run_as_it_was->result.has_results())
+      text +=
+        row({"the scene as it was", run_as_it_was->result.status, "", "", ""});
+    else if (run_as_it_was != nullptr)
       text +=
         row({"the scene as it was",
              !error_as_it_was                  ? ""

@@ -136,7 +136,7 @@ namespace Crevasse
   double
   AdviseRun::cost(const std::string &name) const
   {
-    return result.costs.value(name, 0.);
+    return result.costs.is_object() ? result.costs.value(name, 0.) : 0.;
   }
 
 

@@ -154,6 +154,7 @@ def test_coarse_cells_are_refused():
         "tip", "--error", 0.05, "--quantities", "crack_tip/K_I", "--set",
         "Crack tip/Stress intensity=true", scene=scene)
     check("q1_0__own_steps" in output and "refused" in output, output)
+    check("The scene with its own settings: refused" in output, output)
     advice = json.loads((directory / "advice.json").read_text())
     check(advice["reached"] and advice["errors"]["crack_tip/K_I"] <= 0.05,
           f"{advice['errors']}")
