@@ -15,6 +15,7 @@
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/linear/matrix_product.h>
 #include <crevasse/material/isotropic.h>
 #include <crevasse/output/probe.h>
 
@@ -100,7 +101,7 @@ namespace
 
     SparseMatrix matrix;
     assemble_stiffness(space, points, PointValues<VoigtMatrix<dim>>(K), matrix);
-    matrix.vmult(assembled, q);
+    multiply(matrix, assembled, q);
     strain_operator.for_each_strain(
       q, [&](const std::size_t point, const VoigtVector<dim> &strain) {
         QuadratureField<dim>::set(stress, point, K * strain);

@@ -16,6 +16,7 @@
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/linear/matrix_product.h>
 #include <crevasse/material/isotropic.h>
 #include <crevasse/scene/built_in_boundary.h>
 #include <crevasse/scene/geometry.h>
@@ -165,7 +166,7 @@ namespace
 
     SparseMatrix matrix;
     assemble_stiffness(space, points, PointValues<VoigtMatrix<2>>(K), matrix);
-    matrix.vmult(assembled, q);
+    multiply(matrix, assembled, q);
     strain_operator.for_each_strain(
       q, [&](const std::size_t point, const VoigtVector<2> &strain) {
         QuadratureField<2>::set(stress, point, K * strain);
