@@ -16,6 +16,7 @@
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/linear/matrix_operator.h>
 #include <crevasse/linear/matrix_product.h>
 #include <crevasse/material/isotropic.h>
 #include <crevasse/scene/built_in_boundary.h>
@@ -265,7 +266,7 @@ namespace
     jacobi.initialize(matrix);
     cg.connect_condition_number_slot(
       [&condition](const double value) { condition = value; });
-    cg.solve(matrix, x, b, jacobi);
+    cg.solve(MatrixOperator(matrix), x, b, jacobi);
     return condition;
   }
 
