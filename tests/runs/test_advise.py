@@ -152,7 +152,8 @@ def test_coarse_cells_are_refused():
     scene.write_text(BAR.replace("rectangle", "edge crack").replace("2, 2", "4, 2"))
     directory, output, _ = advise(
         "tip", "--error", 0.05, "--quantities", "crack_tip/K_I", "--set",
-        "Crack tip/Stress intensity=true", scene=scene)
+        "Crack tip/Stress intensity=true", "--set",
+        "Geometry/Crack length=0.75", scene=scene)
     check("q1_0__own_steps" in output and "refused" in output, output)
     check("The scene with its own settings: refused" in output, output)
     advice = json.loads((directory / "advice.json").read_text())
@@ -182,5 +183,6 @@ def test_crack_tip():
 
 
 for test in (test_target, test_again, test_stop, test_refusals,
-             test_quantities, test_nothing_moves, test_crack_tip):
+             test_first_is_refused, test_quantities, test_nothing_moves,
+             test_coarse_cells_are_refused, test_crack_tip):
     test()
