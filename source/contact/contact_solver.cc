@@ -146,8 +146,8 @@ namespace Crevasse
       message << " If the iterations are as many as [Contact] Maximum "
                  "iterations, raise it; otherwise try another [Contact] Solver "
                  "or [Linear solver] Type (\"amg\" and \"gmg\" round least; "
-                 "they know "
-                 "no singular functions), or a larger [Contact] Tolerance.";
+                 "they know no singular functions), or a larger [Contact] "
+                 "Tolerance.";
     throw NumericalError(message.str());
   }
 

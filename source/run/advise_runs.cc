@@ -79,10 +79,8 @@ namespace Crevasse
       if (scene.periodic_state.maximum_periods == 0)
         throw SceneError(
           "advise: [Periodic state] Maximum periods = 0: nothing is marched, "
-          "and "
-          "there are no histories of which an error could be measured. Set it "
-          "to "
-          "at least 1.");
+          "and there are no histories of which an error could be measured. "
+          "Set it to at least 1.");
       SweepRequest request;
       request.reference = {"the finest runs"};
       request.error     = list;

@@ -133,10 +133,12 @@ namespace Crevasse
 
   template <int dim>
   std::vector<double>
-  find_jumps(const Scene &scene, const Body<dim> &body, const StepList &steps)
+  find_jumps(const Scene     &scene,
+             const Body<dim> &body,
+             const StepList  &steps,
+             const double     largest_load)
   {
     std::vector<double> jumps;
-    const double        largest = largest_load(body, steps);
     const double        thermal_strain =
       body.material.largest_thermal_strain(steps.survey_instants({}));
     // A period ends where t begins anew: any formula can jump there.
@@ -149,7 +151,7 @@ namespace Crevasse
         const double before = steps.just_before(end);
         Vector       change = loads_at(body, t);
         change -= loads_at(body, before);
-        if (change.linfty_norm() > negligible * largest ||
+        if (change.linfty_norm() > negligible * largest_load ||
             materials_differ(body, t, before, thermal_strain))
           jumps.push_back(end);
       }
@@ -159,7 +161,7 @@ namespace Crevasse
 
 
   template std::vector<double>
-  find_jumps<2>(const Scene &, const Body<2> &, const StepList &);
+  find_jumps<2>(const Scene &, const Body<2> &, const StepList &, double);
   template std::vector<double>
-  find_jumps<3>(const Scene &, const Body<3> &, const StepList &);
+  find_jumps<3>(const Scene &, const Body<3> &, const StepList &, double);
 } // namespace Crevasse

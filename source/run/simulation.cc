@@ -62,9 +62,10 @@ namespace Crevasse
     choose_with_jumps(const Scene           &scene,
                       const Body<dim>       &body,
                       StepList              &steps,
-                      const RelaxationTimes &times)
+                      const RelaxationTimes &times,
+                      const double           largest_load)
     {
-      steps.set_jumps(find_jumps(scene, body, steps));
+      steps.set_jumps(find_jumps(scene, body, steps, largest_load));
       return choose_periodic_method(scene, body, steps, times.largest);
     }
 
@@ -139,15 +140,19 @@ namespace Crevasse
     , relaxation_times(survey(body, survey_instants(steps, integrator.get())))
     , largest_thermal_strain(body.material.largest_thermal_strain(
         survey_instants(steps, integrator.get())))
-    , periodic_choice(choose_with_jumps(scene, body, steps, relaxation_times))
+    , largest_nodal_force(largest_load(body, steps))
+    , missed_load(load_missed_by_steps(body, steps))
+    , periodic_choice(choose_with_jumps(scene,
+                                        body,
+                                        steps,
+                                        relaxation_times,
+                                        largest_nodal_force))
     , secular_split(
         choose_secular_split(scene,
                              body,
                              steps,
                              integrator.get(),
                              periodic_choice.needs_periodic_strain()))
-    , largest_nodal_force(largest_load(body, steps))
-    , missed_load(load_missed_by_steps(body, steps))
     , crack_tip(
         make_crack_tip_analysis<dim>(this->scene, body, secular_split, steps))
   {

@@ -94,8 +94,7 @@ namespace Crevasse
       << "Rounding leaves errors of " << stress_rounding
       << " of its maximum in the stress, which is the difference of total and "
          "viscous strain times the stiffness: the body has flown too far, or "
-         "is "
-         "too stiff against changes of volume (Poisson ratio near 0.5). "
+         "is too stiff against changes of volume (Poisson ratio near 0.5). "
       << (secular_split.is_split
             ? "Look"
             : "Split off the mean flow ([Periodic state] Secular split = "

@@ -23,8 +23,7 @@ namespace Crevasse
              ? "the mesh has triangles; only quadrilaterals are allowed (Gmsh: "
                "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1)."
              : "the mesh has tetrahedra or other cells; only hexahedra are "
-               "allowed "
-               "(Gmsh: Mesh.SubdivisionAlgorithm = 2).";
+               "allowed (Gmsh: Mesh.SubdivisionAlgorithm = 2).";
   }
 
 

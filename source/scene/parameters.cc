@@ -124,16 +124,15 @@ namespace Crevasse
     prm.add_parameter(
       "Fixed points",
       fixed_points,
-      "Mesh vertices that are held so that no rigid motion is left. A point "
-      "is fixed in all directions, or in the components, counted from 1, that "
+      "Mesh vertices that are held so that no rigid motion is left. A point is "
+      "fixed in all directions, or in the components, counted from 1, that "
       "follow a colon; coordinates are in units of length. \"automatic\" holds "
-      "a built-in shape against the "
-      "motions "
-      "along the crack plane that clamped sides and symmetry planes leave "
-      "free: component 1 of the crack tip (without a crack of 0, 0), in three "
-      "dimensions component 3 of its end at z = 0 and component 1 of both "
-      "ends, each only as far as needed; in a mesh file nothing. "
-      "Allowed: automatic, none, or a list such as 0, 0; 1, 0: 2");
+      "a built-in shape against the motions along the crack plane that clamped "
+      "sides and symmetry planes leave free: component 1 of the crack tip "
+      "(without a crack of 0, 0), in three dimensions component 3 of its end "
+      "at z = 0 and component 1 of both ends, each only as far as needed; in a "
+      "mesh file nothing. Allowed: automatic, none, or a list such as "
+      "0, 0; 1, 0: 2");
     prm.add_parameter("Gap",
                       gap,
                       "The least normal displacement of the lip, in units of "

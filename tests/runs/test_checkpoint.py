@@ -288,6 +288,7 @@ def test_nobody_listens():
           and "--resume goes on" in log, f"{process.returncode}\n{log}")
 
 
-for test in (test_two_runs, test_nobody_listens, test_out_of_periods, test_begun_anew, test_interruptions, test_signals, test_kills, test_damage,
+for test in (test_two_runs, test_nobody_listens, test_out_of_periods, test_begun_anew,
+             test_interruptions, test_signals, test_kills, test_damage,
              test_other_format, test_other_scenes, test_finished, test_ranks):
     test()

@@ -21,10 +21,15 @@ namespace Crevasse
 {
   /** The ends of steps at which loads or material jump in time: the end of the
    * period, where t begins anew, and others if a formula can jump there, that
-   * is if it has a comparison, a condition or a rounding in it. Collective. */
+   * is if it has a comparison, a condition or a rounding in it. Collective.
+   *
+   * @param largest_load over all steps, by largest_load(). */
   template <int dim>
   std::vector<double>
-  find_jumps(const Scene &scene, const Body<dim> &body, const StepList &steps);
+  find_jumps(const Scene     &scene,
+             const Body<dim> &body,
+             const StepList  &steps,
+             const double     largest_load);
 } // namespace Crevasse
 
 #endif

@@ -201,10 +201,10 @@ namespace Crevasse
     std::unique_ptr<StepControl>           step_control;
     const RelaxationTimes                  relaxation_times;
     const double                           largest_thermal_strain;
+    const double                           largest_nodal_force;
+    const double                           missed_load; ///< by the steps
     PeriodicChoice                         periodic_choice;
     SecularSplit                           secular_split;
-    const double                           largest_nodal_force;
-    const double                           missed_load;      ///< by the steps
     const std::unique_ptr<const CrackTipAnalysis> crack_tip; ///< or null
     std::optional<SecularFlow>                    secular_flow;
     std::size_t                                   rate_evaluations = 0;
