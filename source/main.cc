@@ -29,6 +29,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -220,6 +221,35 @@ namespace
     MPI_Comm_free(&for_failures);
     return status;
   }
+
+
+
+  constexpr int requests_to_stop[] = {SIGTERM, SIGINT, SIGHUP};
+  bool          ignored[std::size(requests_to_stop)];
+
+
+
+  /** nohup has SIGHUP ignored, and shells SIGINT for what runs in the
+   * background. */
+  void
+  note_ignored_signals(int, char **, char **)
+  {
+    for (std::size_t i = 0; i < std::size(requests_to_stop); ++i)
+      {
+        struct sigaction action = {};
+        sigaction(requests_to_stop[i], nullptr, &action);
+        ignored[i] = action.sa_handler == SIG_IGN;
+      }
+  }
+
+
+
+  // Before libraries are initialised: UCX, which Open MPI loads, takes SIGHUP
+  // for itself, on Debian 13 as soon as it is there.
+  [[gnu::section(".preinit_array"),
+    gnu::used]] void (*const before_libraries)(int,
+                                               char **,
+                                               char **) = note_ignored_signals;
 } // namespace
 
 
@@ -241,5 +271,8 @@ main(int argc, char **argv)
   // Whoever reads the log may end before the run does; Open MPI has its own
   // mind about this.
   std::signal(SIGPIPE, SIG_IGN);
+  for (std::size_t i = 0; i < std::size(requests_to_stop); ++i)
+    if (ignored[i])
+      std::signal(requests_to_stop[i], SIG_IGN);
   return run_guarded(command);
 }

@@ -27,24 +27,18 @@ class Studies:
     def __init__(self, program, output):
         self.program, self.output = program, output
 
-    def sweep(self, name, scene, lines, *options, repetitions=1):
-        """The rows of the points of each line, all from one sweep, with the
-        least seconds of the repetitions, which differ in nothing but their title."""
+    def sweep(self, name, scene, lines, *options):
+        """The rows of the points of each line, all from one sweep."""
         points = [point for line in lines.values() for point in line]
-        words = ["--vary", together(points)]
-        if repetitions > 1:
-            words += ["--vary", "Title=" + ",".join(
-                f"repetition {k + 1}" for k in range(repetitions))]
         directory = self.output / name
         subprocess.run([self.program, "sweep", ROOT / "prm/studies" / scene,
-                        "--output", directory, *words, *options], check=True,
-                       env=dict(os.environ, OMP_NUM_THREADS="1"))
+                        "--output", directory, "--vary", together(points), *options],
+                       check=True, env=dict(os.environ, OMP_NUM_THREADS="1"))
         with open(directory / "sweep.csv", newline="") as file:
-            rows = list(csv.DictReader(file))
-        quickest = (quickest_of(rows[k:k + repetitions])
-                    for k in range(0, len(rows), repetitions))
-        return {label: [row for row in (next(quickest) for _ in line) if row]
-                for label, line in lines.items()}
+            rows = csv.DictReader(file)
+            return {label: [row for row in (next(rows) for _ in line)
+                            if has_cost(row)]
+                    for label, line in lines.items()}
 
 
 def together(points):
@@ -54,12 +48,11 @@ def together(points):
                       for name in points[0])
 
 
-def quickest_of(rows):
-    """None, with a word about it, for what was refused or has failed."""
-    if rows[0]["processor_seconds"]:
-        return min(rows, key=lambda row: float(row["processor_seconds"]))
-    print(f"{rows[0]['point']}: {rows[0]['message']}", file=sys.stderr)
-    return None
+def has_cost(row):
+    """Not what was refused or has failed, of which a word is said."""
+    if not row["processor_seconds"]:
+        print(f"{row['point']}: {row['message']}", file=sys.stderr)
+    return bool(row["processor_seconds"])
 
 
 def numbers(rows, column):

@@ -71,13 +71,31 @@ def field_drawings(results, options):
     if abs(within - wanted) > 0.01 * results.period:
         print(f"Nearest stored field: t = {t:g}, which is {within:g} within "
               f"the period instead of {wanted:g}.")
-    yield from draw_fields(results, Fields(path), t, options.magnify)
+    fields = Fields(path)
+    if bears_nothing(results, fields):
+        print(no_stress(t))
+    yield from draw_fields(results, fields, t, options.magnify)
+
+
+def bears_nothing(results, fields):
+    """Whether all stress is rounding beside the largest of the run, as where
+    the load passes through zero."""
+    largest = (results.summary.get("extremes") or {}).get("stress") or 0
+    return max(abs(fields[f"principal_stress_{k}"]).max()
+               for k in (1, 2)) <= 1e-6 * largest
+
+
+def no_stress(t):
+    return (f"Figures 4 to 6 are left out: at t = {t:g}, the stored instant nearest "
+            "to T/4, the body bears no stress. [Output] Field times names others.")
 
 
 def draw_fields(results, fields, t, magnify):
     """(file name, figure) of the fields of one instant."""
     caption = f"$t$ = {t:g}, displacements × {magnify:g}"
     yield "figure1_mesh", field_figures.mesh(results, fields)
+    if bears_nothing(results, fields):
+        return
     for name, draw in (
             ("figure4_stress_levels", field_figures.stress_levels),
             ("figure5_principal_stresses", field_figures.principal_stresses),

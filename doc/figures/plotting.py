@@ -118,9 +118,11 @@ def draw_level_curves(axes, fields, values, scale, magnify, quantity):
                                   colors=level_colours(levels))
         bar = axes.figure.colorbar(ground, ax=axes, orientation="horizontal",
                                    spacing="uniform", ticks=levels, aspect=45,
-                                   shrink=0.92, pad=0.02, label=quantity)
-        bar.ax.set_xticklabels([signed(level, 3) for level in levels],
-                               fontsize=7)
+                                   shrink=0.92, pad=0.02,
+                                   label=quantity + spacing(levels))
+        names = [signed(level, 3) for level in levels]
+        crowded = sum(map(len, names)) > 45
+        bar.ax.set_xticklabels(names, fontsize=7, rotation=90 if crowded else 0)
         bar.outline.set_linewidth(0.5)
     if len(levels):
         lines = axes.tricontour(body, z, levels=levels, colors=INK,
@@ -129,6 +131,12 @@ def draw_level_curves(axes, fields, values, scale, magnify, quantity):
     finish_body(axes, fields.points, place)
     if len(levels):
         label_levels(axes, lines)
+
+
+def spacing(levels):
+    steps = numpy.diff(levels)
+    return ("" if steps.max() <= 1.001 * steps.min() else
+            "; levels wider apart in the peaks")
 
 
 def signed(value, digits=6):

@@ -116,11 +116,13 @@ def draw_instant(run, figures, missing):
         return
     quarter = run.period / 4
     t, path = run.choose_instant(wanted_instant(run))
-    if abs(t % run.period - quarter) > 0.01 * run.period:
+    fields = Fields(path)
+    if paper_figures.bears_nothing(run, fields):
+        missing.append(paper_figures.no_stress(t))
+    elif abs(t % run.period - quarter) > 0.01 * run.period:
         missing.append(f"Figures 4 to 6 are drawn for t = {t:g}, the stored "
                        f"instant nearest to T/4; [Output] Field times = {quarter:g} "
                        "gives the paper's.")
-    fields = Fields(path)
     for drawing in paper_figures.draw_fields(run, fields, t,
                                              magnification(fields)):
         yield encode(*drawing)

@@ -12,6 +12,7 @@
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
@@ -352,6 +353,28 @@ namespace Crevasse
 
 
 
+  namespace
+  {
+    /** " Boundary ids without a role: 0, 1.", or nothing. */
+    template <int dim>
+    std::string
+    ids_without_role(const Space<dim> &space)
+    {
+      const BoundaryRoles     &roles = space.roles();
+      std::vector<std::string> ids;
+      for (const types::boundary_id id : space.mesh().get_boundary_ids())
+        if (roles.clamped.count(id) + roles.symmetry.count(id) +
+              roles.loaded.count(id) + roles.contact.count(id) ==
+            0)
+          ids.push_back(std::to_string(id));
+      return ids.empty() ? ""
+                         : " Boundary ids of the mesh that have no role: " +
+                             Text::join(ids, ", ") + ".";
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   require_no_rigid_motion(const Space<dim> &space)
@@ -368,7 +391,8 @@ namespace Crevasse
       "\nContact holds in one direction only and does not count. Hold "
       "the body by [Boundary] Clamped, Symmetry or Fixed points, for "
       "example --set \"Boundary/Fixed points=" +
-      std::string(dim == 2 ? "0, 0" : "0, 0, 0") + "\".";
+      std::string(dim == 2 ? "0, 0" : "0, 0, 0") + "\"." +
+      ids_without_role(space);
     throw NumericalError(message);
   }
 

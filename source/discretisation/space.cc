@@ -63,13 +63,8 @@ namespace Crevasse
   void
   Space<dim>::check_roles() const
   {
-    // On the coarse mesh, which every rank knows whole.
-    std::set<types::boundary_id> existing;
-    for (const auto &cell : triangulation->cell_iterators_on_level(0))
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary())
-          existing.insert(face->boundary_id());
-
+    const std::vector<types::boundary_id> existing =
+      triangulation->get_boundary_ids();
     std::ostringstream list;
     for (const auto id : existing)
       list << ' ' << id;
@@ -78,7 +73,7 @@ namespace Crevasse
     const auto check = [&](const char                         *role,
                            const std::set<types::boundary_id> &ids) {
       for (const auto id : ids)
-        if (existing.count(id) == 0)
+        if (std::find(existing.begin(), existing.end(), id) == existing.end())
           problems.add("Boundary",
                        role,
                        std::to_string(id),
@@ -363,10 +358,15 @@ namespace Crevasse
   Vector
   Space<dim>::nodal_values(const Vector &displacement) const
   {
+    // deal.II 9.6 wants as many entries as the constraints know unknowns, among
+    // them those of singular functions, the last.
+    Vector unknowns(owned_unknowns, communicator());
+    unknowns.copy_locally_owned_data_from(displacement);
+    affine_constraints.distribute(unknowns);
+
     Vector values = nodal_vector();
     for (std::size_t i = 0; i < values.locally_owned_size(); ++i)
-      values.local_element(i) = displacement.local_element(i);
-    affine_constraints.distribute(values);
+      values.local_element(i) = unknowns.local_element(i);
     values.update_ghost_values();
     return values;
   }

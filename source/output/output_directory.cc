@@ -110,8 +110,10 @@ namespace Crevasse
           std::error_code not_there;
           if (fs::exists(fs::symlink_status(folder, not_there)))
             continue; // a folder, or a file or link of someone
-          if (fs::create_directory(folder, error) &&
-              !fs::copy_file(used, folder / used.filename(), error))
+          const bool made = fs::create_directory(folder, error);
+          if (!made && !error)
+            continue; // another process was faster
+          if (made && !fs::copy_file(used, folder / used.filename(), error))
             fs::remove_all(folder, not_there); // nothing is kept in it
           return folder;
         }

@@ -98,10 +98,11 @@ namespace Crevasse
   AdvisePairs
   Advice::find()
   {
-    using Purpose                  = AdvisePeriod::Purpose;
-    const auto            time     = families_in_time(original.scene);
-    const auto            meshes   = families_in_space(original.scene);
-    const AdviseCandidate coarsest = coarsest_mesh(meshes.front());
+    using Purpose                = AdvisePeriod::Purpose;
+    const auto            time   = families_in_time(original.scene);
+    const auto            meshes = families_in_space(original.scene);
+    const AdviseCandidate coarsest =
+      coarsest_mesh(meshes.front(), family_of("sdirk2", time));
     period.choose(time, coarsest, common, runs, log);
 
     log.line("Time, on a coarse mesh:");
@@ -134,7 +135,8 @@ namespace Crevasse
     in_space->extend_to(AdvisePairs::part_in_space * command.target_error);
     if (runs.n_that_count() == 0)
       throw NumericalError(
-        "advise: no history of the probes converges as the cells are halved, "
+        "advise: no history that is compared converges as the cells are "
+        "halved, "
         "so that there is no error that could be reached: " +
         Text::join(in_space->notes(), "; "));
 
@@ -156,15 +158,18 @@ namespace Crevasse
 
 
   const AdviseCandidate &
-  Advice::coarsest_mesh(const AdviseFamily &meshes)
+  Advice::coarsest_mesh(const AdviseFamily &meshes,
+                        const AdviseFamily &stable_steps)
   {
+    const AdviseCandidate &steps = stable_steps.candidates.front();
     for (unsigned int k = 0; k <= meshes.refusals_that_pass; ++k)
       {
         const AdviseCandidate &mesh = meshes.candidates[k];
         const AdviseRun       &trial =
-          runs.run(mesh.name + "__own_steps",
+          runs.run(mesh.name + "__" + steps.name + "__one_period",
                    joined({common,
                            mesh.settings,
+                           steps.settings,
                            {advised("Periodic state/Method=march"),
                             advised("Periodic state/Start from=rest"),
                             advised("Periodic state/Tolerance=0"),

@@ -14,6 +14,8 @@
 #include <crevasse/scene/built_in_boundary.h>
 #include <crevasse/scene/text.h>
 
+#include <algorithm>
+
 namespace Crevasse
 {
   namespace
@@ -48,6 +50,7 @@ namespace Crevasse
           const std::string n = std::to_string(fewest_steps(scene) << level);
           AdviseCandidate   candidate;
           candidate.name     = short_name + "_" + n;
+          candidate.scheme   = scheme;
           candidate.text     = family.text + ", " + n + " steps a period";
           candidate.settings = {
             advised("Time integration/Scheme=" + scheme),
@@ -79,8 +82,9 @@ namespace Crevasse
           const std::string tolerance =
             Text::from_number(1e-2 / (1 << (2 * level)));
           AdviseCandidate candidate;
-          candidate.name = "arkode_" + tolerance;
-          candidate.text = family.text + ", relative tolerance " + tolerance;
+          candidate.name   = "arkode_" + tolerance;
+          candidate.scheme = "arkode implicit";
+          candidate.text   = family.text + ", relative tolerance " + tolerance;
           candidate.settings = {
             advised("Time integration/Scheme=arkode implicit"),
             advised("Time integration/Order=4"),
@@ -200,6 +204,18 @@ namespace Crevasse
             equal_steps(scene, "sdirk2", "sdirk2", false),
             equal_steps(scene, "trapezoid", "trapezoid", false),
             steps_by_tolerance(scene)};
+  }
+
+
+
+  const AdviseFamily &
+  family_of(const std::string &scheme, const std::vector<AdviseFamily> &in_time)
+  {
+    return *std::find_if(in_time.begin(),
+                         in_time.end(),
+                         [&](const AdviseFamily &family) {
+                           return family.candidates.front().scheme == scheme;
+                         });
   }
 
 

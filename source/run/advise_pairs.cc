@@ -338,12 +338,12 @@ namespace Crevasse
             continue;
           }
         finalist.reference = of;
-        finalist.error     = runs.difference(*finalist.run, *of);
         // What both have in common, they do not differ in.
         if (reference->space == pair.space)
-          finalist.error += factor_in_space * space.points()[pair.space].error;
+          finalist.shared += factor_in_space * space.points()[pair.space].error;
         if (reference->time == pair.time)
-          finalist.error += factor_in_time * time.points()[pair.time].error;
+          finalist.shared += factor_in_time * time.points()[pair.time].error;
+        finalist.error = runs.difference(*finalist.run, *of) + finalist.shared;
       }
     if (finalist.reference == nullptr)
       finalist.error = predicted_error(pair);

@@ -26,18 +26,6 @@ namespace Crevasse
     constexpr double       tighter_in_reference = 10.; ///< this many times
     constexpr double       part_of_tolerance    = 0.1; ///< of the target
     constexpr double       clearly              = 0.7;
-
-
-
-    const AdviseCandidate &
-    example(const std::vector<AdviseFamily> &families, const char *text)
-    {
-      const auto family =
-        std::find_if(families.begin(),
-                     families.end(),
-                     [&](const AdviseFamily &one) { return one.text == text; });
-      return family->candidates[1];
-    }
   } // namespace
 
 
@@ -74,9 +62,14 @@ namespace Crevasse
   {
     if (!searched)
       return;
-    const AdviseCandidate &steps = example(in_time, "sdirk2");
+    constexpr unsigned int level = 1; // a few more steps than the fewest
+    const AdviseCandidate &steps =
+      family_of("sdirk2", in_time).candidates[level];
     method_of_trapezoid =
-      cheapest_method(example(in_time, "trapezoid"), in_space, common, runs);
+      cheapest_method(family_of("trapezoid", in_time).candidates[level],
+                      in_space,
+                      common,
+                      runs);
     method_of_others = cheapest_method(steps, in_space, common, runs);
 
     const auto run_with = [&](const double tolerance) -> const AdviseRun & {
@@ -160,8 +153,8 @@ namespace Crevasse
   std::string
   AdvisePeriod::method(const AdviseCandidate &in_time) const
   {
-    return in_time.name.compare(0, 9, "trapezoid") == 0 ? method_of_trapezoid
-                                                        : method_of_others;
+    return in_time.scheme == "trapezoid" ? method_of_trapezoid
+                                         : method_of_others;
   }
 
 

@@ -151,12 +151,15 @@ namespace Crevasse
   {
     const std::string name =
       std::filesystem::path(scene_file).filename().string();
+    std::vector<std::string> compared;
+    for (const Quantity &quantity : runs.quantities())
+      compared.push_back(quantity.name);
     std::string text =
       comment(name +
               " with the settings that crevasse advise has found for an error "
               "of " +
-              Text::from_number(target) +
-              " in the histories of its probes: " + choice + ".") +
+              Text::from_number(target) + " in " + Text::join(compared, ", ") +
+              ": " + choice + ".") +
       comment(measured()) +
       comment("What the body is and bears is as it was. Changed are:");
     for (const Change &change : changes())
@@ -209,10 +212,14 @@ namespace Crevasse
     text += header({"parameter", "was", "is"});
     for (const Change &change : changes())
       text += row({change.parameter, change.before, change.now});
+    text += '\n' + table_of_quantities();
+    if (pairs.best().shared > 0.)
+      text += "\nTo the largest of these " + short_number(pairs.best().shared) +
+              " is added, which the advised settings and the reference are "
+              "estimated to have in common.\n";
     text +=
-      '\n' + table_of_quantities() +
-      "\nThe error is the largest of these, each relative to the largest value "
-      "of its quantity, over ";
+      "\nDifferences are relative to the largest value of the quantity, "
+      "over ";
     text += runs.periodic()
               ? "the last period; displacements are compared less their mean "
                 "values, for a constant of them depends on how the periodic "
@@ -232,6 +239,8 @@ namespace Crevasse
   std::string
   AdviseReport::table_of_quantities() const
   {
+    if (errors.empty())
+      return "";
     std::string text = header({"quantity", "difference from the reference"});
     for (std::size_t q = 0; q < errors.size(); ++q)
       text += row({runs.quantities()[q].name,

@@ -53,7 +53,9 @@ namespace Crevasse
     check_quantity(const Quantity &quantity, const Scene &scene)
     {
       const std::string where = "--quantities " + quantity.name + ": ";
-      if (quantity.is_stress_field() || quantity.table() == "periods")
+      if (quantity.is_stress_field() || quantity.table() == "periods" ||
+          quantity.column() == "closed_nodes" ||
+          quantity.column() == "K_I_error")
         throw SceneError(where +
                          "this differs from mesh to mesh. Take columns of "
                          "probes, contact, crack_tip or load_work.");
@@ -334,7 +336,7 @@ namespace Crevasse
   AdviseRuns::measure(const AdviseRun &one, const AdviseRun &reference) const
   {
     std::vector<MeasuredError>    errors;
-    std::map<std::string, double> largest; // by u and s
+    std::map<std::string, double> largest; // by column
     for (const Quantity &quantity : all_quantities)
       {
         errors.push_back(history_error(quantity,
@@ -361,14 +363,21 @@ namespace Crevasse
   {
     collectively(communicator, [&]() {
       const std::string own = folder(run.name);
-      if (first_rank &&
-          std::all_of(
-            all_quantities.begin(),
-            all_quantities.end(),
-            [&](const Quantity &quantity) {
-              return history_error(quantity, own, own, period, compared).size ==
-                     0.;
-            }))
+      if (!first_rank)
+        return;
+      bool any_moves = false;
+      for (const Quantity &quantity : all_quantities)
+        {
+          const MeasuredError self =
+            history_error(quantity, own, own, period, compared);
+          if (std::isnan(self.size))
+            throw SceneError("--quantities " + quantity.name +
+                             ": the scene does not write it (" + self.reason +
+                             "). A probe has u_3 and stresses of it in space "
+                             "only, and opening and pressure on a lip.");
+          any_moves = any_moves || self.size > 0.;
+        }
+      if (!any_moves)
         throw NumericalError(
           "advise: " + run.name +
           ": all that is compared is 0 at all instants, so that there is no "

@@ -300,8 +300,8 @@ namespace Crevasse
       advise
         ->add_option("--error",
                      command.target_error,
-                     "The relative error of the probes' histories that is to "
-                     "be reached, as 1e-3")
+                     "The relative error of the histories that is to be "
+                     "reached, as 1e-3")
         ->type_name("NUMBER")
         ->required()
         ->check(target_problem);

@@ -12,6 +12,7 @@
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/run/linear_choice.h>
 #include <crevasse/scene/problems.h>
+#include <crevasse/scene/text.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -47,32 +48,32 @@ namespace Crevasse
      * beyond its arrays (Trilinos 13.2), with 0.5e9 it worked. */
     constexpr double most_entries_of_ml = 0.5e9;
 
-    template <int dim>
-    void
-    require_work_for_ml(const Body<dim> &body)
-    {
-      const MPI_Comm communicator = body.space.communicator();
-      const double   entries      = Utilities::MPI::max(
-        n_matrix_entries<dim>(body.space.locally_owned_unknowns().n_elements(),
-                              body.space.finite_element().degree),
-        communicator);
-      if (entries <= most_entries_of_ml)
-        return;
-      const unsigned int n_ranks =
-        Utilities::MPI::n_mpi_processes(communicator);
-      throw SceneError(
-        "[Linear solver] Type: amg is at its end with about " +
-        std::to_string(std::lround(1e-6 * entries)) +
-        " million entries of the stiffness on a process (at most " +
-        std::to_string(std::lround(1e-6 * most_entries_of_ml)) +
-        " million; the mesh has " + std::to_string(body.space.n_unknowns()) +
-        " unknowns). Take Type = gmg with fewer [Geometry] Subdivisions and "
-        "more Refinements, or at least " +
-        std::to_string(
-          std::lround(std::ceil(n_ranks * entries / most_entries_of_ml))) +
-        " processes.");
-    }
   } // namespace
+
+
+
+  template <int dim>
+  void
+  require_work_for_ml(const double       n_own_unknowns,
+                      const double       n_unknowns,
+                      const unsigned int degree,
+                      const unsigned int n_ranks)
+  {
+    const double entries = n_matrix_entries<dim>(n_own_unknowns, degree);
+    if (entries <= most_entries_of_ml)
+      return;
+    throw SceneError(
+      "[Linear solver] Type: amg is at its end with about " +
+      std::to_string(std::lround(1e-6 * entries)) +
+      " million entries of the stiffness on a process (at most " +
+      std::to_string(std::lround(1e-6 * most_entries_of_ml)) +
+      " million; the mesh has " + Text::from_number(n_unknowns) +
+      " unknowns). Take Type = gmg with fewer [Geometry] Subdivisions and "
+      "more Refinements, or at least " +
+      std::to_string(
+        std::lround(std::ceil(n_ranks * entries / most_entries_of_ml))) +
+      " processes.");
+  }
 
 
 
@@ -104,7 +105,13 @@ namespace Crevasse
     if (choice.type == LinearSolverChoice::cholesky)
       Cholesky::require_one_process(communicator);
     if (choice.type == LinearSolverChoice::amg)
-      require_work_for_ml(body);
+      require_work_for_ml<dim>(
+        Utilities::MPI::max(double(
+                              body.space.locally_owned_unknowns().n_elements()),
+                            communicator),
+        body.space.n_unknowns(),
+        body.space.finite_element().degree,
+        Utilities::MPI::n_mpi_processes(communicator));
     if (choice.is_multigrid() && body.space.singular_shapes() != nullptr)
       throw SceneError(
         "[Discretisation] Singular functions: must be 0 on a mesh that is too "
@@ -133,6 +140,10 @@ namespace Crevasse
 #define INSTANTIATE(dim)                                                     \
   template double n_unknowns_of_first_mesh<dim>(const Body<dim> &);          \
   template double n_matrix_entries<dim>(const double, const unsigned int);   \
+  template void   require_work_for_ml<dim>(const double,                     \
+                                         const double,                     \
+                                         const unsigned int,               \
+                                         const unsigned int);              \
   template bool   may_use_gmg<dim>(const Scene &, const Body<dim> &);        \
   template LinearSolverChoice  choose_linear_solver<dim>(const Scene &,      \
                                                         const Body<dim> &); \

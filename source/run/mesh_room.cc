@@ -18,6 +18,8 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <cmath>
+
 namespace Crevasse
 {
   using namespace dealii;
@@ -49,6 +51,8 @@ namespace Crevasse
                              per_cell * cells.first <= largest_factorised(dim);
     const LinearSolverChoice solver = choose_linear_solver(
       scene.linear_solver, dim, degree, unknowns, n_ranks, has_coarser);
+    if (solver.type == LinearSolverChoice::amg)
+      require_work_for_ml<dim>(unknowns / n_ranks, unknowns, degree, n_ranks);
 
     const double needed =
       (bytes_per_first_cell<dim> * cells.first +

@@ -14,22 +14,27 @@
 #include <crevasse/run/elastic_reference.h>
 #include <crevasse/run/outputs.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <sstream>
 
 namespace Crevasse
 {
   using namespace dealii;
 
   template <int dim>
-  struct Outputs<dim>::LargestStress : public Observer
+  struct Outputs<dim>::Extremes : public Observer
   {
     void
     observe(const Sample &sample) override
     {
       if (of_last_period && sample.step == 0)
-        viscous_strain = 0.;
+        displacement = viscous_strain = 0.;
+      displacement =
+        std::max(displacement, sample.state.displacement.linfty_norm());
       if (sample.viscous_strain.size() > 0)
         viscous_strain =
           std::max(viscous_strain, sample.viscous_strain.linfty_norm());
@@ -38,25 +43,28 @@ namespace Crevasse
     void
     end_of_period(const PeriodReport &report) override
     {
-      value = of_last_period ? report.largest_stress
-                             : std::max(value, report.largest_stress);
+      stress = of_last_period ? report.largest_stress
+                              : std::max(stress, report.largest_stress);
     }
 
     void
     serialize(StateArchive &archive) override
     {
-      archive.common(value);
+      archive.common(stress);
+      archive.common(displacement);
       archive.common(viscous_strain);
     }
 
-    LargestStress(const bool of_last_period, const double before)
+    Extremes(const bool of_last_period, const RunState &before)
       : of_last_period(of_last_period)
-      , value(before)
+      , stress(before.largest_stress)
+      , displacement(before.largest_displacement)
     {
     }
 
     const bool of_last_period;
-    double     value;
+    double     stress;
+    double     displacement;        ///< of an unknown
     double     viscous_strain = 0.; ///< largest component
   };
 
@@ -155,8 +163,7 @@ namespace Crevasse
         problems,
         log,
         directory);
-    largest_stress =
-      add<LargestStress>(periods_are_iterates, start.largest_stress);
+    extremes = add<Extremes>(periods_are_iterates, start);
     add<PeriodTable>(file("periods.csv"), goes_on);
     add<Progress<dim>>(log,
                        body.lip,
@@ -189,7 +196,7 @@ namespace Crevasse
   double
   Outputs<dim>::stress_rounding() const
   {
-    if (largest_stress->value == 0.)
+    if (extremes->stress == 0.)
       return 0.;
     double     stiffness = 0.;
     const auto material  = body.material.at(0.);
@@ -197,7 +204,28 @@ namespace Crevasse
       stiffness = std::max(stiffness, K.norm());
     stiffness = Utilities::MPI::max(stiffness, body.space.communicator());
     return std::numeric_limits<double>::epsilon() * stiffness *
-           largest_stress->viscous_strain / largest_stress->value;
+           extremes->viscous_strain / extremes->stress;
+  }
+
+
+
+  template <int dim>
+  void
+  Outputs<dim>::beware_of_large_displacements() const
+  {
+    constexpr double       small = 0.1;
+    const BoundingBox<dim> box(body.space.mesh().get_vertices());
+    const auto            &corners  = box.get_boundary_points();
+    const double           diagonal = corners.first.distance(corners.second);
+    if (extremes->displacement <= small * diagonal)
+      return;
+    std::ostringstream text;
+    text << "  Beware: displacements reach " << extremes->displacement
+         << ", and the body is " << diagonal
+         << " from corner to corner: the theory is one of small strains. Have "
+            "loads, lengths and moduli one system of units, and may the body "
+            "flow for so long?";
+    log.line(text.str());
   }
 
 
@@ -208,7 +236,13 @@ namespace Crevasse
   {
     if (problem_export != nullptr)
       problem_export->report_missing();
-    summary["extremes"]["stress"] = largest_stress->value;
+    summary["extremes"]["stress"] = extremes->stress;
+    // With singular functions some unknowns are no displacements.
+    if (body.space.singular_shapes() == nullptr)
+      {
+        summary["extremes"]["displacement"] = extremes->displacement;
+        beware_of_large_displacements();
+      }
     if (contact_table != nullptr)
       summary["extremes"]["opening"] =
         std::max(opening_before, contact_table->largest_opening());
@@ -235,7 +269,8 @@ namespace Crevasse
   void
   Outputs<dim>::hand_over(RunState &state) const
   {
-    state.largest_stress = largest_stress->value;
+    state.largest_stress       = extremes->stress;
+    state.largest_displacement = extremes->displacement;
     if (contact_table != nullptr)
       state.largest_opening =
         std::max(opening_before, contact_table->largest_opening());
@@ -295,7 +330,7 @@ namespace Crevasse
     std::snprintf(text,
                   sizeof(text),
                   "  the flow opens %u nodes of the lip: none touches after "
-                  "t_0 = %g (q of mean value zero)",
+                  "t_0 = %g at the latest (q of mean value zero)",
                   n_nodes,
                   onset->onset());
     log.line(text);

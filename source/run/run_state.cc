@@ -27,6 +27,7 @@ namespace Crevasse
     archive.common(solvers);
     archive.common(rate_evaluations);
     archive.common(largest_stress);
+    archive.common(largest_displacement);
     archive.common(largest_opening);
     archive.common(seconds);
     archive.common(methods_left);

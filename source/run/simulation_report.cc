@@ -9,6 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/run/jumps.h>
 #include <crevasse/run/libraries.h>
 #include <crevasse/run/linear_choice.h>
 #include <crevasse/run/simulation.h>
@@ -133,19 +134,28 @@ namespace Crevasse
              << "; the theory is one of small strains, much less than 1";
         all.push_back(text.str());
       }
-    constexpr double too_much = 0.5;
-    if (missed_load > too_much &&
-        scene.time_integration.step_control != "adaptive")
+    constexpr double   too_much = 0.5;
+    const std::string &control  = scene.time_integration.step_control;
+    if (missed_load > too_much && control != "adaptive")
       {
         std::ostringstream text;
         text << "[Time integration]: within a step the loads differ by "
              << std::lround(100. * missed_load)
              << " % of their largest from a straight line between its ends; "
                 "steps that are too few, or that meet a load at its zeros, "
-                "compute with another load than the scene's. Raise Steps per "
-                "period";
+             << (integrator == nullptr
+                   ? "show another load than the scene's. "
+                   : "compute with another load than the scene's. ")
+             << (control == "list" ? "Add instants to Steps"
+                                   : "Raise Steps per period");
         all.push_back(text.str());
       }
+    if (steps.jumps_at(steps.period()) && !formulas_can_jump(scene))
+      all.push_back(
+        "[Loads] Period = " + Text::from_number(steps.period()) +
+        ": loads or material jump where the period ends and t begins anew, "
+        "though no formula has a jump in it. Is this the period of the "
+        "formulas?");
     if (!secular_split.warning.empty())
       all.push_back(secular_split.warning);
     if (integrator != nullptr && !periodic_choice.uses_fourier() &&

@@ -33,29 +33,6 @@ namespace Crevasse
 
 
 
-    /** Those that are ignored: nohup has it so, and shells for what runs in the
-     * background. */
-    std::vector<int>
-    ignored_signals()
-    {
-      std::vector<int> ignored;
-      for (const int signal : requests_to_stop)
-        {
-          struct sigaction action = {};
-          sigaction(signal, nullptr, &action);
-          if (action.sa_handler == SIG_IGN)
-            ignored.push_back(signal);
-        }
-      return ignored;
-    }
-
-
-
-    /** When the program began: Open MPI's MPI_Init forgets it of SIGHUP. */
-    const std::vector<int> ignored_at_begin = ignored_signals();
-
-
-
     /** What is left of the time since the program began; 0: any. */
     double
     time_left(const double wall_time)
@@ -158,8 +135,6 @@ namespace Crevasse
   {
     asked_to_stop = asked_to_write = 0;
     time_of_first                  = 0;
-    for (const int signal : ignored_at_begin)
-      handle(signal, SIG_IGN);
     for (const int signal : requests_to_stop)
       {
         struct sigaction before = {};

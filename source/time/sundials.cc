@@ -39,6 +39,7 @@ namespace Crevasse
                    std::string                      &words)
   {
 #if DEAL_II_SUNDIALS_VERSION_GTE(7, 0, 0)
+    // Errors; warnings, which are no reason to fail, go to SUNDIALS' own log.
     SUNContext_ClearErrHandlers(context);
     SUNContext_PushErrHandler(
       context,

@@ -23,7 +23,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PRM = ROOT / "prm"
 STEPS = "Time integration/Steps per period"
 
-# Scene, settings that make it small, target. The numbers of cells are even: the
+# Scene, settings that make it small, target; and what else the reference has where
+# finer meshes are needed, in the sweep too. The numbers of cells are even: the
 # reference has one and a half times as many.
 SCENES = {
     "centre crack": (PRM / "raous1980_body.prm", [
@@ -53,7 +54,7 @@ SCENES = {
         "Output/Probes=edge: 50, 25; inside: 30, 10"], 2e-2),
     "box": (PRM / "cracked_box.prm", [
         "Geometry/Subdivisions=4, 2, 2",
-        "Output/Probes=front: 1, 0, 0; centre: 0.25, 0.5, 0.25"], 1e-1),
+        "Output/Probes=above: 1, 0.5, 0.25; centre: 0.25, 0.5, 0.25"], 5e-2),
     "gap and chain": (PRM / "raous1980_body.prm", [
         "Geometry/Subdivisions=8, 4", "Geometry/Crack length=0.25",
         "Boundary/Gap=-4e-4*(x - 0.75)", "Contact/Solver=automatic",
@@ -61,17 +62,26 @@ SCENES = {
         "Material/Chain=0.5: 30; 0.3: 300",
         "Loads/Traction=0; 10*sin(2*pi*t/600) - 3*cos(4*pi*t/600)",
         "Periodic state/Method=anderson", "Periodic state/Tolerance=1e-6",
-        "Output/Probes=lip: 0.875, 0; top: 0.25, 1; inside: 0.5, 0.5"], 1e-2),
-    "many periods": (PRM / "raous1980_body.prm", [
+        # Not on the lip itself: its stress, where the end of contact passes by,
+        # asks for 260 000 unknowns and more.
+        "Output/Probes=above: 0.875, 0.25; top: 0.25, 1; inside: 0.5, 0.5"], 1e-2),
+    "slow, graded material": (PRM / "raous1980_body.prm", [
         "Geometry/Subdivisions=8, 4", "Contact/Solver=automatic",
         "Material/Young modulus=13000*(1 + x*x + y)",
         "Material/Relaxation time=2000*(1 + x)",
         "Loads/Traction=0; 10*sin(2*pi*t/600) - 1",
-        "Periodic state/Tolerance=0", "Periodic state/Maximum periods=30",
-        "Output/Probes=mouth: 1, 0; inside: 0.75, 0.25"], 1e-2),
+        "Periodic state/Tolerance=0", "Periodic state/Maximum periods=8",
+        "Output/Probes=mouth: 1, 0; inside: 0.75, 0.25"], 1e-2,
+        # The stress at the mouth, a corner, converges slowly, and to locate the
+        # events of so many nodes takes thousands of contact problems a period.
+        ["Geometry/Refinements=3", "Refinement/Target unknowns=55296",
+         "Time integration/Scheme=sdirk2", f"{STEPS}=160",
+         "Time integration/Locate contact events=false"]),
     "steam turbine": (PRM / "crack_growth.prm", [
         "Geometry/Subdivisions=10, 8",
-        "Output/Probes=mouth: 50, 0; inside: 30, 20; far: 10, 80"], 5e-3),
+        "Output/Probes=mouth: 50, 0; inside: 30, 20; far: 10, 80"], 2e-2,
+        ["Time integration/Scheme=sdirk2", f"{STEPS}=192",
+         "Time integration/Locate contact events=false"]),
     "late closing": (ROOT / "tests/hard/late_closing.prm", [
         "Geometry/Subdivisions=4, 4", "Loads/Traction=-10*(1 + y*cos(2*pi*t/60)); 0",
         "Output/Probes=end: 0.5, 0; body: 0.3, 0.6"], 5e-3),
@@ -103,6 +113,7 @@ class Body:
         self.in_space = len(self.cells) == 3
         shape = parameter(used, "Shape")
         self.tip = "crack" in shape
+        self.gap = parameter(used, "Gap") != "0"
         self.lip = self.tip or parameter(used, "Contact") not in ("automatic", "none")
         self.period = float(parameter(used, "Period"))
         # A factor of its own at each instant.
@@ -111,7 +122,7 @@ class Body:
         self.fewest = next((n for n in range(10, 20) if own % n == 0), 10)
 
 
-def meshes(body):
+def meshes(body, finer):
     """Degree, functions, refinements, strategy and cycles of the sweep."""
     fewer = body.in_space
     found = [(1, 0, r, "none", 0) for r in range(2 if fewer else 4)]
@@ -119,10 +130,12 @@ def meshes(body):
     if body.tip:
         found += [(1, 0, r, "tip", 4 + r) for r in range(2 if fewer else 3)]
         found += [(2, 0, r, "tip", 6 + 2 * r) for r in range(1 if fewer else 3)]
-    if body.tip and not fewer:
+    if body.tip and not fewer and not body.gap:
         found += [(d, 2, r, "none", 0) for d in (1, 2) for r in range(3)]
     if not fewer:
         found += [(2, 0, 0, "adaptive", c) for c in (4, 8)]
+    if finer:
+        found += [(2, 0, 3, "none", 0), (2, 0, 3, "tip", 12), (2, 2, 3, "none", 0)]
     return found
 
 
@@ -135,6 +148,12 @@ def steps(body):
                    "true" if scheme == "rk4" and body.lip else "false")
                   for k in range(min(n_levels, 3 if body.in_space else 4))]
     return found
+
+
+def replaced(settings, others):
+    """Settings of the same name by the others."""
+    values = dict(setting.split("=", 1) for setting in [*settings, *others])
+    return [f"{name}={value}" for name, value in values.items()]
 
 
 def zipped(names, rows):
@@ -254,7 +273,7 @@ def advice_of(program, scene, target, common, where):
     return status, json.loads((where / "advice/advice.json").read_text())
 
 
-def full_sweep(program, scene, common, body, advice, target, where):
+def full_sweep(program, scene, common, body, advice, target, finer, where):
     """All meshes with all steps; where the state is periodic, found as advised."""
     search, finest = [], []
     if advice["periodic_state"]:
@@ -269,27 +288,28 @@ def full_sweep(program, scene, common, body, advice, target, where):
                   "Periodic state/Maximum periods=200"]
     space = zipped(["Discretisation/Degree", "Discretisation/Singular functions",
                     "Geometry/Refinements", "Refinement/Strategy",
-                    "Refinement/Cycles"], meshes(body))
+                    "Refinement/Cycles"], meshes(body, finer))
     time = zipped(["Time integration/Scheme", STEPS,
                    "Time integration/Locate contact events"], steps(body))
     call(program, "sweep", scene, "--output", where / "sweep", "--quiet",
          *common, "--set", "Contact/Solver=automatic",
          *options("set", search), "--vary", space, "--vary", time,
-         *options("reference", reference_settings(body) + finest),
+         *options("reference", replaced(reference_settings(body) + finest, finer)),
          "--error", "probe_" + advice["counts"][0].split("_", 1)[1])
     with open(where / "sweep/sweep.csv") as file:
         return [row for row in csv.DictReader(file) if row["status"] == "done"]
 
 
 def judge(program, name):
-    scene, settings, target = SCENES[name]
+    scene, settings, target, *finer = SCENES[name]
     where = pathlib.Path(name.replace(" ", "_"))
     where.mkdir(exist_ok=True)
     common = options("set", settings)
     status, advice = advice_of(program, scene, target, common, where)
     runs = where / "advice/runs"
     body = Body((runs / "original/used.prm").read_text())
-    points = full_sweep(program, scene, common, body, advice, target, where)
+    points = full_sweep(program, scene, common, body, advice, target,
+                        finer[0] if finer else [], where)
 
     probes = sorted({quantity.split("/")[0][6:] for quantity in
                      advice["counts"] + advice["left_out"]})
@@ -305,7 +325,8 @@ def judge(program, name):
     result = {"status": status, "target": target, "error": error_of(runs / advice["run"]),
               "choice": advice["choice"], "n_points": len(points),
               "left_out": advice["left_out"],
-              "error_of_its_reference": error_of(runs / advice["reference"]),
+              "error_of_its_reference": error_of(runs / advice["reference"])
+              if advice["reference"] else None,
               "error_of_the_finest_points": sorted(p[1] for p in points)[:3],
               "seconds_of_advise": total_seconds(
                   folder for folder in runs.iterdir() if folder.name != "original"),

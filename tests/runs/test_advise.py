@@ -106,6 +106,9 @@ def test_refusals():
             (("--error", "0.1", "--quantities", "probe_tap/u"), 2,
              "--quantities probe_tap/u", "probe_top"),
             (("--error", "0.1", "--quantities", "stress"), 2, "mesh to mesh"),
+            (("--error", "0.1", "--quantities", "contact/closed_nodes"), 2,
+             "mesh to mesh"),
+            (("--error", "0.1", "--quantities", " , "), 2, "names no quantity"),
             (("--error", "0.1", "--quantities", "crack_tip/K_I"), 2,
              "Stress intensity"),
             ((), 2, "--error"),
@@ -138,6 +141,15 @@ def test_quantities():
     check(advice["reached"] and advice["counts"] == ["probe_top/u"]
           and advice["errors"]["probe_top/u"] <= 0.05, f"{advice['errors']}")
     check("| probe_top/u |" in (directory / "advice.md").read_text(), "its error")
+    check("of 0.05 in probe_top/u:" in (directory / "advised.prm").read_text(),
+          "what it is good for")
+
+    for name in ("probe_top/opening", "probe_inside/u_3"):
+        _, _, error = advise("not_written", "--error", "0.05", "--quantities", name,
+                             *SETTINGS, status=2)
+        check(f"--quantities {name}: the scene does not write it" in error, error)
+        runs = list(pathlib.Path("results/not_written/runs").iterdir())
+        check(len(runs) <= 2, f"found out late, after {len(runs)} runs")
 
 
 def test_nothing_moves():
@@ -154,7 +166,7 @@ def test_coarse_cells_are_refused():
         "tip", "--error", 0.05, "--quantities", "crack_tip/K_I", "--set",
         "Crack tip/Stress intensity=true", "--set",
         "Geometry/Crack length=0.75", scene=scene)
-    check("q1_0__own_steps" in output and "refused" in output, output)
+    check("q1_0__sdirk2_10__one_period" in output and "refused" in output, output)
     check("The scene with its own settings: refused" in output, output)
     advice = json.loads((directory / "advice.json").read_text())
     check(advice["reached"] and advice["errors"]["crack_tip/K_I"] <= 0.05,

@@ -447,8 +447,14 @@ CASES = [
          ["Periodic state/Method=anderson",
           "Periodic state/Anderson depth=1000000000"]),
     Case("mesh_that_no_memory_holds", 2,  # refused before it is made
-         [r"\[Geometry\]: a mesh of about 1\.6e\+07 cells \(4\.8e\+07 unknowns\) "
-          r"needs at least \S+ GB of memory with the linear solver amg \("],
+         [r"\[Geometry\]: a mesh of about 19660800 cells \(471859200 unknowns\) "
+          r"needs at least \S+ GB of memory with the linear solver gmg"],
+         IN_SPACE + ["Geometry/Subdivisions=10, 10, 6", "Geometry/Refinements=5",
+                     "Discretisation/Degree=2", "Linear solver/Type=gmg",
+                     "Loads/Traction=", "Output/Probes="]),
+    Case("mesh_that_ml_cannot_count", 2,  # nor this one
+         [r"\[Linear solver\] Type: amg is at its end with about 3888 million "
+          r"entries .* the mesh has 4\.8e\+07 unknowns.* at least 8 processes"],
          IN_SPACE + ["Geometry/Subdivisions=400, 400, 100", "Loads/Traction=",
                      "Output/Probes="]),
     Case("comparison_without_memory", 2,
@@ -483,6 +489,11 @@ CASES = [
           r"\[Boundary\] Clamped, Symmetry or Fixed points",
           r'--set "Boundary/Fixed points=0, 0"'],
          ["Boundary/Fixed points=none"]),
+    Case("free_mesh", 3,
+         [r"rigid one:\n(.*\n)+Contact .* Boundary ids of the mesh that have no role: "
+          r"0, 1\."],
+         ["Boundary/Symmetry=none", "Boundary/Loaded=3", "Boundary/Contact=2"],
+         scene=MESH_SCENE),
     Case("free_rotation", 3,
          [r"rigid one:\n  rotation in the plane x1-x2 about \(0\.5, 0\)\n"
           "Contact"],
@@ -715,7 +726,7 @@ UNUSED = [  # settings, and the warnings that they give
     (["Loads/Temperature=t"],
      [r"\[Loads\] Temperature = t is not used: \[Material\] Thermal expansion "
       "= 0, and no coefficient depends on theta"]),
-    (["Loads/Temperature=t", "Material/Relaxation time=60+theta"], []),
+    (["Loads/Temperature=sin(2*pi*t/600)", "Material/Relaxation time=60+theta"], []),
     (["Contact/Relaxation factor=1.5", "Contact/Relaxed together=node"],
      [r"\[Contact\] Relaxation factor = 1\.5 is not used: Solver = automatic",
       r"\[Contact\] Relaxed together = node is not used: Solver = automatic"]),
@@ -739,7 +750,15 @@ UNUSED = [  # settings, and the warnings that they give
     # Used, but hardly meant.
     (["Material/Thermal expansion=1e-3", "Loads/Temperature=0.5*t*(1+x)"],
      [r"\[Material\] Thermal expansion and \[Loads\] Temperature: the thermal "
-      r"strain is up to 0\.5\d+; the theory is one of small strains"]),
+      r"strain is up to 0\.5\d+; the theory is one of small strains",
+      r"\[Loads\] Period = 600: loads or material jump"]),
+    (["Loads/Period=1", "Material/Relaxation time=1", "Periodic state/Secular split=on"],
+     [r"\[Loads\] Period = 1: loads or material jump where the period ends and t "
+      "begins anew, though no formula has a jump in it"]),
+    # A jump that is meant, and a rounded pi.
+    (["Loads/Traction=0; if(t < 300, 1, -1)"], []),
+    (["Loads/Traction=0; sin(2*3.1416*t/600)", "Periodic state/Secular split=off"],
+     []),
     (["Loads/Traction=0; sin(2*pi*t/60)"],
      [r"\[Time integration\]: within a step the loads differ by 100 % of their "
       r"largest .* Raise Steps per period",
@@ -783,6 +802,12 @@ def test_unused_parameters():
     check(status == 0, error)
     check("warning: [Geometry] Thickness" in (results / "log.txt").read_text(),
           "log.txt lacks the warning")
+
+    status, output, error = execute(scene, "--output", "results/soft", "--set",
+                                    "Material/Young modulus=1e-3")
+    check(status == 0, error)
+    check(re.search(r"Beware: displacements reach \d+\.\d+, and the body is 1\.414",
+                    output), output)
 
     # used.prm sets everything, but only what differs from the default counts.
     check(len(warnings_of(results / "used.prm")) == 1, "used.prm")

@@ -29,7 +29,8 @@ namespace Crevasse
 {
   /**
    * `crevasse advise`: finds the cheapest settings with which a scene reaches
-   * an error in the histories of its probes, and writes them as a scene.
+   * an error in the histories of its probes, or of other quantities, and writes
+   * them as a scene.
    *
    * Errors in time and in space are searched one after the other, the first on
    * a coarse mesh, the second with few steps, and put together by AdvisePairs.
@@ -56,9 +57,10 @@ namespace Crevasse
     AdvisePairs
     find();
 
-    /** The first of a family's meshes on which the scene is not refused. */
+    /** The first of a family's meshes on which the scene is not refused, with
+     * steps that are stable whatever their length. */
     const AdviseCandidate &
-    coarsest_mesh(const AdviseFamily &meshes);
+    coarsest_mesh(const AdviseFamily &meshes, const AdviseFamily &stable_steps);
 
     /** The point in time that candidates in space are run with. */
     std::size_t

@@ -26,6 +26,7 @@ namespace Crevasse
     std::string           name; ///< in the names of folders
     std::string           text; ///< for people
     std::vector<Override> settings;
+    std::string           scheme; ///< of the time integration; none in space
   };
 
   /** Candidates of one kind, each more accurate than the one before it and
@@ -57,6 +58,11 @@ namespace Crevasse
    * by tolerance. */
   std::vector<AdviseFamily>
   families_in_time(const Scene &scene);
+
+  /** Those of a scheme, which must be among them. */
+  const AdviseFamily &
+  family_of(const std::string               &scheme,
+            const std::vector<AdviseFamily> &in_time);
 
   /** Elements of both degrees on meshes that are halved, graded to the tip,
    * adapted, or with singular functions: those that make sense at all. */

@@ -41,6 +41,7 @@ namespace Crevasse
     const AdviseRun *run       = nullptr;
     const AdviseRun *reference = nullptr; ///< finer; null if none could be run
     double           error     = 0.;      ///< against this, or predicted
+    double           shared    = 0.;      ///< part that both have, estimated
   };
 
   /**

@@ -85,7 +85,8 @@ namespace Crevasse
     double
     difference(const AdviseRun &one, const AdviseRun &reference);
 
-    /** @throw NumericalError if all histories of a run are zero. */
+    /** @throw SceneError if a run does not write one that is compared.
+     * @throw NumericalError if all of them are zero. */
     void
     require_histories(const AdviseRun &run) const;
 

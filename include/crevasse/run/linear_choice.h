@@ -49,6 +49,16 @@ namespace Crevasse
   template <int dim>
   double
   n_matrix_entries(const double n_rows, const unsigned int degree);
+
+  /** ML counts the entries of a process with 32 bits.
+   * @param n_own_unknowns of the process with most.
+   * @throw SceneError if they are more than it can do with. */
+  template <int dim>
+  void
+  require_work_for_ml(const double       n_own_unknowns,
+                      const double       n_unknowns,
+                      const unsigned int degree,
+                      const unsigned int n_ranks);
 } // namespace Crevasse
 
 #endif

@@ -23,7 +23,8 @@ namespace Crevasse
    * cannot takes minutes, or all memory. Counts what surely is needed, mesh and
    * linear solver; describe_memory() knows more, once there is a mesh.
    * Collective.
-   * @throw SceneError if the machine has less than that left. */
+   * @throw SceneError if the machine has less than that left, or the linear
+   * solver can do with fewer unknowns only. */
   template <int dim>
   void
   require_room(const Scene      &scene,

@@ -82,8 +82,8 @@ namespace Crevasse
     stress_rounding() const;
 
   private:
-    /** Keeps the largest stress and viscous strain of the run. */
-    struct LargestStress;
+    /** Keeps the largest stress, displacement and viscous strain of the run. */
+    struct Extremes;
 
     template <typename Derived, typename... Arguments>
     Derived *
@@ -98,6 +98,8 @@ namespace Crevasse
     finish_drift(Summary &summary) const;
     void
     finish_comparison(Summary &summary) const;
+    void
+    beware_of_large_displacements() const;
 
     /** summary.json "secular": when the lip is free of the flow's start. */
     void
@@ -123,7 +125,7 @@ namespace Crevasse
     ElasticComparison *comparison      = nullptr;
     CrackTipTable     *crack_tip_table = nullptr;
     FieldWriter<dim>  *fields          = nullptr;
-    LargestStress     *largest_stress  = nullptr;
+    Extremes          *extremes        = nullptr;
     ProblemExport     *problem_export  = nullptr;
   };
 } // namespace Crevasse

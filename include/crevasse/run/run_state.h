@@ -38,9 +38,10 @@ namespace Crevasse
     Vector displacement;   ///< zero in constrained entries
 
     SolverStatistics              solvers;
-    std::size_t                   rate_evaluations = 0;
-    double                        largest_stress   = 0.;
-    double                        largest_opening  = 0.;
+    std::size_t                   rate_evaluations     = 0;
+    double                        largest_stress       = 0.;
+    double                        largest_displacement = 0.;
+    double                        largest_opening      = 0.;
     std::map<std::string, double> seconds; ///< of each phase
 
     /** How many methods were tried in vain on this mesh. */
