@@ -278,9 +278,6 @@ namespace Crevasse
           " with: give a run that is accurate enough, --reference "
           "\"Section/Name=value\", or a closed form, --exact \"" +
           quantity.name + "=formula of t\".");
-    if (all.empty() && !request.error.empty())
-      throw SceneError(option + ' ' + Text::shorten(request.error) +
-                       ": names no quantity.");
     if (all.empty())
       throw SceneError(
         "There is nothing to compare with: give a run that is accurate "

@@ -108,7 +108,7 @@ def test_refusals():
             (("--error", "0.1", "--quantities", "stress"), 2, "mesh to mesh"),
             (("--error", "0.1", "--quantities", "contact/closed_nodes"), 2,
              "mesh to mesh"),
-            (("--error", "0.1", "--quantities", " , "), 2, "names no quantity"),
+            (("--error", "0.1", "--quantities", ","), 2, "is no quantity"),
             (("--error", "0.1", "--quantities", "crack_tip/K_I"), 2,
              "Stress intensity"),
             ((), 2, "--error"),

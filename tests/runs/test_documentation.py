@@ -24,6 +24,9 @@ def blocks(text, language):
     return re.findall(rf"^```{language}\n(.*?)^```$", text, re.M | re.S)
 
 
+FIRST_SCENE, OWN_MESH = blocks(SCENES, "prm")
+
+
 def program_commands(text):
     """The arguments of each "build/crevasse ..." in blocks of shell commands
     and between backticks, with its exit status: that of a comment "status N",
@@ -70,7 +73,7 @@ def test_readme():
 def test_getting_started():
     """What it shows is what is printed."""
     text = page("doc/getting_started.md")
-    pathlib.Path("first.prm").write_text(*blocks(SCENES, "prm"))
+    pathlib.Path("first.prm").write_text(FIRST_SCENE)
     printed = set()
     for arguments, status in program_commands(text):
         output = output_of(arguments, status)
@@ -100,8 +103,8 @@ def test_scenes_named():
 
 
 def test_first_scene():
-    (prm,), (json,) = blocks(SCENES, "prm"), blocks(SCENES, "json")
-    results = run(prm, "first_prm")
+    json, = blocks(SCENES, "json")
+    results = run(FIRST_SCENE, "first_prm")
     check(results.summary["converged"], "the first scene becomes periodic")
     pathlib.Path("first.json").write_text(json)
     others = run("first.json", "first_json")
@@ -109,10 +112,18 @@ def test_first_scene():
         check((results.directory / name).read_bytes()
               == (others.directory / name).read_bytes(),
               f"the scene and its JSON differ: {name}")
-    pathlib.Path("first.prm").write_text(prm)
+    pathlib.Path("first.prm").write_text(FIRST_SCENE)
     for arguments, status in program_commands(SCENES):
         output_of(arguments, status)
     check_described(results)
+
+
+def test_own_mesh():
+    """With material, loads and output of the first scene."""
+    shutil.copy(SOURCE / "tests/meshes/edge_crack_4.msh", ".")
+    results = run(OWN_MESH + FIRST_SCENE, "own_mesh")
+    check(results.summary["contact_nodes"] > 0
+          and any(results.table("contact.csv")["closed_nodes"]), "its lip closes")
 
 
 # Runs that write all that there is to be written, all as small as can be.
@@ -158,9 +169,8 @@ KINDS = {
 
 
 def test_all_kinds():
-    prm, = blocks(SCENES, "prm")
     silent = {f"{item} ({name})" for name, settings in KINDS.items()
-              for item in not_described(run(prm, name, settings))}
+              for item in not_described(run(FIRST_SCENE, name, settings))}
     check(not silent, "doc/output.md does not explain\n"
           + "\n".join(sorted(silent)))
 
@@ -224,4 +234,5 @@ test_scenes_named()
 test_readme()
 test_getting_started()
 test_first_scene()
+test_own_mesh()
 test_all_kinds()
