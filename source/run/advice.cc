@@ -174,6 +174,9 @@ namespace Crevasse
                             advised("Periodic state/Start from=rest"),
                             advised("Periodic state/Tolerance=0"),
                             advised("Periodic state/Maximum periods=1")}}));
+        // What is not written is told before much is computed.
+        if (trial.usable())
+          runs.require_histories(trial);
         if (trial.result.status != "refused")
           return mesh;
       }

@@ -141,7 +141,7 @@ def test_quantities():
     check(advice["reached"] and advice["counts"] == ["probe_top/u"]
           and advice["errors"]["probe_top/u"] <= 0.05, f"{advice['errors']}")
     check("| probe_top/u |" in (directory / "advice.md").read_text(), "its error")
-    check("of 0.05 in probe_top/u:" in (directory / "advised.prm").read_text(),
+    check("0.05 in probe_top/u:" in (directory / "advised.prm").read_text(),
           "what it is good for")
 
     for name in ("probe_top/opening", "probe_inside/u_3"):
