@@ -17,6 +17,7 @@
 #include <crevasse/run/output_choice.h>
 #include <crevasse/run/parameter_sweep.h>
 #include <crevasse/run/scene_difference.h>
+#include <crevasse/run/stop_request.h>
 #include <crevasse/run/version.h>
 #include <crevasse/scene/collectively.h>
 #include <crevasse/scene/problems.h>
@@ -224,8 +225,8 @@ namespace
 
 
 
-  constexpr int requests_to_stop[] = {SIGTERM, SIGINT, SIGHUP};
-  bool          ignored[std::size(requests_to_stop)];
+  /** Those of signals_to_stop that the program was begun to ignore. */
+  bool ignored[std::size(signals_to_stop)];
 
 
 
@@ -234,10 +235,10 @@ namespace
   void
   note_ignored_signals(int, char **, char **)
   {
-    for (std::size_t i = 0; i < std::size(requests_to_stop); ++i)
+    for (std::size_t i = 0; i < std::size(signals_to_stop); ++i)
       {
         struct sigaction action = {};
-        sigaction(requests_to_stop[i], nullptr, &action);
+        sigaction(signals_to_stop[i], nullptr, &action);
         ignored[i] = action.sa_handler == SIG_IGN;
       }
   }
@@ -271,8 +272,8 @@ main(int argc, char **argv)
   // Whoever reads the log may end before the run does; Open MPI has its own
   // mind about this.
   std::signal(SIGPIPE, SIG_IGN);
-  for (std::size_t i = 0; i < std::size(requests_to_stop); ++i)
+  for (std::size_t i = 0; i < std::size(signals_to_stop); ++i)
     if (ignored[i])
-      std::signal(requests_to_stop[i], SIG_IGN);
+      std::signal(signals_to_stop[i], SIG_IGN);
   return run_guarded(command);
 }

@@ -60,19 +60,23 @@ namespace Crevasse
         coordinates.from_strain(r, image);
         // Of steps that are rounding nothing is to be learned.
         constexpr double rounding = 1e-11;
-        if (number > 0 && last_step > rounding * image.l2_norm())
+        const double     smallest = rounding * image.l2_norm();
+        if (number > 0 && last_step > smallest)
           remember_change(change);
 
         last_residual = distance(image, start);
-        next          = image;
+        const bool rests =
+          number > 0 && last_step <= smallest && last_residual <= smallest;
+        next = image;
         if (number >= settings.delay)
           {
             acceleration.add(start, image);
             acceleration.extrapolate(next);
             restart_if_stagnant(image, next);
           }
-        last_step          = distance(next, start);
-        const double error = estimated_error();
+        last_step = distance(next, start);
+        const double error =
+          rests ? settings.slowness * change : estimated_error();
         periods.report(error);
         // After a leap steps say nothing of the stress.
         constexpr double leap = 0.1;

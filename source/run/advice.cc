@@ -136,8 +136,7 @@ namespace Crevasse
     if (runs.n_that_count() == 0)
       throw NumericalError(
         "advise: no history that is compared converges as the cells are "
-        "halved, "
-        "so that there is no error that could be reached: " +
+        "halved, so that there is no error that could be reached: " +
         Text::join(in_space->notes(), "; "));
 
     log.line("Both together:");

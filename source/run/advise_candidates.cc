@@ -39,7 +39,6 @@ namespace Crevasse
     AdviseFamily
     equal_steps(const Scene       &scene,
                 const std::string &scheme,
-                const std::string &short_name,
                 const bool         locate_events)
     {
       AdviseFamily family;
@@ -49,7 +48,7 @@ namespace Crevasse
         {
           const std::string n = std::to_string(fewest_steps(scene) << level);
           AdviseCandidate   candidate;
-          candidate.name     = short_name + "_" + n;
+          candidate.name     = scheme + "_" + n;
           candidate.scheme   = scheme;
           candidate.text     = family.text + ", " + n + " steps a period";
           candidate.settings = {
@@ -199,10 +198,10 @@ namespace Crevasse
   families_in_time(const Scene &scene)
   {
     const bool contact = has_lip(scene);
-    return {equal_steps(scene, "heun", "heun", false),
-            equal_steps(scene, "rk4", "rk4", contact),
-            equal_steps(scene, "sdirk2", "sdirk2", false),
-            equal_steps(scene, "trapezoid", "trapezoid", false),
+    return {equal_steps(scene, "heun", false),
+            equal_steps(scene, "rk4", contact),
+            equal_steps(scene, "sdirk2", false),
+            equal_steps(scene, "trapezoid", false),
             steps_by_tolerance(scene)};
   }
 

@@ -47,7 +47,6 @@ namespace Crevasse
     /** ML counts with 32 bits: where a process had 0.9e9 entries it wrote
      * beyond its arrays (Trilinos 13.2), with 0.5e9 it worked. */
     constexpr double most_entries_of_ml = 0.5e9;
-
   } // namespace
 
 

@@ -30,10 +30,10 @@ namespace Crevasse
 
 
 
-    /** The load that counts as none beside this one. */
+    /** The size of what the mean load is a mean of. */
     template <int dim>
     double
-    negligible_load(const Body<dim> &body, const double period)
+    largest_weighted_load(const Body<dim> &body, const double period)
     {
       constexpr unsigned int n_samples = 512;
       Vector                 loads;
@@ -48,7 +48,7 @@ namespace Crevasse
                      loads.linfty_norm() /
                        body.law.viscosity_factor().value(Point<dim>(), t));
         }
-      return rounding * largest;
+      return largest;
     }
 
 
@@ -87,13 +87,16 @@ namespace Crevasse
     std::string
     missed_by_steps(const Body<dim>  &body,
                     const Vector     &mean_load,
+                    const double      largest_load,
                     const StepList   &steps,
                     const Integrator &integrator)
     {
-      constexpr double tolerable = 0.1; // Euler's error of coarse steps
-      Vector           missed    = mean_load_of_steps(body, steps, integrator);
+      constexpr double tolerable  = 0.1; // Euler's error of coarse steps
+      constexpr double hardly_any = 1e-3;
+      Vector           missed     = mean_load_of_steps(body, steps, integrator);
       missed -= mean_load;
-      const double part = missed.linfty_norm() / mean_load.linfty_norm();
+      const double mean = mean_load.linfty_norm();
+      const double part = missed.linfty_norm() / mean;
       if (part <= tolerable)
         return "";
       std::ostringstream text;
@@ -106,6 +109,10 @@ namespace Crevasse
         << " %, and so do beta and what is marched. Something changes within "
            "less than a step. Take more steps, or [Time integration] Step "
            "control = list with instants where it changes.";
+      if (mean <= hardly_any * largest_load)
+        text
+          << " Or is it meant to vanish? It is " << mean / largest_load
+          << " of the largest load: a pi written with few digits leaves one.";
       return text.str();
     }
 
@@ -142,7 +149,6 @@ namespace Crevasse
                             const Viscosity<dim>     &viscosity,
                             const MaterialState<dim> &material)
     {
-      constexpr double  rounding     = 1e-12;
       const auto       &eta          = viscosity.sum;
       const auto       &K            = *material.stiffness;
       const std::size_t n_points     = body.points.n_local_points();
@@ -216,25 +222,21 @@ namespace Crevasse
     body.loads.mean(body.law.viscosity_factor(),
                     scene.loads.period,
                     split.mean_load);
-    effect.on =
-      split.mean_load.linfty_norm() > negligible_load(body, scene.loads.period);
-    split.is_split = effect.on && (wish == "on" || needs_periodic_strain);
+    const double largest = largest_weighted_load(body, scene.loads.period);
+    effect.on            = split.mean_load.linfty_norm() > rounding * largest;
+    split.is_split       = effect.on && (wish == "on" || needs_periodic_strain);
     effect.why =
       !effect.on ? "the mean load vanishes"
       : split.is_split
         ? "the mean load does not vanish: its flow is split off"
         : "the mean load does not vanish: beta is found, not split off";
     if (!effect.on && scene.time_integration.step_control != "adaptive")
-      split.warning =
-        seen_by_steps(body,
-                      negligible_load(body, scene.loads.period) / rounding,
-                      steps,
-                      *integrator);
+      split.warning = seen_by_steps(body, largest, steps, *integrator);
     // Adaptive steps are found where the loads are.
     if (!effect.on || scene.time_integration.step_control == "adaptive")
       return split;
     const std::string missed =
-      missed_by_steps(body, split.mean_load, steps, *integrator);
+      missed_by_steps(body, split.mean_load, largest, steps, *integrator);
     if (!missed.empty() && split.is_split)
       throw SceneError(setting + ": " + missed);
     if (!missed.empty())

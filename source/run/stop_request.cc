@@ -29,10 +29,6 @@ namespace Crevasse
 
 
 
-    constexpr int requests_to_stop[] = {SIGTERM, SIGINT, SIGHUP};
-
-
-
     /** What is left of the time since the program began; 0: any. */
     double
     time_left(const double wall_time)
@@ -135,7 +131,7 @@ namespace Crevasse
   {
     asked_to_stop = asked_to_write = 0;
     time_of_first                  = 0;
-    for (const int signal : requests_to_stop)
+    for (const int signal : signals_to_stop)
       {
         struct sigaction before = {};
         sigaction(signal, nullptr, &before);

@@ -82,6 +82,14 @@ SCENES = {
         "Output/Probes=mouth: 50, 0; inside: 30, 20; far: 10, 80"], 2e-2,
         ["Time integration/Scheme=sdirk2", f"{STEPS}=192",
          "Time integration/Locate contact events=false"]),
+    # The lip closes and opens from the mouth, in bending.
+    "bent to and fro": (PRM / "raous1980_body.prm", [
+        "Geometry/Subdivisions=8, 4", "Contact/Solver=automatic",
+        "Material/Plane state=plane strain", "Material/Poisson ratio=0.3",
+        "Material/Relaxation time=300",
+        "Loads/Traction=0; 20*(x - 0.4)*sin(2*pi*t/600) + 2*sin(6*pi*t/600)",
+        "Periodic state/Tolerance=0", "Periodic state/Maximum periods=3",
+        "Output/Probes=above: 0.75, 0.25; top: 0.5, 1; side: 0, 0.5"], 1e-2),
     "late closing": (ROOT / "tests/hard/late_closing.prm", [
         "Geometry/Subdivisions=4, 4", "Loads/Traction=-10*(1 + y*cos(2*pi*t/60)); 0",
         "Output/Probes=end: 0.5, 0; body: 0.3, 0.6"], 5e-3),

@@ -215,6 +215,19 @@ def test_start_from_fourier():
         check(n["fourier"] <= 0.7 * n["rest"], "fewer periods")
 
 
+def test_exact_start():
+    """A lip that stands open, in a body that forgets slowly: the start is the
+    fixed point but for rounding, of which no method makes periods."""
+    settings = [traction("0; 70 - 60*cos(2*pi*t/600)")] + relaxation(500)
+    for name in ("march", "anderson"):
+        for scheme in ("heun", "sdirk2"):
+            found = compute("found", settings + method(
+                name, scheme, 1e-6, start="fourier", split="on"))
+            check_below(found.summary["periods"], 2,
+                        f"{name}, {scheme}: periods")
+            check_below(estimate(found), 1e-6, "estimated error")
+
+
 def test_without_contact():
     """The number of periods that is known beforehand is enough."""
     for tau in ("600", "if(x < 0.5, 300, 1800)"):
@@ -286,5 +299,6 @@ if __name__ == "__main__":
     test_without_contact()
     test_march_with_split()
     test_start_from_fourier()
+    test_exact_start()
     test_onset()
     test_few_steps()

@@ -416,6 +416,12 @@ print(message)
 check(status == 2 and "is not the one that the time steps see" in message,
       "a missed part of the mean is refused")
 
+# A load that is meant to have no mean, with a rounded pi.
+status, output, _ = execute("--check", RAOUS, *overrides(
+    ["Loads/Traction=0; 10*sin(2*3.1416*t/600)"]))
+check(status == 0 and "Or is it meant to vanish?" in output,
+      "a mean load that is hardly any is told to be")
+
 # beta does not depend on how the viscosity is written: in tau or in eta_0.
 rates = [run(RAOUS, "written", [
     "Loads/Traction=0; 10*sin(2*pi*t/600)+1", "Periodic state/Maximum periods=1",

@@ -33,7 +33,9 @@ namespace Crevasse
    * the step to its start, which the acceleration extrapolates from all that it
    * remembers, and what it cannot explain, or what the residual stands for
    * where the slowest point forgets at its own pace; times the change of stress
-   * that the last steps have made.
+   * that the last steps have made. From a start that is the fixed point but for
+   * rounding no step tells anything: then it is the change of stress from
+   * period to period, as if it went on at the slowest point's pace.
    */
   template <int dim>
   class Anderson : public PeriodicMethod

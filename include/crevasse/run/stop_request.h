@@ -24,6 +24,11 @@
 
 namespace Crevasse
 {
+  /** Signals that ask a run to end. */
+  constexpr int signals_to_stop[] = {SIGTERM, SIGINT, SIGHUP};
+
+
+
   /** A run ends because it was asked to: no failure. The program ends with exit
    * status 5; the message says what was kept. */
   struct StoppedOnRequest : std::runtime_error
