@@ -319,6 +319,74 @@ namespace Crevasse
       advise->footer(advise_examples);
       return advise;
     }
+
+
+
+    /** Options of a run, beside those of the studies. */
+    void
+    add_run(CLI::App                 &app,
+            Command                  &command,
+            std::vector<std::string> &overrides)
+    {
+      app.add_option("scene",
+                     command.scene_file,
+                     "The scene: a .prm or .json file");
+      add_common_options(app, "results/<scene name>", command, overrides);
+      app.add_flag(
+        "--check",
+        command.check,
+        "Check the scene and report effects, boundaries, sizes, memory "
+        "and output directory; compute and write nothing");
+      app
+        .add_flag("--resume",
+                  command.resume,
+                  "Go on from the newest checkpoint of the output directory")
+        ->excludes("--check");
+      app
+        .add_flag(
+          "--force",
+          command.force,
+          "Replace the results of an earlier run, which are otherwise "
+          "moved into a folder earlier_1, earlier_2, ... beside the new "
+          "ones")
+        ->excludes("--check")
+        ->excludes("--resume");
+      app
+        .add_option("--print-parameters",
+                    command.print_format,
+                    "Print all parameters with their defaults and "
+                    "meanings: prm (the default), json or markdown")
+        ->type_name("FORMAT")
+        ->expected(0, 1)
+        ->check(print_format_problem);
+    }
+
+
+
+    /** What was asked for, of several things that exclude each other.
+     * @throw CLI::ParseError if it is none of them, or more than one. */
+    void
+    decide(const CLI::App &app,
+           const CLI::App &sweep,
+           const CLI::App &advise,
+           Command        &command)
+    {
+      const CLI::Option &scene = *app.get_option("scene");
+      const CLI::Option &print = *app.get_option("--print-parameters");
+      command.sweep            = sweep.parsed();
+      command.advise           = advise.parsed();
+      const bool study         = command.sweep || command.advise;
+      if ((command.sweep && command.advise) ||
+          (study && (!scene.empty() || !print.empty() || command.check ||
+                     command.resume || command.force)))
+        throw CLI::ParseError(
+          "\"sweep\" or \"advise\" comes first, and all else after it.",
+          CLI::ExitCodes::ExtrasError);
+      if (!print.empty() && command.print_format.empty())
+        command.print_format = "prm";
+      if (scene.empty() && print.empty() && !study)
+        throw CLI::RequiredError("A scene file");
+    }
   } // namespace
 
 
@@ -333,36 +401,7 @@ namespace Crevasse
                       "with one-sided contact on the crack lips.");
     app.set_version_flag("--version", "crevasse " CREVASSE_VERSION);
     app.footer(examples_and_statuses);
-    auto *scene = app.add_option("scene",
-                                 command.scene_file,
-                                 "The scene: a .prm or .json file");
-    add_common_options(app, "results/<scene name>", command, overrides);
-    app.add_flag(
-      "--check",
-      command.check,
-      "Check the scene and report effects, boundaries, sizes, memory "
-      "and output directory; compute and write nothing");
-    app
-      .add_flag("--resume",
-                command.resume,
-                "Go on from the newest checkpoint of the output directory")
-      ->excludes("--check");
-    app
-      .add_flag("--force",
-                command.force,
-                "Replace the results of an earlier run, which are otherwise "
-                "moved into a folder earlier_1, earlier_2, ... beside the new "
-                "ones")
-      ->excludes("--check")
-      ->excludes("--resume");
-    auto *print = app
-                    .add_option("--print-parameters",
-                                command.print_format,
-                                "Print all parameters with their defaults and "
-                                "meanings: prm (the default), json or markdown")
-                    ->type_name("FORMAT")
-                    ->expected(0, 1)
-                    ->check(print_format_problem);
+    add_run(app, command, overrides);
     const CLI::App *sweep  = add_sweep(app, command, overrides);
     const CLI::App *advise = add_advise(app, command, overrides);
     if (argc <= 1)
@@ -375,19 +414,7 @@ namespace Crevasse
     try
       {
         app.parse(argc, argv);
-        command.sweep    = sweep->parsed();
-        command.advise   = advise->parsed();
-        const bool study = command.sweep || command.advise;
-        if ((command.sweep && command.advise) ||
-            (study && (!scene->empty() || !print->empty() || command.check ||
-                       command.resume || command.force)))
-          throw CLI::ParseError(
-            "\"sweep\" or \"advise\" comes first, and all else after it.",
-            CLI::ExitCodes::ExtrasError);
-        if (print->count() > 0 && command.print_format.empty())
-          command.print_format = "prm";
-        if (scene->empty() && print->empty() && !study)
-          throw CLI::RequiredError("A scene file");
+        decide(app, *sweep, *advise, command);
         for (const std::string &text : overrides)
           command.overrides.push_back({text, "--set"});
       }

@@ -361,6 +361,22 @@ namespace Crevasse
                   history.largest(),
                   error);
     log.line(text);
+    warn_of_uncertainty(history, error, energy, summary, log);
+    if (history.c_star && *history.c_star > 0.)
+      log.line("  crack tip: C* = " + Text::from_number(*history.c_star));
+    if (growth_law != nullptr)
+      summarise_growth(history, tip, log);
+  }
+
+
+
+  void
+  CrackTipAnalysis::warn_of_uncertainty(const TipHistory &history,
+                                        const double      error,
+                                        const double      energy,
+                                        Summary          &summary,
+                                        Log              &log) const
+  {
     // A crack that stays closed has an intensity of rounding: the density of
     // the energy tells of which size others of its length would be.
     constexpr double large = 0.1, negligible = 1e-3;
@@ -381,11 +397,15 @@ namespace Crevasse
         summary["warnings"].push_back(warning);
         log.line("  warning: " + warning);
       }
-    if (history.c_star && *history.c_star > 0.)
-      log.line("  crack tip: C* = " + Text::from_number(*history.c_star));
-    if (growth_law == nullptr)
-      return;
+  }
 
+
+
+  void
+  CrackTipAnalysis::summarise_growth(const TipHistory &history,
+                                     Summary          &tip,
+                                     Log              &log) const
+  {
     const double growth = growth_law->per_cycle(history);
     tip["growth_law"]   = growth_law->description();
     tip["da_dN"]        = growth; // null if it is not finite

@@ -86,6 +86,18 @@ namespace Crevasse
     std::optional<double>
     c_star(const SecularFlow *flow) const;
 
+    /** @param energy the largest strain energy of the history. */
+    void
+    warn_of_uncertainty(const TipHistory &history,
+                        const double      error,
+                        const double      energy,
+                        Summary          &summary,
+                        Log              &log) const;
+
+    /** There is a growth law. */
+    void
+    summarise_growth(const TipHistory &history, Summary &tip, Log &log) const;
+
     /** 8μ/(κ + 1) at an instant within the period. */
     double
     modulus(const double t) const;
