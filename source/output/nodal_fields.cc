@@ -58,7 +58,7 @@ namespace Crevasse
 
     template <int dim>
     SymmetricTensor<2, dim>
-    in_plane(const SymmetricTensor<2, 3> &stress)
+    components_in_plane(const SymmetricTensor<2, 3> &stress)
     {
       SymmetricTensor<2, dim> part;
       for (unsigned int i = 0; i < dim; ++i)
@@ -138,7 +138,7 @@ namespace Crevasse
       const SymmetricTensor<2, 3> s              = deviator(stress);
       invariants.second_deviator_invariant(node) = 0.5 * (s * s);
 
-      const auto pairs = principal_stresses(in_plane<dim>(stress));
+      const auto pairs = principal_stresses(components_in_plane<dim>(stress));
       for (unsigned int d = 0; d < dim; ++d)
         {
           invariants.principal_stress[d](node) = pairs[d].first;

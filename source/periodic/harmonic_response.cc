@@ -21,7 +21,7 @@ namespace Crevasse
   namespace
   {
     /** Of a residual, relative to its right-hand side. */
-    constexpr double accuracy = 1e-12;
+    constexpr double linear_accuracy = 1e-12;
   } // namespace
 
 
@@ -55,7 +55,7 @@ namespace Crevasse
     std::vector<Vector> both;
     both.push_back(std::move(real));
     both.push_back(std::move(imaginary));
-    linear_solver.solve(both, accuracy * norm);
+    linear_solver.solve(both, linear_accuracy * norm);
     real      = both[0];
     imaginary = both[1];
     real *= inverse_factor.real();

@@ -27,7 +27,7 @@ namespace Crevasse
     constexpr std::size_t most_finalists = 12;
 
     // What one run of a pair, or of its reference, may be predicted to take.
-    constexpr double most_seconds = 1200.;
+    constexpr double most_seconds_of_pair = 1200.;
 
     // Predictions err: what a run of kinds that were run together before saves
     // must be more than noise, one of others may as well save what it seems to
@@ -215,7 +215,7 @@ namespace Crevasse
         {
           const AdvisePair pair{s, t};
           const double     seconds = predicted_seconds(pair);
-          if (seconds <= most_seconds)
+          if (seconds <= most_seconds_of_pair)
             pairs.push_back(pair);
           if (seconds < predicted_seconds(cheapest))
             cheapest = pair;

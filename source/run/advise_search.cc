@@ -22,7 +22,7 @@ namespace Crevasse
     constexpr double unknown_error = std::numeric_limits<double>::infinity();
 
     // Of the error that is looked for, what the reference may have.
-    constexpr double part_of_reference = 0.3;
+    constexpr double part_of_finest = 0.3;
 
     // What one run of a search may take.
     constexpr double most_unknowns = 3e5;
@@ -97,7 +97,7 @@ namespace Crevasse
       {
         const auto best = cheapest(error);
         const bool reference_is_good =
-          !all.empty() && all[finest].error <= part_of_reference * error;
+          !all.empty() && all[finest].error <= part_of_finest * error;
         auto next = to_be_looked_at(error);
         // On a coarse mesh steps that leave a little more cost next to nothing
         // to know, and may suit a mesh that leaves a little less.

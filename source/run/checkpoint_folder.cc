@@ -29,7 +29,7 @@ namespace Crevasse
   namespace
   {
     /** Of the files; what was written by another one cannot be read. */
-    constexpr int format = 3;
+    constexpr int format_version = 3;
 
     constexpr const char *manifest_file = "manifest.json";
     constexpr const char *being_written = ".new";
@@ -95,7 +95,7 @@ namespace Crevasse
     Summary
     as_json(const CheckpointManifest &manifest)
     {
-      Summary json   = {{"format", format},
+      Summary json   = {{"format", format_version},
                         {"version", CREVASSE_VERSION},
                         {"written", now()},
                         {"number", manifest.number},
@@ -264,7 +264,7 @@ namespace Crevasse
     if (text.substr(0, newline) != std::to_string(checksum(content)))
       throw FileError(file(number, manifest_file) + " has another checksum");
     const Summary json = Summary::parse(content);
-    if (json.at("format") != format)
+    if (json.at("format") != format_version)
       throw OtherFormat(
         "--resume: the checkpoint " + name(number) +
         " was written by version " + json.value("version", std::string("?")) +

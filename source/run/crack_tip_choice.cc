@@ -26,7 +26,7 @@ namespace Crevasse
 
   namespace
   {
-    constexpr double rounding = 1e-10;
+    constexpr double rounding_of_lines = 1e-10;
 
     /** Whether all branches have H = (τᵢK)⁻¹: then a shape of the stress stays
      * what it is. Of uniform values only. */
@@ -41,7 +41,7 @@ namespace Crevasse
             K * (material.plane_stress ? in_plane<2>((*fluidity)[0])
                                        : (*fluidity)[0]);
           if ((product - product[3][3] * unit).norm() >
-              rounding * product.norm())
+              rounding_of_lines * product.norm())
             return false;
         }
       return true;
@@ -110,9 +110,9 @@ namespace Crevasse
         for (const Line &b : lines)
           {
             const double cosine = a.normal * b.normal;
-            if (std::abs(cosine) > rounding && // parallel, or oblique
+            if (std::abs(cosine) > rounding_of_lines && // parallel, or oblique
                 std::abs(a.offset * (cosine > 0. ? 1. : -1.) - b.offset) >
-                  rounding * size)
+                  rounding_of_lines * size)
               return true;
           }
 
@@ -124,16 +124,16 @@ namespace Crevasse
             {
               bool is_free = true;
               for (const Line &line : lines)
-                if (std::abs(line.normal[d]) > 1. - rounding &&
+                if (std::abs(line.normal[d]) > 1. - rounding_of_lines &&
                     std::abs(line.normal * Tensor<1, 2>(fixed.point) -
-                             line.offset) <= rounding * size)
+                             line.offset) <= rounding_of_lines * size)
                   is_free = false;
               extra += is_free ? 1 : 0;
             }
       bool has_both = false;
       for (const Line &line : lines)
-        has_both =
-          has_both || std::abs(line.normal * lines.front().normal) < rounding;
+        has_both = has_both || std::abs(line.normal * lines.front().normal) <
+                                 rounding_of_lines;
       return extra > (lines.empty() ? 3u : (has_both ? 0u : 1u));
     }
 

@@ -40,7 +40,7 @@ namespace Crevasse
   all_ranks_arrive(const MPI_Comm communicator)
   {
     using namespace std::chrono;
-    constexpr seconds patience(10);
+    constexpr std::chrono::seconds patience(10);
 
     // Apart from whatever else the other ranks are communicating.
     MPI_Request request;

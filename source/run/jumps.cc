@@ -23,7 +23,7 @@ namespace Crevasse
   {
     // What is continuous changes by about 1e-10 of itself within the period;
     // from its end to its begin by more, where a formula has a rounded π.
-    constexpr double negligible           = 1e-6;
+    constexpr double negligible_within    = 1e-6;
     constexpr double negligible_at_border = 1e-4;
 
 
@@ -155,7 +155,7 @@ namespace Crevasse
         const double end    = steps.instant(k);
         const double t      = steps.within_period(end);
         const double before = steps.just_before(end);
-        const double least  = within ? negligible : negligible_at_border;
+        const double least  = within ? negligible_within : negligible_at_border;
         Vector       change = loads_at(body, t);
         change -= loads_at(body, before);
         if (change.linfty_norm() > least * largest_load ||

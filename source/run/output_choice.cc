@@ -30,8 +30,8 @@ namespace Crevasse
 
   namespace
   {
-    constexpr const char *parameter = "[Output directory] ";
-    constexpr const char *option    = "--output ";
+    constexpr const char *name_in_scenes = "[Output directory] ";
+    constexpr const char *option         = "--output ";
 
 
 
@@ -96,7 +96,7 @@ namespace Crevasse
       reason =
         std::string("cannot be written to (") + std::strerror(errno) + ")";
     if (!reason.empty())
-      throw FileError((from_command_line ? option : parameter) + path +
+      throw FileError((from_command_line ? option : name_in_scenes) + path +
                       ": results cannot be written there, because " +
                       part.string() + ' ' + reason +
                       ". Choose another one by --output DIR.");
@@ -213,8 +213,8 @@ namespace Crevasse
       {
         // Whoever looks after directories does not know who chose this one.
         std::string message = error.what();
-        if (from_command_line && message.rfind(parameter, 0) == 0)
-          message.replace(0, std::strlen(parameter), option);
+        if (from_command_line && message.rfind(name_in_scenes, 0) == 0)
+          message.replace(0, std::strlen(name_in_scenes), option);
         throw FileError(message);
       }
   }

@@ -26,7 +26,7 @@ namespace Crevasse
 
   namespace
   {
-    constexpr double rounding = 1e-12;
+    constexpr double rounding_of_means = 1e-12;
 
 
 
@@ -160,7 +160,7 @@ namespace Crevasse
       bool is_uniform = true;
       for (std::size_t p = 0; p < n_points && is_uniform; ++p)
         is_uniform =
-          (eta[p] - tau * K[p]).norm() <= rounding * tau * K[p].norm();
+          (eta[p] - tau * K[p]).norm() <= rounding_of_means * tau * K[p].norm();
       if (Utilities::MPI::min(is_uniform ? 1 : 0, communicator) == 0)
         return {};
       return tau;
@@ -223,8 +223,8 @@ namespace Crevasse
                     scene.loads.period,
                     split.mean_load);
     const double largest = largest_weighted_load(body, scene.loads.period);
-    effect.on            = split.mean_load.linfty_norm() > rounding * largest;
-    split.is_split       = effect.on && (wish == "on" || needs_periodic_strain);
+    effect.on = split.mean_load.linfty_norm() > rounding_of_means * largest;
+    split.is_split = effect.on && (wish == "on" || needs_periodic_strain);
     effect.why =
       !effect.on ? "the mean load vanishes"
       : split.is_split

@@ -32,7 +32,7 @@ namespace Crevasse
 
 
     std::string
-    quote(const std::string &text)
+    quote_vary(const std::string &text)
     {
       return "--vary \"" + Text::shorten(text) + "\": ";
     }
@@ -98,14 +98,14 @@ namespace Crevasse
       const std::string name   = parameter_name(text.substr(0, equals));
       if (equals == std::string::npos || name.empty())
         {
-          problems.add(quote(option) + form);
+          problems.add(quote_vary(option) + form);
           return;
         }
       const std::string              list   = text.substr(equals + 1);
       const std::vector<std::string> values = list_of_values(list);
       if (values.empty() ||
           std::find(values.begin(), values.end(), "") != values.end())
-        problems.add(quote(option) + name + " lacks a value; it " + form);
+        problems.add(quote_vary(option) + name + " lacks a value; it " + form);
       axis.parameters.push_back(name);
       axis.values.push_back(values);
     }
@@ -120,7 +120,7 @@ namespace Crevasse
         read_values(option, text, axis, problems);
       for (std::size_t k = 1; k < axis.values.size(); ++k)
         if (axis.values[k].size() != axis.values[0].size())
-          problems.add(quote(option) + axis.parameters[0] + " has " +
+          problems.add(quote_vary(option) + axis.parameters[0] + " has " +
                        std::to_string(axis.values[0].size()) + " values, but " +
                        axis.parameters[k] + " has " +
                        std::to_string(axis.values[k].size()) +
@@ -231,11 +231,11 @@ namespace Crevasse
         for (const std::string &name : all_axes.back().parameters)
           {
             if (std::find(names.begin(), names.end(), name) != names.end())
-              problems.add(quote(option) + name +
+              problems.add(quote_vary(option) + name +
                            " is varied twice; parameters that change together "
                            "belong into one --vary");
             if (name == "Output directory")
-              problems.add(quote(option) +
+              problems.add(quote_vary(option) +
                            "each point has a folder of its own below --output");
             names.push_back(name);
           }

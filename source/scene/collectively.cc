@@ -21,7 +21,7 @@ namespace Crevasse
   namespace
   {
     /** What becomes of an exception on its way to another rank. */
-    enum Kind : unsigned int
+    enum ErrorKind : unsigned int
     {
       no_error,
       scene_error,
@@ -32,7 +32,7 @@ namespace Crevasse
 
 
 
-    Kind
+    ErrorKind
     call(const std::function<void()> &f, std::string &message)
     {
       try

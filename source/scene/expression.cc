@@ -100,7 +100,7 @@ namespace Crevasse
 
 
     [[noreturn]] void
-    refuse(const std::string &formula, const std::string &reason)
+    refuse_formula(const std::string &formula, const std::string &reason)
     {
       throw SceneError("the formula \"" + Text::shorten(formula) +
                        "\" cannot be used: " + reason);
@@ -135,9 +135,9 @@ namespace Crevasse
     , parameter(parameter)
   {
     if (text.empty())
-      refuse(text, "it is empty.");
+      refuse_formula(text, "it is empty.");
     if (has_assignment(text))
-      refuse(text, "\"=\" assigns; use \"==\" to compare.");
+      refuse_formula(text, "\"=\" assigns; use \"==\" to compare.");
 
     mu::Parser &mu = parser->parser;
     try
@@ -161,16 +161,17 @@ namespace Crevasse
       }
     catch (const mu::Parser::exception_type &error)
       {
-        refuse(text, describe(error, allowed));
+        refuse_formula(text, describe(error, allowed));
       }
 
     if (mu.GetNumResults() > 1)
-      refuse(text,
-             "the comma makes it " + std::to_string(mu.GetNumResults()) +
-               " formulas; numbers have a decimal point, and components are "
-               "separated by semicolons.");
+      refuse_formula(
+        text,
+        "the comma makes it " + std::to_string(mu.GetNumResults()) +
+          " formulas; numbers have a decimal point, and components are "
+          "separated by semicolons.");
     if (variables.empty() && !std::isfinite(mu.Eval()))
-      refuse(text, "its value is not finite.");
+      refuse_formula(text, "its value is not finite.");
   }
 
 

@@ -20,15 +20,6 @@ namespace Crevasse
 {
   namespace
   {
-    /** Of the locale "C", as streams have it. */
-    bool
-    is_space(const char c)
-    {
-      return c == ' ' || (c >= '\t' && c <= '\r');
-    }
-
-
-
     /** A word as messages show it; a file may contain anything. */
     std::string
     quote(const std::string &word)
@@ -53,10 +44,10 @@ namespace Crevasse
   bool
   FileWords::read(std::string &word)
   {
-    while (position < text.size() && is_space(text[position]))
+    while (position < text.size() && Text::is_space(text[position]))
       line_of_reader += text[position++] == '\n' ? 1 : 0;
     const std::size_t begin = position;
-    while (position < text.size() && !is_space(text[position]))
+    while (position < text.size() && !Text::is_space(text[position]))
       ++position;
     word.assign(text, begin, position - begin);
     line_of_word = line_of_reader;

@@ -22,7 +22,7 @@ namespace Crevasse
   // parameter tables of the documentation.
   namespace
   {
-    const Patterns::Integer count(0);
+    const Patterns::Integer any_count(0);
     const Patterns::List    list_of_counts(Patterns::Integer(0));
     const Patterns::List    list_of_numbers(Patterns::Double{});
   } // namespace
@@ -82,7 +82,7 @@ namespace Crevasse
                       refinements,
                       "How often all cells are halved in each direction. "
                       "Allowed: an integer from 0 to 12",
-                      count);
+                      any_count);
   }
 
 
@@ -186,7 +186,7 @@ namespace Crevasse
                       degree,
                       "Polynomial degree of the finite elements. Allowed: 1 or "
                       "2",
-                      count);
+                      any_count);
     prm.add_parameter("Volumetric strain",
                       volumetric_strain,
                       "The change of volume that the strain has at a point: "
@@ -203,7 +203,7 @@ namespace Crevasse
       "one with the square root of r, which is needed where the viscous "
       "Poisson ratio is not the elastic one, 3: and that with the power 3/2. "
       "Allowed: 0 to 3",
-      count);
+      any_count);
   }
 
 
@@ -243,7 +243,7 @@ namespace Crevasse
                       "Iterations after which the solvers \"projected sor\" "
                       "(sweeps) and \"active set\" (sets) give up. Allowed: "
                       "an integer from 1 to 2147483647",
-                      count);
+                      any_count);
     prm.add_parameter("Relaxation table",
                       relaxation_table,
                       "Relaxation factors for which the iterations are counted "
@@ -312,7 +312,7 @@ namespace Crevasse
                       "with \"adaptive\" that of the longest steps, with the "
                       "schemes of arkode that of samples. Allowed: an "
                       "integer from 1 to 1000000",
-                      count);
+                      any_count);
     prm.add_parameter(
       "Step control",
       step_control,
@@ -395,7 +395,7 @@ namespace Crevasse
                       "Number of periods after which the search ends even if "
                       "the stress is not periodic. Allowed: an integer of at "
                       "least 0",
-                      count);
+                      any_count);
     prm.add_parameter("Tolerance",
                       tolerance,
                       "Estimated error of the stress, relative to the largest "
@@ -415,7 +415,7 @@ namespace Crevasse
                       anderson_delay,
                       "Periods that are marched before the first combination. "
                       "Allowed: an integer of at least 0",
-                      count);
+                      any_count);
     prm.add_parameter(
       "Harmonics",
       harmonics,

@@ -43,7 +43,7 @@ namespace Crevasse
 
 
     [[noreturn]] void
-    refuse(const std::string &file_name, const std::string &reason)
+    refuse_table(const std::string &file_name, const std::string &reason)
     {
       throw SceneError("[Loads] Temperature = " + file_name + ": " + reason);
     }
@@ -57,13 +57,13 @@ namespace Crevasse
       std::istringstream file(read_text_file(file_name));
       std::string        line;
       if (!std::getline(file, line))
-        refuse(file_name, "is empty.");
+        refuse_table(file_name, "is empty.");
       line.erase(std::remove_if(line.begin(), line.end(), ::isspace),
                  line.end());
       if (line != header<dim>())
-        refuse(file_name,
-               "line 1 must be \"" + header<dim>() + "\", not \"" +
-                 Text::shorten(line) + "\".");
+        refuse_table(file_name,
+                     "line 1 must be \"" + header<dim>() + "\", not \"" +
+                       Text::shorten(line) + "\".");
 
       std::vector<Row<dim>> rows;
       for (unsigned int number = 2; std::getline(file, line); ++number)
@@ -72,16 +72,16 @@ namespace Crevasse
             continue;
           const auto values = Text::to_numbers(line);
           if (!values || values->size() != dim + 2)
-            refuse(file_name,
-                   "line " + std::to_string(number) + " must be " +
-                     std::to_string(dim + 2) +
-                     " numbers separated by commas, not \"" +
-                     Text::shorten(line) + "\".");
+            refuse_table(file_name,
+                         "line " + std::to_string(number) + " must be " +
+                           std::to_string(dim + 2) +
+                           " numbers separated by commas, not \"" +
+                           Text::shorten(line) + "\".");
           rows.emplace_back();
           std::copy(values->begin(), values->end(), rows.back().begin());
         }
       if (rows.empty())
-        refuse(file_name, "has no rows below its header.");
+        refuse_table(file_name, "has no rows below its header.");
       return rows;
     }
 

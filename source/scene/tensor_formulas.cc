@@ -20,7 +20,8 @@ namespace Crevasse
 {
   namespace
   {
-    constexpr auto variables = Expression::Variables::space_time_and_material;
+    constexpr auto tensor_variables =
+      Expression::Variables::space_time_and_material;
 
 
 
@@ -63,7 +64,7 @@ namespace Crevasse
     for (const std::string &row : rows)
       {
         std::vector<Expression> entries =
-          Expression::parse_row(row, variables, parameter);
+          Expression::parse_row(row, tensor_variables, parameter);
         if (entries.size() != rows.size())
           throw SceneError("the row \"" + Text::shorten(row) + "\" must have " +
                            std::to_string(rows.size()) +
@@ -82,7 +83,7 @@ namespace Crevasse
                const std::string &parameter)
   {
     std::vector<Expression> formulas =
-      Expression::parse_row(text, variables, parameter);
+      Expression::parse_row(text, tensor_variables, parameter);
     const std::size_t n       = formulas.size();
     const bool        is_full = n == (dimension == 2 ? 4 : 6);
     if (n != 1 && !is_full && !(dimension == 2 && n == 3))

@@ -125,6 +125,14 @@ namespace Crevasse
 
 
     bool
+    is_space(const char character)
+    {
+      return character == ' ' || (character >= '\t' && character <= '\r');
+    }
+
+
+
+    bool
     is_control(const char character)
     {
       return std::iscntrl(static_cast<unsigned char>(character)) != 0;

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <boost/property_tree/xml_parser.hpp>
-#include <cctype>
 #include <filesystem>
 #include <sstream>
 
@@ -40,14 +39,6 @@ namespace Crevasse
             file_name + ": " +
             what.substr(std::min(what.find("cannot be read"), what.size())));
         }
-    }
-
-
-
-    bool
-    is_space(const char character)
-    {
-      return std::isspace(static_cast<unsigned char>(character)) != 0;
     }
 
 
@@ -240,7 +231,7 @@ namespace Crevasse
     if (format == "binary")
       {
         std::string text = array.data();
-        text.erase(std::remove_if(text.begin(), text.end(), is_space),
+        text.erase(std::remove_if(text.begin(), text.end(), Text::is_space),
                    text.end());
         return VtkData::decode(text, encoding, n_bytes);
       }

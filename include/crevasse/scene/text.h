@@ -48,6 +48,10 @@ namespace Crevasse
     std::string
     parameter(const std::string &section, const std::string &name);
 
+    /** Whether it is white space of the locale "C", as streams have it. */
+    bool
+    is_space(const char character);
+
     /** Whether it is a control character of ASCII, such as a tabulator. */
     bool
     is_control(const char character);
