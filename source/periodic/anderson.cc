@@ -84,7 +84,10 @@ namespace Crevasse
             !(number > 0 && change > leap))
           return Ending::converged;
         if (restarts > settings.most_restarts)
-          return Ending::stagnant;
+          {
+            coordinates.to_strain(next, r);
+            return Ending::stagnant;
+          }
         std::swap(start, next);
       }
     Vector next_strain(r);

@@ -54,6 +54,13 @@ namespace Crevasse
                 automatic +
                   "Secular split = off leaves what flows in the "
                   "viscous strain"};
+      if (scene.time_integration.scheme == "exponential")
+        return {"march",
+                false,
+                true,
+                automatic +
+                  "the steps of the exponential scheme flow "
+                  "steadily in their own way"};
       if (obstacles.empty() && scene.time_integration.scheme == "trapezoid" &&
           !scene.time_integration.locate_contact_events)
         return {"fourier",

@@ -69,8 +69,11 @@ namespace Crevasse
       for (unsigned int k = 0; k < steps.n_steps(); ++k)
         for (unsigned int i = 0; i < rule.nodes.size(); ++i)
           {
-            const double t = steps.within_period(steps.instant(k) +
-                                                 rule.nodes[i] * steps.step(k));
+            const double instant =
+              steps.instant(k) + rule.nodes[i] * steps.step(k);
+            const double t = rule.nodes[i] > 0. && steps.jumps_at(instant)
+                               ? steps.just_before(instant)
+                               : steps.within_period(instant);
             body.loads.evaluate(t, loads);
             mean.add(rule.weights[i] * steps.step(k) / steps.period() /
                        body.law.viscosity_factor().value(Point<dim>(), t),
@@ -230,6 +233,14 @@ namespace Crevasse
       : split.is_split
         ? "the mean load does not vanish: its flow is split off"
         : "the mean load does not vanish: beta is found, not split off";
+    if (split.is_split && scene.time_integration.scheme == "exponential")
+      throw SceneError(
+        "[Time integration] Scheme = exponential with [Periodic state] " +
+        std::string(wish == "on" ? "Secular split = on"
+                                 : "Method = " + scene.periodic_state.method) +
+        ": its steps flow steadily otherwise than the secular problem says, "
+        "and contact would depend on the difference. Use Method = march with "
+        "Secular split = automatic, or another scheme, such as sdirk2.");
     if (!effect.on && scene.time_integration.step_control != "adaptive")
       split.warning = seen_by_steps(body, largest, steps, *integrator);
     // Adaptive steps are found where the loads are.
@@ -241,6 +252,9 @@ namespace Crevasse
       throw SceneError(setting + ": " + missed);
     if (!missed.empty())
       split.warning = "[Periodic state] Secular split: " + missed;
+    // What is marched must not flow on by the error of the steps.
+    if (split.is_split && !integrator->quadrature().weights.empty())
+      split.mean_load = mean_load_of_steps(body, steps, *integrator);
     return split;
   }
 

@@ -175,9 +175,13 @@ AUTOMATIC = {
                   "march (automatic: whether the viscous strain is periodic"),
     "split off": (["Periodic state/Secular split=off"], "heun",
                   "march (automatic: Secular split = off"),
+    "exponential": ([], "exponential",
+                    "march (automatic: the steps of the exponential scheme"),
     "fast": (relaxation(0.05), "heun",
              "anderson (automatic: the stress is forgotten within a period"),
 }
+
+MARCHED = ("eta(t, x)", "exponential")  # anderson refuses them
 
 
 def test_automatic():
@@ -195,7 +199,7 @@ def test_automatic():
         if name in ("elastic", "split off"):
             continue
         plain = compute("plain", settings + method(
-            "march", scheme, 1e-9) if name == "eta(t, x)" else settings
+            "march", scheme, 1e-9) if name in MARCHED else settings
             + method("anderson", scheme, 1e-11))
         check_below(difference(plain, found), 3e-6, name + ": stress")
 
@@ -213,6 +217,42 @@ def test_start_from_fourier():
             check_below(difference(exact, found), 3e-4,
                         f"({name}), from {start}, {n[start]} periods")
         check(n["fourier"] <= 0.7 * n["rest"], "fewer periods")
+
+
+def test_mean_of_steps():
+    """A load with a kink or a jump within a step, whose mean the steps miss by some
+    per cent, opens a lip of one material for good: no method may press it."""
+    for load, other in (("max(0, 10*sin(2*pi*t/600)) - 1", "fourier"),
+                        ("if(t < 102.5, 12, -1)", "march")):
+        settings = [traction("0; " + load)] + relaxation(0.1)
+        exact = compute("exact", settings + method(other, tolerance=1e-9))
+        found = compute("found", settings + method("anderson", tolerance=1e-9))
+        check_below(difference(exact, found), 1e-8, f"{load}: {other} and anderson")
+        forces = found.summary["secular"]
+        check_below(abs(forces["mean_contact_force_of_last_period"]), 1e-7,
+                    "mean force on the lip")
+    refused = [traction("0; 10*sin(2*pi*t/600) + 1")] + method(
+        "anderson", "exponential")
+    try:
+        compute("refused", refused)
+        check(False, "exponential steps under a mean load are refused")
+    except Failure as failure:
+        check("exit status 2" in str(failure) and "flow steadily" in str(failure),
+              str(failure))
+
+
+def test_leap():
+    """Anderson leaps, stagnates, and march goes on from its best period."""
+    settings = [traction("0; 10*cos(2*pi*t/600)*(x-0.9)+0.1"),
+                "Material/Relaxation time=if(x<0.5,30682,11.0985)",
+                "Boundary/Gap=-0.00518054*(x-0.75)^2",
+                "Geometry/Subdivisions=8, 4",
+                "Material/Viscosity time factor=1-0.504045*cos(2*pi*t/600+1)",
+                *steps(80)]
+    exact = compute("exact", settings + method("march", "rk4", 1e-9))
+    found = compute("found", settings + method("automatic", "rk4", 1e-6))
+    check("stagnates" in log(found), "anderson stagnates, or take another scene")
+    check_below(difference(exact, found), 3e-6, "stress")
 
 
 def test_exact_start():
@@ -300,5 +340,7 @@ if __name__ == "__main__":
     test_march_with_split()
     test_start_from_fourier()
     test_exact_start()
+    test_mean_of_steps()
+    test_leap()
     test_onset()
     test_few_steps()
