@@ -288,7 +288,9 @@ namespace Crevasse
     archive.section("contact events");
     method->serialize(archive);
     archive.common(goes_on);
-    // Where the next step begins.
+    // Where the next step begins: an adaptive one may have been started already.
+    archive.at_points(begin.rate);
+    archive.on_bounds(begin.functions);
     archive.common(to.t);
     archive.at_points(to.r);
     archive.at_points(to.rate);

@@ -57,6 +57,10 @@ CASES = {
         "Time integration/Relative tolerance=1e-3"],
     "active set": REDISTRIBUTES + periods(4) + ["Contact/Solver=active set",
                                                 "Linear solver/Type=amg"],
+    "adaptive events": REDISTRIBUTES + periods(5) + [
+        "Time integration/Step control=adaptive",
+        "Time integration/Relative tolerance=1e-3",
+        "Time integration/Locate contact events=true"],
 }
 
 
