@@ -72,16 +72,14 @@ namespace Crevasse
           {
             acceleration.add(start, image);
             acceleration.extrapolate(next);
-            restart_if_stagnant(image, next);
+            if (!follow_drift(image, next))
+              restart_if_stagnant(image, next);
           }
         last_step = distance(next, start);
         const double error =
-          rests ? settings.slowness * change : estimated_error();
+          rests ? settings.slowness * change : estimated_error(change);
         periods.report(error);
-        // After a leap steps say nothing of the stress.
-        constexpr double leap = 0.1;
-        if (settings.tolerance > 0. && error <= settings.tolerance &&
-            !(number > 0 && change > leap))
+        if (settings.tolerance > 0. && error <= settings.tolerance)
           return Ending::converged;
         if (restarts > settings.most_restarts)
           {
@@ -110,6 +108,7 @@ namespace Crevasse
     archive.common(least_residual);
     archive.common(since_least);
     archive.common(restarts);
+    leaps.serialize(archive);
     archive.common(last_residual);
     archive.common(last_step);
     std::vector<double> changes(changes_per_step.begin(),
@@ -127,7 +126,33 @@ namespace Crevasse
     acceleration.clear();
     least_residual = std::numeric_limits<double>::infinity();
     since_least    = 0;
+    leaps.clear();
     changes_per_step.clear();
+  }
+
+
+
+  template <int dim>
+  bool
+  Anderson<dim>::follow_drift(const Vector &image, Vector &next)
+  {
+    if (!periods.strain_returns() || number == 0)
+      return false;
+    const double n_periods =
+      leaps.next(acceleration.unexplained_part(), last_residual);
+    if (n_periods > 0.)
+      {
+        next = start;
+        next.sadd(1. - n_periods, n_periods, image);
+        return true;
+      }
+    if (leaps.has_left())
+      {
+        acceleration.clear();
+        acceleration.add(start, image);
+        next = image;
+      }
+    return false;
   }
 
 
@@ -149,6 +174,7 @@ namespace Crevasse
         last_residual <= tolerable_rise * least_residual)
       return;
     acceleration.clear();
+    leaps.clear();
     next        = best_image;
     since_least = 0;
     ++restarts;
@@ -175,8 +201,9 @@ namespace Crevasse
 
   template <int dim>
   double
-  Anderson<dim>::estimated_error() const
+  Anderson<dim>::estimated_error(const double change) const
   {
+    constexpr double part_of_change = 0.1;
     if (last_step == 0.) // The map gives back what it was given.
       return 0.;
     if (changes_per_step.size() < 2)
@@ -184,8 +211,10 @@ namespace Crevasse
     const double distance =
       std::max(last_step + acceleration.unexplained_distance(),
                settings.slowness * last_residual);
-    return distance *
-           *std::max_element(changes_per_step.begin(), changes_per_step.end());
+    return std::max({distance * *std::max_element(changes_per_step.begin(),
+                                                  changes_per_step.end()),
+                     periods.return_defect(),
+                     part_of_change * change});
   }
 
 

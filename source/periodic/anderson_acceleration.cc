@@ -107,7 +107,8 @@ namespace Crevasse
       }
 
     x                    = last.image;
-    unexplained          = last.residual.l2_norm();
+    residual_norm        = last.residual.l2_norm();
+    unexplained          = residual_norm;
     const unsigned int n = differences.images.size();
     if (n == 0)
       return;
@@ -140,6 +141,14 @@ namespace Crevasse
 
 
 
+  double
+  AndersonAcceleration::unexplained_part() const
+  {
+    return residual_norm > 0. ? unexplained / residual_norm : 1.;
+  }
+
+
+
   void
   AndersonAcceleration::serialize(StateArchive &archive)
   {
@@ -153,5 +162,6 @@ namespace Crevasse
         archive.common(pair.slowness);
       }
     archive.common(unexplained);
+    archive.common(residual_norm);
   }
 } // namespace Crevasse

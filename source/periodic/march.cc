@@ -46,8 +46,9 @@ namespace Crevasse
             return Ending::converged;
           }
         // max() gives back its first argument if that is nan.
-        const double error = std::max(contraction.add(change, !is_first),
-                                      (slowness - 1.) * change);
+        const double error = std::max({contraction.add(change, !is_first),
+                                       (slowness - 1.) * change,
+                                       periods.return_defect()});
         periods.report(error);
         if (tolerance > 0. && error <= tolerance)
           return Ending::converged;

@@ -23,12 +23,14 @@ namespace Crevasse
     const std::vector<Observer *> &observers,
     const unsigned int             maximum_periods,
     const PeriodicResult          &before,
-    const bool                     is_comparable)
+    const bool                     is_comparable,
+    const ReturnDefect<dim>       *defect)
     : period_map(period_map)
     , n_solves(n_solves)
     , observers(observers)
     , maximum_periods(maximum_periods)
     , is_comparable(is_comparable)
+    , defect(defect)
     , history(period_map.steps().period())
     , so_far(before)
     , part(period_map.pauses(),
@@ -53,6 +55,12 @@ namespace Crevasse
     double seconds = seconds_before + timer.wall_time();
     archive.common(seconds);
     history.serialize(archive);
+    if (defect != nullptr)
+      {
+        archive.at_points(r_before);
+        archive.nodal(u_before);
+        archive.common(is_excused);
+      }
     for (Observer *observer : observers)
       observer->serialize(archive);
     if (archive.is_loading())
@@ -121,8 +129,16 @@ namespace Crevasse
   ObservedPeriods<dim>::compute(Vector &r)
   {
     begin_period();
+    if (defect != nullptr)
+      r_before = r;
     period_map.advance(so_far.periods, r, [this](const Sample &sample) {
       history.record(sample.instant, sample.state.stress);
+      if (defect != nullptr && sample.step == 0)
+        {
+          const Vector &u = sample.state.displacement;
+          is_excused = u_before.size() > 0 && defect->is_excused(u_before, u);
+          u_before   = u;
+        }
       show(sample);
     });
 
@@ -140,7 +156,28 @@ namespace Crevasse
             history.largest_stress(),
             n_solves() - solves_before,
             seconds_before + timer.wall_time()};
+    if (defect != nullptr)
+      so_far.return_defect =
+        is_excused ? 0. : (*defect)(r_before, r, last.largest_stress);
     return change;
+  }
+
+
+
+  template <int dim>
+  double
+  ObservedPeriods<dim>::return_defect() const
+  {
+    return so_far.return_defect;
+  }
+
+
+
+  template <int dim>
+  bool
+  ObservedPeriods<dim>::strain_returns() const
+  {
+    return defect != nullptr;
   }
 
 

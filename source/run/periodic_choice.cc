@@ -54,14 +54,14 @@ namespace Crevasse
                 automatic +
                   "Secular split = off leaves what flows in the "
                   "viscous strain"};
-      if (scene.time_integration.scheme == "exponential")
+      const std::string &scheme = scene.time_integration.scheme;
+      if (!flows_by_mean_load(scheme))
         return {"march",
                 false,
                 true,
-                automatic +
-                  "the steps of the exponential scheme flow "
-                  "steadily in their own way"};
-      if (obstacles.empty() && scene.time_integration.scheme == "trapezoid" &&
+                automatic + "the steps of Scheme = " + scheme +
+                  " flow steadily in their own way"};
+      if (obstacles.empty() && scheme == "trapezoid" &&
           !scene.time_integration.locate_contact_events)
         return {"fourier",
                 false,

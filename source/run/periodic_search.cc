@@ -30,12 +30,16 @@ namespace Crevasse
   PeriodicSearch<dim>::PeriodicSearch(const Scene          &scene,
                                       const Body<dim>      &body,
                                       const PeriodicChoice &choice,
+                                      const SecularSplit   &split,
+                                      const SecularFlow    *flow,
                                       const FourierResult  *direct,
                                       const double largest_relaxation_time,
                                       Log         &log)
     : scene(scene)
     , body(body)
     , choice(choice)
+    , split(split)
+    , flow(flow)
     , direct(direct)
     , largest_relaxation_time(largest_relaxation_time)
     , log(log)
@@ -74,13 +78,18 @@ namespace Crevasse
       viscous_strain = direct->motion.viscous_strain.front();
     else if (body.effects.viscosity.on && viscous_strain.size() == 0)
       body.points.initialize(viscous_strain, body.law.branches().size());
+    const UnilateralBounds   bounds   = unilateral_bounds(body.lip, body.space);
+    const MaterialState<dim> material = body.material.at(0.);
+    const std::optional<ReturnDefect<dim>> defect =
+      return_defect(material, bounds);
     const unsigned int   last = scene.periodic_state.maximum_periods;
     ObservedPeriods<dim> periods(period_map,
                                  n_solves,
                                  observers,
                                  std::min(last, leg.last_period),
                                  shown,
-                                 !state.has_begun());
+                                 !state.has_begun(),
+                                 defect ? &*defect : nullptr);
     Ending               ending = Ending::stagnant;
     if (choice.method == "march")
       ending = march(periods, viscous_strain);
@@ -160,6 +169,29 @@ namespace Crevasse
   {
     return March<dim>(periods, scene.periodic_state.tolerance, slowness())
       .run(r);
+  }
+
+
+
+  template <int dim>
+  std::optional<ReturnDefect<dim>>
+  PeriodicSearch<dim>::return_defect(const MaterialState<dim> &material,
+                                     const UnilateralBounds   &bounds) const
+  {
+    const bool returns = body.effects.viscosity.on &&
+                         (split.strain_returns || body.law.has_spring());
+    // What bears no stress matters to a march where a lip may touch.
+    if (!returns || (choice.method == "march" && !body.effects.contact.on))
+      return {};
+    return std::optional<ReturnDefect<dim>>(std::in_place,
+                                            body.points,
+                                            material,
+                                            slowness(),
+                                            flow,
+                                            split.is_split,
+                                            scene.loads.period,
+                                            bounds,
+                                            choice.method == "march");
   }
 
 

@@ -88,18 +88,15 @@ namespace Crevasse
      * if they do not. */
     template <int dim>
     std::string
-    missed_by_steps(const Body<dim>  &body,
-                    const Vector     &mean_load,
-                    const double      largest_load,
-                    const StepList   &steps,
-                    const Integrator &integrator)
+    missed_by_steps(const Body<dim> &body,
+                    const Vector    &mean_load,
+                    const double     missed_load,
+                    const double     largest_load)
     {
       constexpr double tolerable  = 0.1; // Euler's error of coarse steps
       constexpr double hardly_any = 1e-3;
-      Vector           missed     = mean_load_of_steps(body, steps, integrator);
-      missed -= mean_load;
-      const double mean = mean_load.linfty_norm();
-      const double part = missed.linfty_norm() / mean;
+      const double     mean       = mean_load.linfty_norm();
+      const double     part       = missed_load / mean;
       if (part <= tolerable)
         return "";
       std::ostringstream text;
@@ -123,17 +120,11 @@ namespace Crevasse
 
     /** What is to be said if the steps see a mean load that there is not;
      * nothing if they do not. */
-    template <int dim>
     std::string
-    seen_by_steps(const Body<dim>  &body,
-                  const double      largest_load,
-                  const StepList   &steps,
-                  const Integrator &integrator)
+    seen_by_steps(const Vector &seen, const double largest_load)
     {
       constexpr double tolerable = 0.01;
-      const double     seen =
-        mean_load_of_steps(body, steps, integrator).linfty_norm();
-      if (seen <= tolerable * largest_load)
+      if (seen.linfty_norm() <= tolerable * largest_load)
         return "";
       return "[Periodic state] Secular split: the mean load vanishes, but the "
              "time steps see one: the body flows by an error of the steps. "
@@ -169,6 +160,14 @@ namespace Crevasse
       return tau;
     }
   } // namespace
+
+
+
+  bool
+  flows_by_mean_load(const std::string &scheme)
+  {
+    return scheme != "exponential" && scheme != "predictor corrector";
+  }
 
 
 
@@ -233,28 +232,41 @@ namespace Crevasse
       : split.is_split
         ? "the mean load does not vanish: its flow is split off"
         : "the mean load does not vanish: beta is found, not split off";
-    if (split.is_split && scene.time_integration.scheme == "exponential")
+    const std::string &scheme = scene.time_integration.scheme;
+    if (split.is_split && !flows_by_mean_load(scheme))
       throw SceneError(
-        "[Time integration] Scheme = exponential with [Periodic state] " +
+        "[Time integration] Scheme = " + scheme + " with [Periodic state] " +
         std::string(wish == "on" ? "Secular split = on"
                                  : "Method = " + scene.periodic_state.method) +
         ": its steps flow steadily otherwise than the secular problem says, "
         "and contact would depend on the difference. Use Method = march with "
         "Secular split = automatic, or another scheme, such as sdirk2.");
-    if (!effect.on && scene.time_integration.step_control != "adaptive")
-      split.warning = seen_by_steps(body, largest, steps, *integrator);
     // Adaptive steps are found where the loads are.
-    if (!effect.on || scene.time_integration.step_control == "adaptive")
+    if (scene.time_integration.step_control == "adaptive")
       return split;
+    const Vector seen        = mean_load_of_steps(body, steps, *integrator);
+    Vector       missed_part = seen;
+    missed_part -= split.mean_load;
+    const double missed_load = missed_part.linfty_norm();
+    const bool   has_rule    = !integrator->quadrature().weights.empty() &&
+                          !scene.time_integration.locate_contact_events;
+    split.strain_returns =
+      has_rule &&
+      (split.is_split || missed_load <= 10. * rounding_of_means * largest);
+    if (!effect.on)
+      {
+        split.warning = seen_by_steps(seen, largest);
+        return split;
+      }
     const std::string missed =
-      missed_by_steps(body, split.mean_load, largest, steps, *integrator);
+      missed_by_steps(body, split.mean_load, missed_load, largest);
     if (!missed.empty() && split.is_split)
       throw SceneError(setting + ": " + missed);
     if (!missed.empty())
       split.warning = "[Periodic state] Secular split: " + missed;
     // What is marched must not flow on by the error of the steps.
     if (split.is_split && !integrator->quadrature().weights.empty())
-      split.mean_load = mean_load_of_steps(body, steps, *integrator);
+      split.mean_load = seen;
     return split;
   }
 

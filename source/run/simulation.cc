@@ -359,9 +359,10 @@ namespace Crevasse
                              true,
                              "automatic: the flow was not found"};
         // Nothing else of the run needs it.
-        secular_split.is_split   = false;
-        secular_split.effect.on  = false;
-        secular_split.effect.why = what;
+        secular_split.is_split       = false;
+        secular_split.strain_returns = false;
+        secular_split.effect.on      = false;
+        secular_split.effect.why     = what;
         log.line("  warning: " + what);
       }
   }
@@ -461,17 +462,22 @@ namespace Crevasse
       solvers.current().contact_solver().start_from(
         touching_bounds(unilateral_bounds(body.lip, body.space),
                         state.displacement));
-    state.result =
-      PeriodicSearch<dim>(
-        scene, body, periodic_choice, direct, relaxation_times.largest, log)
-        .run(
-          evolution,
-          period_map,
-          steps,
-          [&solvers]() { return solvers.statistics().vi_solves; },
-          observers,
-          state,
-          leg);
+    state.result = PeriodicSearch<dim>(scene,
+                                       body,
+                                       periodic_choice,
+                                       secular_split,
+                                       secular_flow ? &*secular_flow : nullptr,
+                                       direct,
+                                       relaxation_times.largest,
+                                       log)
+                     .run(
+                       evolution,
+                       period_map,
+                       steps,
+                       [&solvers]() { return solvers.statistics().vi_solves; },
+                       observers,
+                       state,
+                       leg);
     rate_evaluations += evolution.n_rate_evaluations();
   }
 

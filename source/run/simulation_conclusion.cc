@@ -204,6 +204,9 @@ namespace Crevasse
           message << "not known to be within ";
         message << "[Periodic state] Tolerance = "
                 << scene.periodic_state.tolerance;
+        if (result.return_defect > scene.periodic_state.tolerance)
+          message << ", for the viscous strain does not yet come back after a "
+                     "period";
       }
     message << ". All results so far are written. Raise \"Maximum periods\"";
     if (marches && result.steps_repeat)

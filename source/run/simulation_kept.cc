@@ -24,7 +24,7 @@ namespace Crevasse
         ? 2 * (scene.periodic_state.anderson_depth + 2)
         : 0;
     const unsigned int n_branches = body.law.branches().size();
-    return steps.n_steps() + 4 * (1 + n_branches) + of_anderson * n_branches;
+    return steps.n_steps() + 4 + 5 * n_branches + of_anderson * n_branches;
   }
 
 

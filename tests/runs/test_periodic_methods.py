@@ -176,12 +176,15 @@ AUTOMATIC = {
     "split off": (["Periodic state/Secular split=off"], "heun",
                   "march (automatic: Secular split = off"),
     "exponential": ([], "exponential",
-                    "march (automatic: the steps of the exponential scheme"),
+                    "march (automatic: the steps of Scheme = exponential"),
+    "predictor corrector": (
+        [], "predictor corrector",
+        "march (automatic: the steps of Scheme = predictor corrector"),
     "fast": (relaxation(0.05), "heun",
              "anderson (automatic: the stress is forgotten within a period"),
 }
 
-MARCHED = ("eta(t, x)", "exponential")  # anderson refuses them
+MARCHED = ("eta(t, x)", "exponential", "predictor corrector")  # anderson refuses them
 
 
 def test_automatic():
@@ -231,28 +234,104 @@ def test_mean_of_steps():
         forces = found.summary["secular"]
         check_below(abs(forces["mean_contact_force_of_last_period"]), 1e-7,
                     "mean force on the lip")
-    refused = [traction("0; 10*sin(2*pi*t/600) + 1")] + method(
-        "anderson", "exponential")
-    try:
-        compute("refused", refused)
-        check(False, "exponential steps under a mean load are refused")
-    except Failure as failure:
-        check("exit status 2" in str(failure) and "flow steadily" in str(failure),
-              str(failure))
+    for scheme in ("exponential", "predictor corrector"):
+        try:
+            compute("refused", [traction("0; 10*sin(2*pi*t/600) + 1")]
+                    + method("anderson", scheme))
+            check(False, scheme + " under a mean load is refused")
+        except Failure as failure:
+            check("exit status 2" in str(failure)
+                  and "flow steadily" in str(failure), str(failure))
 
 
-def test_leap():
-    """Anderson leaps, stagnates, and march goes on from its best period."""
-    settings = [traction("0; 10*cos(2*pi*t/600)*(x-0.9)+0.1"),
-                "Material/Relaxation time=if(x<0.5,30682,11.0985)",
-                "Boundary/Gap=-0.00518054*(x-0.75)^2",
-                "Geometry/Subdivisions=8, 4",
-                "Material/Viscosity time factor=1-0.504045*cos(2*pi*t/600+1)",
-                *steps(80)]
-    exact = compute("exact", settings + method("march", "rk4", 1e-9))
-    found = compute("found", settings + method("automatic", "rk4", 1e-6))
-    check("stagnates" in log(found), "anderson stagnates, or take another scene")
-    check_below(difference(exact, found), 3e-6, "stress")
+COARSE = ["Geometry/Subdivisions=8, 4", "Contact/Tolerance=1e-12"]
+PLANE_STRAIN = "Material/Plane state=plane strain"
+
+# Lips that drift: as much period after period, without stress, until they touch.
+DRIFTING = {
+    "half sine": (COARSE + [
+        traction("0; if(t<300, 10*sin(2*pi*t/300), 0) - 0.375389*x"),
+        "Material/Relaxation time=if(y<0.5, 777.855, 3114.35)", PLANE_STRAIN,
+        "Boundary/Gap=-0.00902007*(x-0.75)^2"], 40),
+    "two moduli": (COARSE + [
+        traction("0; 10*sin(2*pi*t/600) - 0.1"),
+        "Material/Young modulus=if(y<0.5, 13000, 1438.18)",
+        "Material/Relaxation time=105.677+95.5703*x",
+        "Boundary/Gap=-0.00338128*(x-0.75)^2",
+        "Discretisation/Degree=2", *steps(80)], 30),
+    "fast": (COARSE + [
+        traction("0; 10*sin(2*pi*t/600)*(0.3+x) + 4.44519*cos(10*pi*t/600)"
+                 " - 0.0294359*(y-x)"),
+        "Material/Relaxation time=if(y<0.5, 8.87439, 16.1858)", PLANE_STRAIN,
+        "Boundary/Gap=-0.00222409*(x-0.5)",
+        "Loads/Body force=0; 1.46353*cos(2*pi*t/600)"], 30)}
+
+
+def test_drift():
+    """Neither a step that bears no stress nor a drift that makes none ends the
+    search; anderson follows it by leaps."""
+    tolerance = 1e-6
+    for name, (settings, most) in DRIFTING.items():
+        exact = compute("exact", settings + FOURIER)
+        for way in ("anderson", "march"):
+            found = compute("found", settings + method(
+                way, "trapezoid", tolerance))
+            n, error = found.summary["periods"], difference(exact, found)
+            check_below(error, 3 * tolerance,
+                        f"drift, {name}: {way}, {n} periods, estimated error "
+                        f"{estimate(found):.1e}")
+            check(way == "march" or n <= most, f"at most {most} periods")
+    # From a start near the end; the last steps are in directions without stress.
+    settings = COARSE + [
+        traction("0; 10*cos(2*pi*t/600)*(x-0.9) - 0.1"),
+        "Material/Relaxation time=if(x<0.5, 21.2906, 3097.09)",
+        "Boundary/Gap=-0.00173318*(x-0.5)", *steps(80)]
+    exact = compute("exact", settings + method("anderson", "sdirk2", 1e-10))
+    found = compute("found", settings + method("automatic", "sdirk2", tolerance))
+    check_below(difference(exact, found), 3 * tolerance,
+                f"drift, from fourier, {found.summary['periods']} periods, "
+                f"estimated error {estimate(found):.1e}")
+
+
+def test_spring():
+    """What a spring lets flow comes to rest, but slowly: the stress of a lip
+    that stands open is periodic at once, and the displacement is not."""
+    settings = COARSE + [
+        traction("0; 10*sin(2*pi*t/600) + 10.5"), "Material/Viscosity=chain",
+        "Material/Chain=0.9: 2000; 0.05: 13"]
+    opening = []
+    for way, most in (("march", 3000), ("anderson", 12)):
+        found = compute("found", settings + method(
+            way, tolerance=1e-9, periods=3000))
+        n = found.summary["periods"]
+        opening.append(max(period(found, "probe_mouth.csv", "opening")))
+        print(f"spring, {way}: {n} periods, opening {opening[-1]}")
+        check(n <= most, f"at most {most} periods")
+    check_below(abs(opening[0] / opening[1] - 1), 1e-6, "opening")
+    stopped = compute("stopped", settings + method(
+        "march", tolerance=1e-6, periods=5), status=3)
+    check_below(stopped.summary["stress_change"][-1], 1e-9, "change of stress")
+
+
+def test_fall_back():
+    """Where anderson stagnates, march goes on from its best period."""
+    settings = COARSE + [
+        traction("0; 10*sin(2*pi*t/600)*(0.3+x) + 7.62215*cos(10*pi*t/600)"
+                 " - 0.118222*(y-x)"),
+        "Material/Relaxation time=if(x<0.5, 11.0228, 4747.97)",
+        "Boundary/Gap=-0.000928362*(x-0.5)",
+        "Loads/Body force=0; -3.89382*cos(2*pi*t/600)",
+        "Material/Viscosity time factor=1 - 0.116017*cos(2*pi*t/600+1)",
+        *steps(80)]
+    found = compute("found", settings + method(
+        "automatic", "rk4", 1e-6, periods=40), status=3)
+    changes = found.summary["stress_change"]
+    lines = log(found).splitlines()
+    stagnates = next(k for k, line in enumerate(lines) if "stagnates" in line)
+    marched = int(lines[stagnates + 1].split()[0])
+    print(f"anderson stagnates before period {marched}: {changes}")
+    check(max(changes[1:marched - 1]) > 0.1, "it leaps before")
+    check_below(max(changes[marched:]), 1e-3, "changes of the march")
 
 
 def test_exact_start():
@@ -341,6 +420,8 @@ if __name__ == "__main__":
     test_start_from_fourier()
     test_exact_start()
     test_mean_of_steps()
-    test_leap()
+    test_drift()
+    test_spring()
+    test_fall_back()
     test_onset()
     test_few_steps()

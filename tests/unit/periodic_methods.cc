@@ -15,6 +15,7 @@
 
 #include <crevasse/periodic/anderson_acceleration.h>
 #include <crevasse/periodic/contraction.h>
+#include <crevasse/periodic/drift_leaps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -207,6 +208,43 @@ namespace
     check("changes that are rounding are no ratio",
           growing.add(1e-14) <= 1e-14 && growing.add(2e-14) <= 2e-14);
   }
+
+
+
+  void
+  check_drift_leaps()
+  {
+    // x ← x − 1 as long as x > 0, and then x ← x/2: a lip that drifts until it
+    // touches.
+    DriftLeaps   leaps;
+    double       x       = 1e5;
+    unsigned int n_leaps = 0;
+    const auto residual = [](const double x) { return x > 0. ? -1. : -x / 2.; };
+    for (double length = 1.; length > 0. && n_leaps < 100; ++n_leaps)
+      {
+        const double f = residual(x);
+        length         = leaps.next(x > 0. ? 1. : 0., std::abs(f));
+        x += length * f;
+      }
+    check("a drift of 1e5 periods ends within 18 leaps",
+          x <= 0. && n_leaps <= 18);
+    check("that it has ended is told", leaps.has_left());
+    check("once", leaps.next(0.5, 1.) == 0. && !leaps.has_left());
+    check("the same drift goes on with the length of the last leap",
+          leaps.next(1., 1.) == 65536.);
+    check("a lesser one from the beginning", leaps.next(1., 0.1) == 1.);
+
+    leaps.clear();
+    double longest = 0.;
+    for (unsigned int n = 0; n < 100; ++n)
+      longest = std::max(longest, leaps.next(1., 1.));
+    check("what never ends is not followed for ever",
+          longest < 1e7 && leaps.next(1., 1.) == 0.);
+    leaps.clear();
+    check("a single step is no leap",
+          leaps.next(1., 1.) == 1. && leaps.next(0., 1.) == 0. &&
+            !leaps.has_left());
+  }
 } // namespace
 
 int
@@ -216,5 +254,6 @@ main(int argc, char **argv)
     check_linear_maps();
     check_memory();
     check_contraction();
+    check_drift_leaps();
   });
 }

@@ -14,6 +14,7 @@
 #define crevasse_periodic_anderson_h
 
 #include <crevasse/periodic/anderson_acceleration.h>
+#include <crevasse/periodic/drift_leaps.h>
 #include <crevasse/periodic/energy_coordinates.h>
 #include <crevasse/periodic/observed_periods.h>
 #include <crevasse/periodic/periodic_method.h>
@@ -29,13 +30,22 @@ namespace Crevasse
    * load makes the body flow, the map must be that of the split form: only then
    * r is periodic.
    *
+   * Where the lip stands open, strains that bear no stress are fixed points
+   * each, or drift: under a mean load that goes on to close it, by the same
+   * residual period after period, which no combination explains. Secants of
+   * that are noise. There the drift is followed instead, as by a march, for 1,
+   * 2, 4, … periods at once, until something else happens; what was remembered
+   * is then of another branch of the map, and is forgotten (DriftLeaps).
+   *
    * The error of the stress is estimated before the next period is computed:
    * the step to its start, which the acceleration extrapolates from all that it
    * remembers, and what it cannot explain, or what the residual stands for
    * where the slowest point forgets at its own pace; times the change of stress
-   * that the last steps have made. From a start that is the fixed point but for
-   * rounding no step tells anything: then it is the change of stress from
-   * period to period, as if it went on at the slowest point's pace.
+   * that the last steps have made. It is not less than what the strain lacks to
+   * return (ReturnDefect), for steps may bear hardly any stress; nor than a
+   * tenth of what the last step has changed. From a start that is the fixed
+   * point but for rounding no step tells anything: then it is the change of
+   * stress from period to period, as if it went on at the slowest point's pace.
    */
   template <int dim>
   class Anderson : public PeriodicMethod
@@ -74,6 +84,12 @@ namespace Crevasse
     void
     forget();
 
+    /** Where no combination explains the residual, makes the next start that
+     * of a march some periods on, if the strain is known to return. Gives back
+     * whether it has. */
+    bool
+    follow_drift(const Vector &image, Vector &next);
+
     /** Begins anew from the image of the start with the least residual if
      * residuals have not been less for long, or have risen far. */
     void
@@ -84,9 +100,10 @@ namespace Crevasse
     remember_change(const double change);
 
     /** Of the stress of the last period, once the step to the next start is
-     * known. */
+     * known.
+     * @param change of the stress in that period. */
     double
-    estimated_error() const;
+    estimated_error(const double change) const;
 
     ObservedPeriods<dim>         &periods;
     const EnergyCoordinates<dim> &coordinates;
@@ -99,6 +116,7 @@ namespace Crevasse
     double       least_residual = 0.;
     unsigned int since_least    = 0; ///< periods
     unsigned int restarts       = 0;
+    DriftLeaps   leaps;
 
     double             last_residual = 0.; ///< from a start to its image
     double             last_step     = 0.; ///< from start to start

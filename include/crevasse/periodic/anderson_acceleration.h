@@ -65,6 +65,10 @@ namespace Crevasse
     double
     unexplained_distance() const;
 
+    /** |f − ΔF γ| / |f| of the last point; 1 if nothing is remembered. */
+    double
+    unexplained_part() const;
+
     void
     serialize(StateArchive &archive);
 
@@ -76,8 +80,9 @@ namespace Crevasse
     };
 
     const Settings   settings;
-    std::deque<Pair> pairs;            ///< the youngest at the back
-    double           unexplained = 0.; ///< |f − ΔF γ|
+    std::deque<Pair> pairs;              ///< the youngest at the back
+    double           unexplained   = 0.; ///< |f − ΔF γ|
+    double           residual_norm = 0.; ///< |f|
   };
 } // namespace Crevasse
 

@@ -22,7 +22,8 @@ namespace Crevasse
   /**
    * The paper's method (§6.2): integrate the Cauchy problem until the stress
    * repeats. The paper judges by the change of stress from one period to the
-   * next; this one by its Contraction.
+   * next; this one by its Contraction, and unless all of the lip goes on to
+   * open, by what the viscous strain lacks to return (ReturnDefect).
    */
   template <int dim>
   class March : public PeriodicMethod

@@ -14,6 +14,7 @@
 #define crevasse_periodic_observed_periods_h
 
 #include <crevasse/periodic/period_map.h>
+#include <crevasse/periodic/return_defect.h>
 #include <crevasse/periodic/stress_history.h>
 
 #include <deal.II/base/timer.h>
@@ -31,6 +32,9 @@ namespace Crevasse
     bool         converged = false;
     /** Whether the last two periods had (most of) their samples in common. */
     bool steps_repeat = true;
+    /** What the strain lacked to return in the last period, see ReturnDefect,
+     * where that counts; else 0. */
+    double return_defect = 0.;
 
     // One entry a period, see PeriodReport.
     std::vector<double> stress_change;
@@ -53,13 +57,15 @@ namespace Crevasse
      *
      * @param before what was computed, and shown, already.
      * @param is_comparable whether the stress of the first period is compared
-     * with none at all; that of another mesh it cannot be compared with. */
+     * with none at all; that of another mesh it cannot be compared with.
+     * @param defect null: the strain is not known to return. */
     ObservedPeriods(PeriodMap<dim>                &period_map,
                     const SolveCount              &n_solves,
                     const std::vector<Observer *> &observers,
                     const unsigned int             maximum_periods,
                     const PeriodicResult          &before = PeriodicResult(),
-                    const bool                     is_comparable = true);
+                    const bool                     is_comparable = true,
+                    const ReturnDefect<dim>       *defect        = nullptr);
 
     /** Whether another period is allowed. */
     bool
@@ -73,6 +79,15 @@ namespace Crevasse
      * PeriodReport; nan if the steps are not those of the period before. */
     double
     compute(Vector &r);
+
+    /** Of the strain over the last period, relative to its largest stress; 0 if
+     * it is not known to return. */
+    double
+    return_defect() const;
+
+    /** Whether it is known to return. */
+    bool
+    strain_returns() const;
 
     /** Instead of compute(): another period is not allowed, but others may go
      * on from here. */
@@ -103,6 +118,7 @@ namespace Crevasse
     const std::vector<Observer *> &observers;
     const unsigned int             maximum_periods;
     bool                           is_comparable;
+    const ReturnDefect<dim>       *defect;
 
     void
     begin_period();
@@ -116,6 +132,10 @@ namespace Crevasse
     StressHistory  history;
     PeriodicResult so_far;
     PeriodReport   last; ///< not reported yet
+
+    // About the return of the strain, if it is known to.
+    Vector r_before, u_before; ///< at the beginning of the period
+    bool   is_excused = false;
 
     // Of the period that is being computed, and before it was taken up.
     dealii::Timer   timer;

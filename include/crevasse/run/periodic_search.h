@@ -20,6 +20,7 @@
 #include <crevasse/run/fourier_problem.h>
 #include <crevasse/run/periodic_choice.h>
 #include <crevasse/run/run_state.h>
+#include <crevasse/run/secular_problem.h>
 #include <crevasse/scene/scene.h>
 
 #include <functional>
@@ -35,11 +36,14 @@ namespace Crevasse
   public:
     /** All arguments must outlive this object.
      *
+     * @param flow that was found; null: none was looked for.
      * @param direct what the direct method has found; null: it was not called
      * for, or has failed. */
     PeriodicSearch(const Scene          &scene,
                    const Body<dim>      &body,
                    const PeriodicChoice &choice,
+                   const SecularSplit   &split,
+                   const SecularFlow    *flow,
                    const FourierResult  *direct,
                    const double          largest_relaxation_time,
                    Log                  &log);
@@ -76,6 +80,11 @@ namespace Crevasse
     Ending
     march(ObservedPeriods<dim> &periods, Vector &r) const;
 
+    /** Nothing if the viscous strain need not come back, or nobody asks. */
+    std::optional<ReturnDefect<dim>>
+    return_defect(const MaterialState<dim> &material,
+                  const UnilateralBounds   &bounds) const;
+
     /** Anderson::Settings::slowness */
     double
     slowness() const;
@@ -86,6 +95,8 @@ namespace Crevasse
     const Scene          &scene;
     const Body<dim>      &body;
     const PeriodicChoice &choice;
+    const SecularSplit   &split;
+    const SecularFlow    *flow;
     const FourierResult  *direct;
     const double          largest_relaxation_time;
     Log                  &log;

@@ -30,8 +30,17 @@ namespace Crevasse
     Effects::Effect effect;           ///< on: there is a flow, found on its own
     bool            is_split = false; ///< whether q is computed, and not u
     Vector          mean_load;        ///< f̄, where it was needed
-    std::string     warning;          ///< empty: none
+    /** Whether the steps see f̄ to rounding: then the viscous strain of a
+     * periodic motion comes back after a period, but for the flow. */
+    bool        strain_returns = false;
+    std::string warning; ///< empty: none
   };
+
+  /** Whether the steps of a scheme flow as the secular problem says: by the
+   * mean of the loads that they see. Not where the weights of the rates within
+   * a step depend on the relaxation. */
+  bool
+  flows_by_mean_load(const std::string &scheme);
 
   /** Why no secular flow can be split off; empty if it can. Collective. */
   template <int dim>

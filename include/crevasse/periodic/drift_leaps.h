@@ -1,0 +1,61 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_periodic_drift_leaps_h
+#define crevasse_periodic_drift_leaps_h
+
+namespace Crevasse
+{
+  class StateArchive;
+
+  /**
+   * How many periods at once a search for the fixed point of r(0) → r(T) goes
+   * along a drift: a residual that is the same period after period, so that no
+   * combination of what was remembered explains it. Strains that bear no stress
+   * drift so under a mean load that goes on to close an open lip.
+   *
+   * 1, 2, 4, … as long as it lasts (projective integration: Gear and
+   * Kevrekidis, SIAM J. Sci. Comput. 24, 2003). Where a leap has stirred up
+   * something else, those that follow once that has died away begin with its
+   * length, unless the drift itself has become much less.
+   */
+  class DriftLeaps
+  {
+  public:
+    /** Forgets what it knows of the drift. */
+    void
+    clear();
+
+    /** How many periods the next step is to go; 0: there is no drift, or it has
+     * been followed for too long.
+     *
+     * @param unexplained_part of the residual of this period, in [0, 1].
+     * @param residual its norm. */
+    double
+    next(const double unexplained_part, const double residual);
+
+    /** Whether the last leap went to where there is no drift: what was
+     * remembered before is of another branch of the map. */
+    bool
+    has_left() const;
+
+    void
+    serialize(StateArchive &archive);
+
+  private:
+    double length         = 1.; ///< of the next leap, in periods
+    double drift_residual = 0.;
+    bool   leaps          = false; ///< whether the last step was one
+    bool   left           = false;
+  };
+} // namespace Crevasse
+
+#endif

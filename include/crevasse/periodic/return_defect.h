@@ -1,0 +1,85 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_periodic_return_defect_h
+#define crevasse_periodic_return_defect_h
+
+#include <crevasse/contact/signorini_problem.h>
+#include <crevasse/discretisation/material_field.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/time/secular_flow.h>
+
+namespace Crevasse
+{
+  /**
+   * How far a viscous strain is from being where it was a period before, as an
+   * error of the stress: with η ṙ = s,
+   *
+   *     r(T) − r(0) = T η⁻¹ s̄,
+   *
+   * so that a stress of which the mean is wrong by δs̄ leaves T η⁻¹ δs̄ (where
+   * there is a secular flow: besides T α). In turn δs̄ is K times what is left,
+   * at most, times τ/T; which 1/(1−exp(−T/τ)) stands for. Where a lip is
+   * pressed for a tenth of the period, which steps resolve, its pressure is
+   * wrong by ten times that. Unlike a change of stress it does not vanish where
+   * a strain goes on to creep without bearing stress until a lip touches.
+   */
+  template <int dim>
+  class ReturnDefect
+  {
+  public:
+    /** All arguments must outlive this object.
+     *
+     * @param material whose stiffness makes it a stress.
+     * @param slowness 1/(1−λ) with the contraction λ of the slowest point by
+     * itself.
+     * @param flow that goes on besides; null: none.
+     * @param is_split whether that is not in the strain.
+     * @param period in units of time.
+     * @param bounds of the lip.
+     * @param opening_excuses whether it does not count what a lip that opens
+     * still lacks. */
+    ReturnDefect(const QuadratureField<dim> &points,
+                 const MaterialState<dim>   &material,
+                 const double                slowness,
+                 const SecularFlow          *flow,
+                 const bool                  is_split,
+                 const double                period,
+                 const UnilateralBounds     &bounds,
+                 const bool                  opening_excuses);
+
+    /** The largest component of that stress at all points, relative to a
+     * @p stress; 0 if it is rounding. Collective. */
+    double
+    operator()(const Vector &before,
+               const Vector &after,
+               const double  stress) const;
+
+    /** Whether it need not return, for all of the lip stands open and goes on
+     * to open from the one displacement to the next, a period later: then no
+     * strain that bears no stress will ever matter to the stress. Not so with
+     * an elastic spring, in which all strain makes stress. Collective. */
+    bool
+    is_excused(const Vector &before, const Vector &after) const;
+
+  private:
+    const std::size_t         n_points; ///< of this rank
+    const MaterialState<dim> &material;
+    const double              slowness;
+    const SecularFlow        *flow;
+    const bool                is_split;
+    const double              period;
+    const UnilateralBounds   &bounds;
+    const bool                opening_excuses;
+  };
+} // namespace Crevasse
+
+#endif

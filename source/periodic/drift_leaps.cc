@@ -1,0 +1,70 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/discretisation/state_archive.h>
+#include <crevasse/periodic/drift_leaps.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  void
+  DriftLeaps::clear()
+  {
+    *this = DriftLeaps();
+  }
+
+
+
+  double
+  DriftLeaps::next(const double unexplained_part, const double residual)
+  {
+    constexpr double hardly_explained = 0.9, much_less = 0.5, longest = 1e6;
+    if (unexplained_part <= hardly_explained)
+      {
+        left = leaps;
+        if (left)
+          length = std::max(1., length / 2.);
+        leaps = false;
+        return 0.;
+      }
+    left = false;
+    if (residual < much_less * drift_residual)
+      length = 1.;
+    drift_residual = residual;
+    if (length > longest)
+      return 0.;
+    const double result = length;
+    leaps               = length > 1.;
+    length *= 2.;
+    return result;
+  }
+
+
+
+  bool
+  DriftLeaps::has_left() const
+  {
+    return left;
+  }
+
+
+
+  void
+  DriftLeaps::serialize(StateArchive &archive)
+  {
+    archive.common(length);
+    archive.common(drift_residual);
+    archive.common(leaps);
+    archive.common(left);
+  }
+} // namespace Crevasse
