@@ -72,8 +72,9 @@ namespace Crevasse
           {
             acceleration.add(start, image);
             acceleration.extrapolate(next);
+            remember_best(image);
             if (!follow_drift(image, next))
-              restart_if_stagnant(image, next);
+              restart_if_stagnant(next);
           }
         last_step = distance(next, start);
         const double error =
@@ -136,10 +137,11 @@ namespace Crevasse
   bool
   Anderson<dim>::follow_drift(const Vector &image, Vector &next)
   {
-    if (!periods.strain_returns() || number == 0)
+    if (!periods.strain_returns())
       return false;
-    const double n_periods =
-      leaps.next(acceleration.unexplained_part(), last_residual);
+    const double n_periods = leaps.next(acceleration.unexplained_part(),
+                                        acceleration.residual_change(),
+                                        last_residual);
     if (n_periods > 0.)
       {
         next = start;
@@ -150,7 +152,7 @@ namespace Crevasse
       {
         acceleration.clear();
         acceleration.add(start, image);
-        next = image;
+        acceleration.extrapolate(next);
       }
     return false;
   }
@@ -159,17 +161,25 @@ namespace Crevasse
 
   template <int dim>
   void
-  Anderson<dim>::restart_if_stagnant(const Vector &image, Vector &next)
+  Anderson<dim>::remember_best(const Vector &image)
+  {
+    if (last_residual >= least_residual)
+      return;
+    least_residual = last_residual;
+    best_image     = image;
+    since_least    = 0;
+  }
+
+
+
+  template <int dim>
+  void
+  Anderson<dim>::restart_if_stagnant(Vector &next)
   {
     // Kinks and noise make residuals rise for a while.
     constexpr double tolerable_rise = 1e3;
-    ++since_least;
-    if (last_residual < least_residual)
-      {
-        least_residual = last_residual;
-        best_image     = image;
-        since_least    = 0;
-      }
+    if (last_residual > least_residual)
+      ++since_least;
     if (since_least <= settings.patience &&
         last_residual <= tolerable_rise * least_residual)
       return;

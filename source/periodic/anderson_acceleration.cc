@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Crevasse
 {
@@ -57,17 +58,22 @@ namespace Crevasse
   {
     Pair pair{image, image};
     pair.residual -= x;
+    residual_norm = pair.residual.l2_norm();
+    change        = std::numeric_limits<double>::infinity();
     if (!pairs.empty())
       {
-        Vector change = pair.residual;
-        change -= pairs.back().residual;
-        const double residual_change = change.l2_norm();
+        Vector step = pair.residual;
+        step -= pairs.back().residual;
+        const double residual_change = step.l2_norm();
         // x = G(x) − f
-        change = x;
-        change -= pairs.back().image;
-        change += pairs.back().residual;
-        if (residual_change > accuracy * image.l2_norm())
-          pair.slowness = change.l2_norm() / residual_change;
+        step = x;
+        step -= pairs.back().image;
+        step += pairs.back().residual;
+        const double noise = accuracy * image.l2_norm();
+        if (residual_change > noise)
+          pair.slowness = step.l2_norm() / residual_change;
+        if (residual_norm > noise)
+          change = residual_change / residual_norm;
       }
     pairs.push_back(std::move(pair));
     if (pairs.size() > settings.depth + 1)
@@ -107,7 +113,6 @@ namespace Crevasse
       }
 
     x                    = last.image;
-    residual_norm        = last.residual.l2_norm();
     unexplained          = residual_norm;
     const unsigned int n = differences.images.size();
     if (n == 0)
@@ -149,6 +154,14 @@ namespace Crevasse
 
 
 
+  double
+  AndersonAcceleration::residual_change() const
+  {
+    return change;
+  }
+
+
+
   void
   AndersonAcceleration::serialize(StateArchive &archive)
   {
@@ -163,5 +176,6 @@ namespace Crevasse
       }
     archive.common(unexplained);
     archive.common(residual_norm);
+    archive.common(change);
   }
 } // namespace Crevasse

@@ -26,19 +26,21 @@ namespace Crevasse
 
 
   double
-  DriftLeaps::next(const double unexplained_part, const double residual)
+  DriftLeaps::next(const double unexplained_part,
+                   const double change,
+                   const double residual)
   {
-    constexpr double hardly_explained = 0.9, much_less = 0.5, longest = 1e6;
-    if (unexplained_part <= hardly_explained)
-      {
-        left = leaps;
-        if (left)
-          length = std::max(1., length / 2.);
-        leaps = false;
-        return 0.;
-      }
-    left = false;
-    if (residual < much_less * drift_residual)
+    constexpr double hardly_explained = 0.99, the_same = 0.05, like = 2.,
+                     longest = 1e6;
+    const bool drifts =
+      unexplained_part > hardly_explained && change < the_same;
+    left = leaps && !drifts;
+    if (left)
+      length = std::max(1., length / 2.);
+    leaps = false;
+    if (!drifts)
+      return 0.;
+    if (residual > like * drift_residual || like * residual < drift_residual)
       length = 1.;
     drift_residual = residual;
     if (length > longest)

@@ -37,6 +37,7 @@ namespace Crevasse
       contraction.serialize(archive);
       archive.common(is_first);
     });
+    periods.let_opening_excuse();
     for (; periods.may_go_on(); is_first = false)
       {
         const double change = periods.compute(r);

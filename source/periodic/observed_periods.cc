@@ -59,7 +59,8 @@ namespace Crevasse
       {
         archive.at_points(r_before);
         archive.nodal(u_before);
-        archive.common(is_excused);
+        archive.common(lip_opens);
+        archive.common(so_far.return_defect);
       }
     for (Observer *observer : observers)
       observer->serialize(archive);
@@ -136,8 +137,8 @@ namespace Crevasse
       if (defect != nullptr && sample.step == 0)
         {
           const Vector &u = sample.state.displacement;
-          is_excused = u_before.size() > 0 && defect->is_excused(u_before, u);
-          u_before   = u;
+          lip_opens = u_before.size() > 0 && defect->lip_opens(u_before, u);
+          u_before  = u;
         }
       show(sample);
     });
@@ -157,8 +158,9 @@ namespace Crevasse
             n_solves() - solves_before,
             seconds_before + timer.wall_time()};
     if (defect != nullptr)
-      so_far.return_defect =
-        is_excused ? 0. : (*defect)(r_before, r, last.largest_stress);
+      so_far.return_defect = opening_excuses && lip_opens
+                               ? 0.
+                               : (*defect)(r_before, r, last.largest_stress);
     return change;
   }
 
@@ -169,6 +171,15 @@ namespace Crevasse
   ObservedPeriods<dim>::return_defect() const
   {
     return so_far.return_defect;
+  }
+
+
+
+  template <int dim>
+  void
+  ObservedPeriods<dim>::let_opening_excuse()
+  {
+    opening_excuses = true;
   }
 
 

@@ -34,6 +34,18 @@ namespace Crevasse
         largest = std::max(largest, std::abs(values[i]));
       return largest;
     }
+
+
+
+    /** 1/(1−exp(−T/τ)), as @p relaxed / @p size is T/τ. */
+    double
+    slowness(const double relaxed, const double size)
+    {
+      constexpr double longest = 1e4; // in periods: much longer than runs
+      return size > 0.
+               ? 1. / -std::expm1(-std::max(relaxed / size, 1. / longest))
+               : 0.;
+    }
   } // namespace
 
 
@@ -41,20 +53,16 @@ namespace Crevasse
   template <int dim>
   ReturnDefect<dim>::ReturnDefect(const QuadratureField<dim> &points,
                                   const MaterialState<dim>   &material,
-                                  const double                slowness,
                                   const SecularFlow          *flow,
                                   const bool                  is_split,
                                   const double                period,
-                                  const UnilateralBounds     &bounds,
-                                  const bool                  opening_excuses)
+                                  const UnilateralBounds     &bounds)
     : n_points(points.n_local_points())
     , material(material)
-    , slowness(slowness)
     , flow(flow)
     , is_split(is_split)
     , period(period)
     , bounds(bounds)
-    , opening_excuses(opening_excuses && material.spring <= 1e-10)
   {
   }
 
@@ -64,44 +72,49 @@ namespace Crevasse
   double
   ReturnDefect<dim>::operator()(const Vector &before,
                                 const Vector &after,
-                                const double  stress) const
+                                const double  largest_stress) const
   {
-    using Field                    = QuadratureField<dim>;
-    constexpr double      rounding = 1e-12, resolved = 10.;
-    std::array<double, 2> largest{}; // what is left, and what it is left of
+    using Field               = QuadratureField<dim>;
+    constexpr double rounding = 1e-12, resolved = 10.;
+    // What is left, what it is left of, and what it makes of the mean stress.
+    std::array<double, 3> largest{};
     std::size_t           offset = 0;
     for (std::size_t point = 0; point < n_points; ++point)
-      for (const double fraction : material.fractions)
+      for (unsigned int i = 0; i < material.fractions.size(); ++i)
         {
-          const VoigtMatrix<dim> &K      = (*material.stiffness)[point];
-          const VoigtVector<dim>  strain = Field::get(after, offset);
-          VoigtVector<dim>        change = strain - Field::get(before, offset);
+          const VoigtMatrix<dim> K = material.stiffness_factor *
+                                     material.fractions[i] *
+                                     (*material.stiffness)[point];
+          const VoigtVector<dim> strain = Field::get(after, offset);
+          VoigtVector<dim>       left   = strain - Field::get(before, offset);
           if (flow != nullptr && !is_split)
-            change -= period * Field::get(flow->strain_rate, offset);
-          largest[0] =
-            std::max(largest[0], fraction * largest_entry(K * change));
-          largest[1] =
-            std::max(largest[1], fraction * largest_entry(K * strain));
+            left -= period * Field::get(flow->strain_rate, offset);
+          const VoigtVector<dim> stress = K * left;
+          const double           size   = largest_entry(stress);
+          const double           relaxed =
+            largest_entry(K * ((*material.fluidity[i])[point] * stress)) *
+            period / material.viscosity_factor;
+          largest[0] = std::max(largest[0], size);
+          largest[1] = std::max(largest[1], largest_entry(K * strain));
+          largest[2] = std::max(largest[2], size * slowness(relaxed, size));
           offset += Field::n_components;
         }
-    Utilities::MPI::max(ArrayView<const double>(largest.data(), 2),
+    Utilities::MPI::max(ArrayView<const double>(largest.data(), 3),
                         before.get_mpi_communicator(),
-                        ArrayView<double>(largest.data(), 2));
-    const double left = material.stiffness_factor * largest[0];
-    if (left <=
-        rounding * std::max(stress, material.stiffness_factor * largest[1]))
+                        ArrayView<double>(largest.data(), 3));
+    if (largest[0] <= rounding * std::max(largest_stress, largest[1]))
       return 0.;
-    return resolved * slowness * left / stress;
+    return resolved * largest[2] / largest_stress;
   }
 
 
 
   template <int dim>
   bool
-  ReturnDefect<dim>::is_excused(const Vector &before, const Vector &after) const
+  ReturnDefect<dim>::lip_opens(const Vector &before, const Vector &after) const
   {
     constexpr double rounding = 1e-10;
-    if (!opening_excuses)
+    if (material.spring > rounding)
       return false;
     const double small = rounding * after.linfty_norm();
     bool         opens = true;

@@ -186,12 +186,10 @@ namespace Crevasse
     return std::optional<ReturnDefect<dim>>(std::in_place,
                                             body.points,
                                             material,
-                                            slowness(),
                                             flow,
                                             split.is_split,
                                             scene.loads.period,
-                                            bounds,
-                                            choice.method == "march");
+                                            bounds);
   }
 
 

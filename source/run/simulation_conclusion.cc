@@ -204,7 +204,8 @@ namespace Crevasse
           message << "not known to be within ";
         message << "[Periodic state] Tolerance = "
                 << scene.periodic_state.tolerance;
-        if (result.return_defect > scene.periodic_state.tolerance)
+        if (result.periods > 1 &&
+            result.return_defect > scene.periodic_state.tolerance)
           message << ", for the viscous strain does not yet come back after a "
                      "period";
       }

@@ -156,6 +156,11 @@ namespace Crevasse
         ": loads or material jump where the period ends and t begins anew, "
         "though no formula has a jump in it. Is this the period of the "
         "formulas?");
+    if (scene.discretisation.singular_functions == 3 && body.effects.contact.on)
+      all.push_back(
+        "[Discretisation] Singular functions = 3 with contact: where the lip "
+        "is pressed, the third one moves it between its nodes, and pressure "
+        "and K_I are off by some tenths of a per cent; 2 are not");
     if (!secular_split.warning.empty())
       all.push_back(secular_split.warning);
     if (integrator != nullptr && !periodic_choice.uses_fourier() &&

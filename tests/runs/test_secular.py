@@ -150,7 +150,7 @@ def test_split_and_unsplit():
                     f"Time integration/Scheme={scheme}",
                     f"Time integration/Steps per period={steps}"]
                 if steps > 40:  # for the mean pressure, to five digits
-                    here += ["Periodic state/Tolerance=1e-7"]
+                    here += ["Periodic state/Tolerance=1e-6"]
                 split = run(SCENE, name + "_split", here)
                 check(split.summary["secular"]["on"], name + ": split")
                 errors[scheme, steps] = max(

@@ -223,26 +223,29 @@ namespace
     for (double length = 1.; length > 0. && n_leaps < 100; ++n_leaps)
       {
         const double f = residual(x);
-        length         = leaps.next(x > 0. ? 1. : 0., std::abs(f));
+        length         = leaps.next(x > 0. ? 1. : 0., 0., std::abs(f));
         x += length * f;
       }
     check("a drift of 1e5 periods ends within 18 leaps",
           x <= 0. && n_leaps <= 18);
     check("that it has ended is told", leaps.has_left());
-    check("once", leaps.next(0.5, 1.) == 0. && !leaps.has_left());
+    check("once", leaps.next(0.5, 0., 1.) == 0. && !leaps.has_left());
     check("the same drift goes on with the length of the last leap",
-          leaps.next(1., 1.) == 65536.);
-    check("a lesser one from the beginning", leaps.next(1., 0.1) == 1.);
+          leaps.next(1., 0., 1.) == 65536.);
+    check("a lesser one from the beginning", leaps.next(1., 0., 0.1) == 1.);
+
+    check("a residual that changes is none, however hard to explain",
+          leaps.next(1., 0.3, 0.1) == 0.);
 
     leaps.clear();
     double longest = 0.;
     for (unsigned int n = 0; n < 100; ++n)
-      longest = std::max(longest, leaps.next(1., 1.));
+      longest = std::max(longest, leaps.next(1., 0., 1.));
     check("what never ends is not followed for ever",
-          longest < 1e7 && leaps.next(1., 1.) == 0.);
+          longest < 1e7 && leaps.next(1., 0., 1.) == 0.);
     leaps.clear();
     check("a single step is no leap",
-          leaps.next(1., 1.) == 1. && leaps.next(0., 1.) == 0. &&
+          leaps.next(1., 0., 1.) == 1. && leaps.next(0., 0., 1.) == 0. &&
             !leaps.has_left());
   }
 } // namespace

@@ -90,10 +90,13 @@ namespace Crevasse
     bool
     follow_drift(const Vector &image, Vector &next);
 
-    /** Begins anew from the image of the start with the least residual if
-     * residuals have not been less for long, or have risen far. */
     void
-    restart_if_stagnant(const Vector &image, Vector &next);
+    remember_best(const Vector &image);
+
+    /** Begins anew from the image of the start with the least residual if
+     * residuals have not been less for long, leaps aside, or have risen far. */
+    void
+    restart_if_stagnant(Vector &next);
 
     /** Takes the change of stress that the last step has made. */
     void

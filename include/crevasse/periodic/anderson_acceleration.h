@@ -69,6 +69,11 @@ namespace Crevasse
     double
     unexplained_part() const;
 
+    /** |f − f'| / |f| with the residual f' of the point before; infinite if
+     * that is not remembered, or if the change is rounding. */
+    double
+    residual_change() const;
+
     void
     serialize(StateArchive &archive);
 
@@ -83,6 +88,7 @@ namespace Crevasse
     std::deque<Pair> pairs;              ///< the youngest at the back
     double           unexplained   = 0.; ///< |f − ΔF γ|
     double           residual_norm = 0.; ///< |f|
+    double           change        = 0.; ///< residual_change()
   };
 } // namespace Crevasse
 

@@ -22,10 +22,11 @@ namespace Crevasse
    * combination of what was remembered explains it. Strains that bear no stress
    * drift so under a mean load that goes on to close an open lip.
    *
-   * 1, 2, 4, … as long as it lasts (projective integration: Gear and
-   * Kevrekidis, SIAM J. Sci. Comput. 24, 2003). Where a leap has stirred up
-   * something else, those that follow once that has died away begin with its
-   * length, unless the drift itself has become much less.
+   * What is hard to explain alone is none: a search that converges slowly has
+   * such residuals too. 1, 2, 4, … as long as it lasts (projective integration:
+   * Gear and Kevrekidis, SIAM J. Sci. Comput. 24, 2003). Where a leap has
+   * stirred up something else, those that follow once that has died away begin
+   * with its length, unless it is quite another drift by its size.
    */
   class DriftLeaps
   {
@@ -38,9 +39,12 @@ namespace Crevasse
      * been followed for too long.
      *
      * @param unexplained_part of the residual of this period, in [0, 1].
+     * @param change of the residual since the period before, relative to it.
      * @param residual its norm. */
     double
-    next(const double unexplained_part, const double residual);
+    next(const double unexplained_part,
+         const double change,
+         const double residual);
 
     /** Whether the last leap went to where there is no drift: what was
      * remembered before is of another branch of the map. */

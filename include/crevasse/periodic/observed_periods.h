@@ -85,6 +85,10 @@ namespace Crevasse
     double
     return_defect() const;
 
+    /** From now on it need not return where the lip opens, see ReturnDefect. */
+    void
+    let_opening_excuse();
+
     /** Whether it is known to return. */
     bool
     strain_returns() const;
@@ -135,7 +139,8 @@ namespace Crevasse
 
     // About the return of the strain, if it is known to.
     Vector r_before, u_before; ///< at the beginning of the period
-    bool   is_excused = false;
+    bool   opening_excuses = false;
+    bool   lip_opens       = false; ///< and stands open
 
     // Of the period that is being computed, and before it was taken up.
     dealii::Timer   timer;

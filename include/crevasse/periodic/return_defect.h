@@ -38,47 +38,40 @@ namespace Crevasse
   public:
     /** All arguments must outlive this object.
      *
-     * @param material whose stiffness makes it a stress.
-     * @param slowness 1/(1−λ) with the contraction λ of the slowest point by
-     * itself.
+     * @param material that makes it a stress; of what varies in time, at one
+     * instant.
      * @param flow that goes on besides; null: none.
      * @param is_split whether that is not in the strain.
      * @param period in units of time.
-     * @param bounds of the lip.
-     * @param opening_excuses whether it does not count what a lip that opens
-     * still lacks. */
+     * @param bounds of the lip. */
     ReturnDefect(const QuadratureField<dim> &points,
                  const MaterialState<dim>   &material,
-                 const double                slowness,
                  const SecularFlow          *flow,
                  const bool                  is_split,
                  const double                period,
-                 const UnilateralBounds     &bounds,
-                 const bool                  opening_excuses);
+                 const UnilateralBounds     &bounds);
 
-    /** The largest component of that stress at all points, relative to a
-     * @p stress; 0 if it is rounding. Collective. */
+    /** The largest component of that stress at all points, relative to
+     * that of the stress itself; 0 if it is rounding. Collective. */
     double
     operator()(const Vector &before,
                const Vector &after,
-               const double  stress) const;
+               const double  largest_stress) const;
 
-    /** Whether it need not return, for all of the lip stands open and goes on
-     * to open from the one displacement to the next, a period later: then no
-     * strain that bears no stress will ever matter to the stress. Not so with
-     * an elastic spring, in which all strain makes stress. Collective. */
+    /** Whether all of the lip stands open and opens from the one displacement
+     * to the next, a period later: a strain that bears no stress brings it no
+     * nearer to contact then, and what bears stress shows by its change. Not so
+     * with an elastic spring, in which all strain makes stress. Collective. */
     bool
-    is_excused(const Vector &before, const Vector &after) const;
+    lip_opens(const Vector &before, const Vector &after) const;
 
   private:
     const std::size_t         n_points; ///< of this rank
     const MaterialState<dim> &material;
-    const double              slowness;
     const SecularFlow        *flow;
     const bool                is_split;
     const double              period;
     const UnilateralBounds   &bounds;
-    const bool                opening_excuses;
   };
 } // namespace Crevasse
 
