@@ -30,8 +30,9 @@ namespace Crevasse
     Effects::Effect effect;           ///< on: there is a flow, found on its own
     bool            is_split = false; ///< whether q is computed, and not u
     Vector          mean_load;        ///< f̄, where it was needed
-    /** Whether the steps see f̄ to rounding: then the viscous strain of a
-     * periodic motion comes back after a period, but for the flow. */
+    /** Whether the flow is known by which the steps flow, to rounding (with the
+     * split, that of the mean load as they see it): then the viscous strain of
+     * a periodic motion comes back after a period, but for it. */
     bool        strain_returns = false;
     std::string warning; ///< empty: none
   };
