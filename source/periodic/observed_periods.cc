@@ -104,8 +104,10 @@ namespace Crevasse
 
   template <int dim>
   void
-  ObservedPeriods<dim>::begin_period()
+  ObservedPeriods<dim>::begin_period(const Vector &r)
   {
+    if (defect != nullptr)
+      r_before = r;
     timer.restart();
     seconds_before = 0.;
     solves_before  = n_solves();
@@ -118,7 +120,7 @@ namespace Crevasse
   void
   ObservedPeriods<dim>::stop_before(Vector &r)
   {
-    begin_period();
+    begin_period(r);
     period_map.stop_before(so_far.periods, r);
     --so_far.periods;
   }
@@ -129,9 +131,7 @@ namespace Crevasse
   double
   ObservedPeriods<dim>::compute(Vector &r)
   {
-    begin_period();
-    if (defect != nullptr)
-      r_before = r;
+    begin_period(r);
     period_map.advance(so_far.periods, r, [this](const Sample &sample) {
       history.record(sample.instant, sample.state.stress);
       if (defect != nullptr && sample.step == 0)

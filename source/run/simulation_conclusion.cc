@@ -31,6 +31,7 @@ namespace Crevasse
     std::string
     periods_to_go(const PeriodicResult &result, const double tolerance)
     {
+      constexpr double small = 1e-8; // direct solvers stay far below it
       const std::vector<double> &changes = result.stress_change;
       if (changes.size() < 3)
         return "";
@@ -39,7 +40,11 @@ namespace Crevasse
       if (!std::isfinite(ratio))
         return "";
       if (!(ratio < 1.) || !std::isfinite(error))
-        return " (the changes do not shrink at present)";
+        return std::string(" (the changes do not shrink at present") +
+               (changes.back() <= small
+                  ? "; so small, they may be those of the solutions: lower "
+                    "[Contact] Tolerance, or set Solver = automatic)"
+                  : ")");
       std::ostringstream text;
       text << " (about "
            << std::ceil(std::log(tolerance / error) / std::log(ratio))

@@ -7,7 +7,9 @@ import math
 
 from crevasse_run import SOURCE, check, check_below, check_close, run
 
-SETTINGS = ["Contact/Tolerance=1e-14", "Periodic state/Tolerance=1e-10",
+# The tolerance is one that the SOR of this scene allows for: its errors
+# change from period to period, and with them the viscous strain.
+SETTINGS = ["Contact/Tolerance=1e-14", "Periodic state/Tolerance=1e-9",
             "Output/Fields=none", "Periodic state/Maximum periods=4"]
 
 # SOR needs hundreds of sweeps a solve on the Q2 mesh: a coarser one.

@@ -125,7 +125,7 @@ namespace Crevasse
     const ReturnDefect<dim>       *defect;
 
     void
-    begin_period();
+    begin_period(const Vector &r);
 
     void
     show(const Sample &sample);
