@@ -37,6 +37,26 @@ namespace Crevasse
              " (theta = " + Text::from_number(place.temperature) +
              ", material = " + std::to_string(place.material) + ")";
     }
+
+
+
+    /** No more than the mean over the period of what has these values at these
+     * instants: of each interval the lesser of its ends, beside a jump too. */
+    double
+    lower_mean(const std::vector<double> &instants,
+               const std::vector<double> &values,
+               const double               period)
+    {
+      double mean = 0.;
+      for (std::size_t k = 0; k < instants.size(); ++k)
+        {
+          const bool   is_last = k + 1 == instants.size();
+          const double end     = is_last ? period : instants[k + 1];
+          const double value   = is_last ? values.front() : values[k + 1];
+          mean += (end - instants[k]) / period * std::min(values[k], value);
+        }
+      return mean;
+    }
   } // namespace
 
 
@@ -159,23 +179,26 @@ namespace Crevasse
 
   template <int dim>
   RelaxationTimes
-  MaterialField<dim>::survey(const std::vector<double> &instants) const
+  MaterialField<dim>::survey(const std::vector<double> &instants,
+                             const double               period) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     check_factor(law.stiffness_factor(), "Stiffness time factor", instants);
     check_factor(law.viscosity_factor(), "Viscosity time factor", instants);
     check_requirements(instants);
     if (law.branches().empty())
-      return {infinity, infinity, false};
+      return {infinity, infinity, infinity, 1., false};
 
-    const bool      rates_vary = stiffness_varies() || fluidity_varies();
-    RelaxationRates now, all{infinity, 0., true};
+    const bool          rates_vary = stiffness_varies() || fluidity_varies();
+    RelaxationRates     now, all{infinity, 0., true};
+    std::vector<double> least_rates, fluidity_factors; // of all instants
     for (const double t : instants)
       {
         if (rates_vary || t == instants.front())
           {
             const MaterialState<dim> state = at(t);
             collectively(communicator, [&]() { now = extreme_rates(state); });
+            now.least = Utilities::MPI::min(now.least, communicator);
           }
         MaterialState<dim> factors;
         set_factors(t, factors);
@@ -184,13 +207,17 @@ namespace Crevasse
         all.least   = std::min(all.least, now.least * factor);
         all.largest = std::max(all.largest, now.largest * factor);
         all.all     = all.all && now.all;
+        least_rates.push_back(now.least * factor);
+        fluidity_factors.push_back(1. / factors.viscosity_factor);
       }
-    all.least   = Utilities::MPI::min(all.least, communicator);
-    all.largest = Utilities::MPI::max(all.largest, communicator);
-    const bool relaxes =
+    all.largest             = Utilities::MPI::max(all.largest, communicator);
+    const double mean_least = lower_mean(instants, least_rates, period);
+    const bool   relaxes =
       Utilities::MPI::min(all.all ? 1 : 0, communicator) == 1;
     return {all.largest > 0. ? 1. / all.largest : infinity,
             std::isfinite(all.least) ? 1. / all.least : infinity,
+            std::isfinite(mean_least) ? 1. / mean_least : infinity,
+            lower_mean(instants, fluidity_factors, period),
             relaxes};
   }
 
@@ -239,9 +266,9 @@ namespace Crevasse
   template void
   MaterialField<3>::check_requirements(const std::vector<double> &) const;
   template RelaxationTimes
-  MaterialField<2>::survey(const std::vector<double> &) const;
+  MaterialField<2>::survey(const std::vector<double> &, const double) const;
   template RelaxationTimes
-  MaterialField<3>::survey(const std::vector<double> &) const;
+  MaterialField<3>::survey(const std::vector<double> &, const double) const;
   template double
   MaterialField<2>::largest_thermal_strain(const std::vector<double> &) const;
   template double

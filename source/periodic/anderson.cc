@@ -82,7 +82,7 @@ namespace Crevasse
         periods.report(error);
         if (settings.tolerance > 0. && error <= settings.tolerance)
           return Ending::converged;
-        if (restarts > settings.most_restarts)
+        if (stagnations > settings.most_stagnations)
           {
             coordinates.to_strain(next, r);
             return Ending::stagnant;
@@ -109,6 +109,8 @@ namespace Crevasse
     archive.common(least_residual);
     archive.common(since_least);
     archive.common(restarts);
+    archive.common(stagnations);
+    archive.common(residual_at_restart);
     leaps.serialize(archive);
     archive.common(last_residual);
     archive.common(last_step);
@@ -125,8 +127,9 @@ namespace Crevasse
   Anderson<dim>::forget()
   {
     acceleration.clear();
-    least_residual = std::numeric_limits<double>::infinity();
-    since_least    = 0;
+    least_residual      = std::numeric_limits<double>::infinity();
+    residual_at_restart = std::numeric_limits<double>::infinity();
+    since_least         = 0;
     leaps.clear();
     changes_per_step.clear();
   }
@@ -180,14 +183,22 @@ namespace Crevasse
     constexpr double tolerable_rise = 1e3;
     if (last_residual > least_residual)
       ++since_least;
-    if (since_least <= settings.patience &&
-        last_residual <= tolerable_rise * least_residual)
+    const bool is_in_vain = since_least > settings.patience;
+    if (!is_in_vain && last_residual <= tolerable_rise * least_residual)
       return;
     acceleration.clear();
     leaps.clear();
-    next        = best_image;
-    since_least = 0;
+    next = best_image;
     ++restarts;
+    // A single step astray does not count as stagnation, nor do several between
+    // which residuals fall.
+    constexpr double at_least = 0.5;
+    if (is_in_vain || least_residual > at_least * residual_at_restart)
+      {
+        since_least = 0;
+        ++stagnations;
+      }
+    residual_at_restart = least_residual;
   }
 
 

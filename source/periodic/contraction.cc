@@ -31,8 +31,9 @@ namespace Crevasse
       }
     if (last_change && *last_change > rounding)
       {
-        ratio_before = ratio;
-        ratio        = change / *last_change;
+        ratios.push_back(change / *last_change);
+        if (ratios.size() > n_ratios)
+          ratios.erase(ratios.begin());
       }
     last_change         = change;
     const double lambda = factor();
@@ -48,9 +49,8 @@ namespace Crevasse
   double
   Contraction::factor() const
   {
-    if (!ratio)
-      return std::numeric_limits<double>::quiet_NaN();
-    return std::max(*ratio, ratio_before.value_or(0.));
+    return ratios.empty() ? std::numeric_limits<double>::quiet_NaN()
+                          : *std::max_element(ratios.begin(), ratios.end());
   }
 
 
@@ -59,7 +59,6 @@ namespace Crevasse
   Contraction::serialize(StateArchive &archive)
   {
     archive.common(last_change);
-    archive.common(ratio);
-    archive.common(ratio_before);
+    archive.common(ratios);
   }
 } // namespace Crevasse

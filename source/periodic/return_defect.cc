@@ -55,12 +55,14 @@ namespace Crevasse
                                   const MaterialState<dim>   &material,
                                   const SecularFlow          *flow,
                                   const bool                  is_split,
-                                  const double                period,
-                                  const UnilateralBounds     &bounds)
+                                  const double            mean_fluidity_factor,
+                                  const double            period,
+                                  const UnilateralBounds &bounds)
     : n_points(points.n_local_points())
     , material(material)
     , flow(flow)
     , is_split(is_split)
+    , mean_fluidity_factor(mean_fluidity_factor)
     , period(period)
     , bounds(bounds)
   {
@@ -93,7 +95,7 @@ namespace Crevasse
           const double           size   = largest_entry(stress);
           const double           relaxed =
             largest_entry(K * ((*material.fluidity[i])[point] * stress)) *
-            period / material.viscosity_factor;
+            period * mean_fluidity_factor;
           largest[0] = std::max(largest[0], size);
           largest[1] = std::max(largest[1], largest_entry(K * strain));
           largest[2] = std::max(largest[2], size * slowness(relaxed, size));

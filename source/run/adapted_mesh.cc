@@ -135,7 +135,7 @@ namespace Crevasse
                          scene.loads.period,
                          scene.output.field_times);
     body.loads.survey(steps.survey_instants({}), body.space.communicator());
-    body.material.survey(steps.survey_instants({}));
+    body.material.survey(steps.survey_instants({}), steps.period());
 
     Solvers<dim> solvers(
       scene, body, steps, largest_load(body, steps), quiet, phases);

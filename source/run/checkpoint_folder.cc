@@ -29,7 +29,7 @@ namespace Crevasse
   namespace
   {
     /** Of the files; what was written by another one cannot be read. */
-    constexpr int format_version = 5;
+    constexpr int format_version = 6;
 
     constexpr const char *manifest_file = "manifest.json";
     constexpr const char *being_written = ".new";

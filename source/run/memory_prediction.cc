@@ -182,8 +182,9 @@ namespace Crevasse
 
 
     /** The stress of all samples of a period is kept to compare with the next;
-     * the integrator keeps r, a stage and a rate for each stage. What solvers
-     * and observers need besides is measured. */
+     * the integrator keeps r, a stage and a rate for each stage, the search r
+     * at the beginning of the period. What solvers and observers need besides
+     * is measured. */
     template <int dim>
     double
     bytes_of_fields(const Scale<dim> &scale,
@@ -195,7 +196,7 @@ namespace Crevasse
       constexpr double vectors = 30.;
       return sizeof(double) *
              ((steps.n_steps() + (creeps ? 8. : 2.)) * stress +
-              (creeps ? 4. : 0.) * scale.strain + vectors * scale.own_unknowns);
+              (creeps ? 5. : 0.) * scale.strain + vectors * scale.own_unknowns);
     }
 
 
@@ -208,10 +209,11 @@ namespace Crevasse
                     const PeriodicChoice &choice)
     {
       double values = 0.;
-      // Images and residuals, and their differences while they are combined.
+      // Images and residuals, and their differences while they are combined;
+      // besides start and image, the next start and the best image.
       if (choice.method == "anderson")
         values +=
-          4. * (scene.periodic_state.anderson_depth + 1.) * scale.strain;
+          4. * (scene.periodic_state.anderson_depth + 2.) * scale.strain;
       if (choice.uses_fourier())
         values += steps.n_steps() * (scale.strain + 2. * scale.own_unknowns);
       return sizeof(double) * values;

@@ -27,21 +27,21 @@
 namespace Crevasse
 {
   template <int dim>
-  PeriodicSearch<dim>::PeriodicSearch(const Scene          &scene,
-                                      const Body<dim>      &body,
-                                      const PeriodicChoice &choice,
-                                      const SecularSplit   &split,
-                                      const SecularFlow    *flow,
-                                      const FourierResult  *direct,
-                                      const double largest_relaxation_time,
-                                      Log         &log)
+  PeriodicSearch<dim>::PeriodicSearch(const Scene           &scene,
+                                      const Body<dim>       &body,
+                                      const PeriodicChoice  &choice,
+                                      const SecularSplit    &split,
+                                      const SecularFlow     *flow,
+                                      const FourierResult   *direct,
+                                      const RelaxationTimes &relaxation_times,
+                                      Log                   &log)
     : scene(scene)
     , body(body)
     , choice(choice)
     , split(split)
     , flow(flow)
     , direct(direct)
-    , largest_relaxation_time(largest_relaxation_time)
+    , relaxation_times(relaxation_times)
     , log(log)
   {
   }
@@ -183,13 +183,15 @@ namespace Crevasse
     // What bears no stress matters to a march where a lip may touch.
     if (!returns || (choice.method == "march" && !body.effects.contact.on))
       return {};
-    return std::optional<ReturnDefect<dim>>(std::in_place,
-                                            body.points,
-                                            material,
-                                            flow,
-                                            split.is_split,
-                                            scene.loads.period,
-                                            bounds);
+    return std::optional<ReturnDefect<dim>>(
+      std::in_place,
+      body.points,
+      material,
+      flow,
+      split.is_split,
+      relaxation_times.mean_fluidity_factor,
+      scene.loads.period,
+      bounds);
   }
 
 
@@ -198,15 +200,14 @@ namespace Crevasse
   double
   PeriodicSearch<dim>::slowness() const
   {
-    // Infinite where a part does not relax, which then does not change either;
-    // and of what varies the slowest instant says little.
+    // Infinite where nothing relaxes; what does not relax does not change
+    // either.
     constexpr double longest = 1e4; // of periods: much longer than runs
-    if (!std::isfinite(largest_relaxation_time) ||
-        body.effects.varying_stiffness.on || body.effects.varying_viscosity.on)
+    const double     slowest = relaxation_times.longest_in_mean;
+    if (!std::isfinite(slowest))
       return 1.;
     const double period = scene.loads.period;
-    return 1. / -std::expm1(-period / std::min(largest_relaxation_time,
-                                               longest * period));
+    return 1. / -std::expm1(-period / std::min(slowest, longest * period));
   }
 
 
@@ -221,25 +222,25 @@ namespace Crevasse
                                              body.points,
                                              body.material.at(0.));
     typename Anderson<dim>::Settings settings;
-    settings.acceleration  = {parameters.anderson_depth,
-                              parameters.anderson_damping};
-    settings.delay         = parameters.anderson_delay;
-    settings.tolerance     = parameters.tolerance;
-    settings.slowness      = slowness();
-    settings.patience      = 2 * parameters.anderson_depth;
-    settings.most_restarts = std::numeric_limits<unsigned int>::max();
+    settings.acceleration     = {parameters.anderson_depth,
+                                 parameters.anderson_damping};
+    settings.delay            = parameters.anderson_delay;
+    settings.tolerance        = parameters.tolerance;
+    settings.slowness         = slowness();
+    settings.patience         = 2 * parameters.anderson_depth;
+    settings.most_stagnations = std::numeric_limits<unsigned int>::max();
     if (choice.may_fall_back)
       {
         // Leaves most of the periods to what goes on.
         settings.patience =
           std::min(settings.patience, 1 + parameters.maximum_periods / 4);
-        settings.most_restarts = 0;
+        settings.most_stagnations = 0;
       }
     Anderson<dim> method(periods, coordinates, settings);
     const Ending  ending = method.run(r);
     if (method.n_restarts() > 0)
       log.line("  anderson began anew " + std::to_string(method.n_restarts()) +
-               " times, for its residuals did not fall");
+               " times: residuals did not fall, or a step went astray");
     return ending;
   }
 

@@ -135,6 +135,26 @@ namespace Crevasse
 
 
 
+    /** What is to be said of steps of which some count negatively in the mean
+     * over the period; nothing if none do. */
+    std::string
+    warning_of_negative_weights(const std::string &scheme,
+                                const Integrator  &integrator)
+    {
+      const std::vector<double> &weights = integrator.quadrature().weights;
+      if (std::none_of(weights.begin(), weights.end(), [](const double weight) {
+            return weight < 0.;
+          }))
+        return "";
+      return "[Time integration] Scheme = " + scheme +
+             " of this Order has stages of negative weight: where the lip "
+             "opens in the mean some may bear pressure that others balance, "
+             "and periodic states that differ by the error of the steps fulfil "
+             "the equations of the steps. Set Order = 2, or Scheme = sdirk2.";
+    }
+
+
+
     /** The τ of a body whose viscosity is τK everywhere: then A serves the
      * secular problem too. Nothing if it is another body. Collective. */
     template <int dim>
@@ -264,6 +284,8 @@ namespace Crevasse
       throw SceneError(setting + ": " + missed);
     if (!missed.empty())
       split.warning = "[Periodic state] Secular split: " + missed;
+    else if (split.is_split && body.effects.contact.on)
+      split.warning = warning_of_negative_weights(scheme, *integrator);
     // What is marched must not flow on by the error of the steps.
     if (split.is_split && !integrator->quadrature().weights.empty())
       split.mean_load = seen;

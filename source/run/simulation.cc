@@ -48,10 +48,12 @@ namespace Crevasse
      * with them, and the extreme relaxation times. */
     template <int dim>
     RelaxationTimes
-    survey(const Body<dim> &body, const std::vector<double> &instants)
+    survey(const Body<dim>           &body,
+           const std::vector<double> &instants,
+           const double               period)
     {
       body.loads.survey(instants, body.space.communicator());
-      return body.material.survey(instants);
+      return body.material.survey(instants, period);
     }
 
 
@@ -137,7 +139,8 @@ namespace Crevasse
                                      scene.loads.period,
                                      body.effects.contact.on)
                    : nullptr)
-    , relaxation_times(survey(body, survey_instants(steps, integrator.get())))
+    , relaxation_times(
+        survey(body, survey_instants(steps, integrator.get()), steps.period()))
     , largest_thermal_strain(body.material.largest_thermal_strain(
         survey_instants(steps, integrator.get())))
     , largest_nodal_force(largest_load(body, steps))
@@ -468,7 +471,7 @@ namespace Crevasse
                                        secular_split,
                                        secular_flow ? &*secular_flow : nullptr,
                                        direct,
-                                       relaxation_times.largest,
+                                       relaxation_times,
                                        log)
                      .run(
                        evolution,

@@ -91,7 +91,7 @@ namespace
   {
     Contraction whole, left, taken_up;
     const auto  change = [](const unsigned int k) {
-      return std::pow(0.5, k) * (1. + 0.1 * std::sin(k));
+      return std::pow(0.5, k) * (1. + 0.9 * std::sin(1.7 * k));
     };
     for (unsigned int k = 0; k < n_before; ++k)
       {

@@ -200,11 +200,24 @@ namespace
     check("the estimate is within a factor of 2",
           estimate > 0.5 * error && estimate < 2. * error);
 
+    // Twice a node comes free, and then it goes on as slowly as before.
+    Contraction ceasing;
+    for (unsigned int n = 0; n < 10; ++n)
+      ceasing.add(std::pow(0.9, n));
+    for (const double fall : {1., 0.1})
+      {
+        change = 0.1 * fall; // 0.9¹⁰ is more
+        check("a fall of the changes for once says little",
+              ceasing.add(change) >= 8.9 * change);
+      }
+
     Contraction growing;
     growing.add(1e-3);
     check("no estimate of changes that grow", std::isnan(growing.add(2e-3)));
     check("nor soon after", std::isnan(growing.add(1e-3)));
-    check("but later", std::isfinite(growing.add(1e-4)));
+    growing.add(1e-4);
+    growing.add(1e-5);
+    check("but later", std::isfinite(growing.add(1e-6)));
     check("changes that are rounding are no ratio",
           growing.add(1e-14) <= 1e-14 && growing.add(2e-14) <= 2e-14);
   }

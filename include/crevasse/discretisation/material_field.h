@@ -57,7 +57,14 @@ namespace Crevasse
   struct RelaxationTimes
   {
     double smallest, largest; ///< infinite if nothing relaxes
-    bool   all;               ///< whether all parts of the stress relax
+
+    /** Of what relaxes slowest over a period, or more: the inverse of the mean
+     * over the period of the least rate of each instant; infinite if nothing
+     * relaxes. */
+    double longest_in_mean;
+
+    double mean_fluidity_factor; ///< mean over the period of 1/η₀, or less
+    bool   all;                  ///< whether all parts of the stress relax
   };
 
   /**
@@ -102,12 +109,14 @@ namespace Crevasse
      * Looks at all points and the given instants whether the material is one:
      * symmetric, positive definite, finite. Collective.
      *
+     * @param instants of one period, in their order.
+     * @param period in units of time.
      * @return the extreme relaxation times among them, infinite for an elastic
      * body.
      * @throw SceneError with the worst point and instant.
      */
     RelaxationTimes
-    survey(const std::vector<double> &instants) const;
+    survey(const std::vector<double> &instants, const double period) const;
 
     /** The largest magnitude among the components of thermal strain at all
      * points and the given instants; 0 if there is none. Collective.

@@ -63,7 +63,7 @@ namespace Crevasse
       double slowness;
       /** Periods without a lesser residual before it begins anew. */
       unsigned int patience;
-      unsigned int most_restarts; ///< then it counts as stagnant
+      unsigned int most_stagnations; ///< beyond them run() gives up
     };
 
     Anderson(ObservedPeriods<dim>         &periods,
@@ -73,7 +73,8 @@ namespace Crevasse
     Ending
     run(Vector &r) override;
 
-    /** How often the iteration began anew because it stagnated. */
+    /** How often the iteration began anew because it stagnated, or
+     * because a step went astray. */
     unsigned int
     n_restarts() const;
 
@@ -119,6 +120,8 @@ namespace Crevasse
     double       least_residual = 0.;
     unsigned int since_least    = 0; ///< periods
     unsigned int restarts       = 0;
+    unsigned int stagnations    = 0; ///< restarts before which nothing fell
+    double       residual_at_restart = 0.; ///< the least one then
     DriftLeaps   leaps;
 
     double             last_residual = 0.; ///< from a start to its image

@@ -14,6 +14,7 @@
 #define crevasse_periodic_contraction_h
 
 #include <optional>
+#include <vector>
 
 namespace Crevasse
 {
@@ -25,8 +26,10 @@ namespace Crevasse
    *
    *     change × λ / (1 − λ)       (Aitken)
    *
-   * with the larger one of the last two ratios for λ. A change alone says
-   * little: a slow approach makes small changes far from its limit.
+   * with the largest of the last four ratios for λ: where contact ceases at a
+   * node or two the changes fall once or twice, and then go on as slowly as
+   * before. A change alone says little: a slow approach makes small changes far
+   * from its limit.
    */
   class Contraction
   {
@@ -48,8 +51,10 @@ namespace Crevasse
     serialize(StateArchive &archive);
 
   private:
+    static constexpr unsigned int n_ratios = 4;
+
     std::optional<double> last_change;
-    std::optional<double> ratio, ratio_before; ///< of the last changes
+    std::vector<double>   ratios; ///< of the last changes, the newest last
   };
 } // namespace Crevasse
 

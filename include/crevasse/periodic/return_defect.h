@@ -40,6 +40,8 @@ namespace Crevasse
      *
      * @param material that makes it a stress; of what varies in time, at one
      * instant.
+     * @param mean_fluidity_factor mean of 1/η₀ over the period, instead of that
+     * of the instant: the strain flows by all of it.
      * @param flow that goes on besides; null: none.
      * @param is_split whether that is not in the strain.
      * @param period in units of time.
@@ -48,6 +50,7 @@ namespace Crevasse
                  const MaterialState<dim>   &material,
                  const SecularFlow          *flow,
                  const bool                  is_split,
+                 const double                mean_fluidity_factor,
                  const double                period,
                  const UnilateralBounds     &bounds);
 
@@ -70,6 +73,7 @@ namespace Crevasse
     const MaterialState<dim> &material;
     const SecularFlow        *flow;
     const bool                is_split;
+    const double              mean_fluidity_factor;
     const double              period;
     const UnilateralBounds   &bounds;
   };

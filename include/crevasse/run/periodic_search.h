@@ -39,14 +39,14 @@ namespace Crevasse
      * @param flow that was found; null: none was looked for.
      * @param direct what the direct method has found; null: it was not called
      * for, or has failed. */
-    PeriodicSearch(const Scene          &scene,
-                   const Body<dim>      &body,
-                   const PeriodicChoice &choice,
-                   const SecularSplit   &split,
-                   const SecularFlow    *flow,
-                   const FourierResult  *direct,
-                   const double          largest_relaxation_time,
-                   Log                  &log);
+    PeriodicSearch(const Scene           &scene,
+                   const Body<dim>       &body,
+                   const PeriodicChoice  &choice,
+                   const SecularSplit    &split,
+                   const SecularFlow     *flow,
+                   const FourierResult   *direct,
+                   const RelaxationTimes &relaxation_times,
+                   Log                   &log);
 
     /**
      * Searches from the start, or from what was found directly; a march goes on
@@ -92,14 +92,14 @@ namespace Crevasse
     Ending
     accelerate(ObservedPeriods<dim> &periods, Vector &r) const;
 
-    const Scene          &scene;
-    const Body<dim>      &body;
-    const PeriodicChoice &choice;
-    const SecularSplit   &split;
-    const SecularFlow    *flow;
-    const FourierResult  *direct;
-    const double          largest_relaxation_time;
-    Log                  &log;
+    const Scene           &scene;
+    const Body<dim>       &body;
+    const PeriodicChoice  &choice;
+    const SecularSplit    &split;
+    const SecularFlow     *flow;
+    const FourierResult   *direct;
+    const RelaxationTimes &relaxation_times;
+    Log                   &log;
   };
 } // namespace Crevasse
 
