@@ -1,6 +1,7 @@
 """The pages of the documentation, without the program: each is reachable from
-README.md, links lead somewhere, sources that are named exist, the walk-throughs are patches that fit the
-source, and messages that doc/troubleshooting.md quotes are the program's."""
+README.md, links lead somewhere, sources that are named exist, the walk-throughs
+are patches that fit the source, nothing misleads Doxygen, and messages that
+doc/troubleshooting.md quotes are the program's."""
 
 import pathlib
 import re
@@ -61,6 +62,14 @@ def patches_that_do_not_fit():
                 yield f"{path.name}: {result.stderr}"
 
 
+def graphs_for_doxygen():
+    """It takes the dot over a symbol for the beginning of a graph, even in
+    code, and what follows up to the end of the page for its text."""
+    for path in PAGES:
+        if re.search(r"\\dot\b", path.read_text()):
+            yield f"{path.name}: has the command \\dot"
+
+
 def texts_of_program():
     """The string literals of the sources, neighbours joined, with something
     unlike any text between them."""
@@ -86,6 +95,6 @@ def unknown_messages():
 
 
 found = [*broken_links(), *missing_sources(), *unreachable_pages(),
-         *patches_that_do_not_fit(), *unknown_messages()]
+         *patches_that_do_not_fit(), *graphs_for_doxygen(), *unknown_messages()]
 print("\n".join(found) or "All pages are in order.")
 sys.exit(1 if found else 0)
