@@ -238,9 +238,10 @@ namespace Crevasse
       }
     Anderson<dim> method(periods, coordinates, settings);
     const Ending  ending = method.run(r);
-    if (method.n_restarts() > 0)
-      log.line("  anderson began anew " + std::to_string(method.n_restarts()) +
-               " times: residuals did not fall, or a step went astray");
+    if (const unsigned int n = method.n_restarts(); n > 0)
+      log.line("  anderson began anew " +
+               (n == 1 ? "once" : std::to_string(n) + " times") +
+               ": residuals did not fall, or a step went astray");
     return ending;
   }
 

@@ -147,8 +147,7 @@ namespace Crevasse
       return;
     std::ostringstream message;
     message
-      << "The stress repeats, but it is not the periodic one: the lip "
-         "bears "
+      << "The stress repeats, but it is not the periodic one: the lip bears "
       << measured << " in the mean of the last period, and " << expected
       << " once its flow has become steady (mean contact force of the "
          "secular problem). It still approaches contact, or leaves it, "
