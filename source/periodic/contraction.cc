@@ -61,4 +61,13 @@ namespace Crevasse
     archive.common(last_change);
     archive.common(ratios);
   }
+
+
+
+  double
+  slowness_of_relaxation(const double relaxed)
+  {
+    constexpr double least = 1e-4;
+    return 1. / -std::expm1(-std::max(relaxed, least));
+  }
 } // namespace Crevasse

@@ -10,6 +10,7 @@
 // ---------------------------------------------------------------------
 
 
+#include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/return_defect.h>
 
 #include <deal.II/base/array_view.h>
@@ -35,17 +36,6 @@ namespace Crevasse
       return largest;
     }
 
-
-
-    /** 1/(1−exp(−T/τ)), as @p relaxed / @p size is T/τ. */
-    double
-    slowness(const double relaxed, const double size)
-    {
-      constexpr double longest = 1e4; // in periods: much longer than runs
-      return size > 0.
-               ? 1. / -std::expm1(-std::max(relaxed / size, 1. / longest))
-               : 0.;
-    }
   } // namespace
 
 
@@ -98,7 +88,10 @@ namespace Crevasse
             period * mean_fluidity_factor;
           largest[0] = std::max(largest[0], size);
           largest[1] = std::max(largest[1], largest_entry(K * strain));
-          largest[2] = std::max(largest[2], size * slowness(relaxed, size));
+          if (size > 0.)
+            largest[2] =
+              std::max(largest[2],
+                       size * slowness_of_relaxation(relaxed / size));
           offset += Field::n_components;
         }
     Utilities::MPI::max(ArrayView<const double>(largest.data(), 3),

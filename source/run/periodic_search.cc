@@ -11,6 +11,7 @@
 
 
 #include <crevasse/periodic/anderson.h>
+#include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/given_motion.h>
 #include <crevasse/periodic/march.h>
 #include <crevasse/run/largest_load.h>
@@ -202,12 +203,10 @@ namespace Crevasse
   {
     // Infinite where nothing relaxes; what does not relax does not change
     // either.
-    constexpr double longest = 1e4; // of periods: much longer than runs
-    const double     slowest = relaxation_times.longest_in_mean;
-    if (!std::isfinite(slowest))
-      return 1.;
-    const double period = scene.loads.period;
-    return 1. / -std::expm1(-period / std::min(slowest, longest * period));
+    const double slowest = relaxation_times.longest_in_mean;
+    return std::isfinite(slowest)
+             ? slowness_of_relaxation(scene.loads.period / slowest)
+             : 1.;
   }
 
 

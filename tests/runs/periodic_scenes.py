@@ -82,6 +82,10 @@ def flow(results, probe):
     return results.summary["secular"]["per_probe"][probe]["beta"][1]
 
 
+def error_estimate(results):
+    return results.summary["stress_error_estimate"][-1]
+
+
 def largest_stress(results):
     return results.summary["extremes"]["stress"]
 

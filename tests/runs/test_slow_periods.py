@@ -3,15 +3,11 @@ march must not take them for it. And ends that are the periodic state but for
 rounding, which must be taken for it."""
 
 from crevasse_run import check, check_below
-from periodic_scenes import (FOURIER, compute, difference, log, method, steps,
-                             traction)
+from periodic_scenes import (FOURIER, compute, difference, error_estimate, log,
+                             method, steps, traction)
 
 COARSE = ["Geometry/Subdivisions=6, 3", "Contact/Tolerance=1e-13"]
 TOLERANCE = 1e-6
-
-
-def error_estimate(results):
-    return results.summary["stress_error_estimate"][-1]
 
 
 def test_varying_viscosity():

@@ -56,6 +56,14 @@ namespace Crevasse
     std::optional<double> last_change;
     std::vector<double>   ratios; ///< of the last changes, the newest last
   };
+
+  /** 1/(1−λ) of what relaxes by itself, λ = exp(−T/τ): how many times the next
+   * change it is from its limit.
+   *
+   * @param relaxed T/τ; less than 1e-4 counts as that: runs are much shorter.
+   */
+  double
+  slowness_of_relaxation(const double relaxed);
 } // namespace Crevasse
 
 #endif
