@@ -9,19 +9,19 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/output/log.h>
-#include <crevasse/run/adaptive_run.h>
-#include <crevasse/run/advice.h>
-#include <crevasse/run/command_line.h>
-#include <crevasse/run/failure.h>
-#include <crevasse/run/output_choice.h>
-#include <crevasse/run/parameter_sweep.h>
-#include <crevasse/run/scene_difference.h>
-#include <crevasse/run/stop_request.h>
-#include <crevasse/run/version.h>
-#include <crevasse/scene/collectively.h>
-#include <crevasse/scene/problems.h>
-#include <crevasse/scene/scene_file.h>
+#include <crevasse/app/command_line.h>
+#include <crevasse/app/failure.h>
+#include <crevasse/app/output_choice.h>
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/log.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/stop_request.h>
+#include <crevasse/base/version.h>
+#include <crevasse/checkpoint/scene_difference.h>
+#include <crevasse/parameters/scene_file.h>
+#include <crevasse/simulation/adaptive_run.h>
+#include <crevasse/study/advice.h>
+#include <crevasse/study/parameter_sweep.h>
 
 #include <deal.II/base/mpi.h>
 

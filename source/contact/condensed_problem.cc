@@ -9,8 +9,8 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
 #include <crevasse/contact/condensed_problem.h>
-#include <crevasse/scene/problems.h>
 
 #include <algorithm>
 #include <cmath>

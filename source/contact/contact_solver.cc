@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
+#include <crevasse/base/state_archive.h>
 #include <crevasse/contact/contact_solver.h>
-#include <crevasse/discretisation/state_archive.h>
-#include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
 #include <crevasse/contact/relaxation_factor.h>
 #include <crevasse/contact/sweep.h>
-#include <crevasse/scene/problems.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/linear/matrix_operator.h>
-#include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
 

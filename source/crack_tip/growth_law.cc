@@ -9,8 +9,8 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/text.h>
 #include <crevasse/crack_tip/growth_law.h>
-#include <crevasse/scene/text.h>
 
 #include <algorithm>
 #include <cmath>

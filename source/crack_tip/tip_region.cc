@@ -9,10 +9,10 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/crack_tip/tip_region.h>
-#include <crevasse/scene/crack_tip_parameters.h>
-#include <crevasse/scene/problems.h>
-#include <crevasse/scene/text.h>
+#include <crevasse/parameters/crack_tip_parameters.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>

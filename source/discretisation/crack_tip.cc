@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/discretisation/crack_tip.h>
-#include <crevasse/scene/problems.h>
-#include <crevasse/scene/text.h>
 
 #include <cmath>
 #include <map>

@@ -9,11 +9,11 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/period_mean.h>
+#include <crevasse/base/text.h>
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/external_loads.h>
-#include <crevasse/scene/collectively.h>
-#include <crevasse/scene/period_mean.h>
-#include <crevasse/scene/text.h>
 
 #include <deal.II/fe/fe_values.h>
 

@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/state_archive.h>
 #include <crevasse/discretisation/marking.h>
 #include <crevasse/discretisation/refinement.h>
-#include <crevasse/discretisation/state_archive.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/grid_refinement.h>

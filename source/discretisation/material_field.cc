@@ -9,12 +9,12 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/material_field.h>
-#include <crevasse/scene/coefficients.h>
-#include <crevasse/scene/collectively.h>
-#include <crevasse/scene/problems.h>
-#include <crevasse/scene/text.h>
+#include <crevasse/parameters/coefficients.h>
 
 #include <algorithm>
 #include <map>

@@ -9,12 +9,12 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/range.h>
+#include <crevasse/base/text.h>
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/material/voigt_matrix.h>
-#include <crevasse/scene/collectively.h>
-#include <crevasse/scene/problems.h>
-#include <crevasse/scene/range.h>
-#include <crevasse/scene/text.h>
 
 #include <deal.II/base/mpi.h>
 

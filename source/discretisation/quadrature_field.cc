@@ -9,8 +9,8 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
 #include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
 

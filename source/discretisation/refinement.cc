@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
 #include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/refinement.h>
-#include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_handler.h>

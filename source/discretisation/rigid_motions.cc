@@ -9,10 +9,10 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/discretisation/rigid_motions.h>
-#include <crevasse/scene/problems.h>
-#include <crevasse/scene/text.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>

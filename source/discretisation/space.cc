@@ -9,10 +9,10 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/discretisation/space.h>
-#include <crevasse/scene/collectively.h>
-#include <crevasse/scene/problems.h>
-#include <crevasse/scene/text.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>

@@ -9,12 +9,12 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/state_archive.h>
+#include <crevasse/base/text.h>
 #include <crevasse/discretisation/cell_values.h>
-#include <crevasse/discretisation/state_archive.h>
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/material/voigt_matrix.h>
-#include <crevasse/scene/collectively.h>
-#include <crevasse/scene/text.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_values.h>

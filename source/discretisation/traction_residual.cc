@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/text.h>
 #include <crevasse/discretisation/traction_residual.h>
 #include <crevasse/material/voigt.h>
-#include <crevasse/scene/text.h>
 
 namespace Crevasse
 {

@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/linear/matrix_rows.h>
-#include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -8,9 +8,9 @@
 // either version 2.1 of the License, or (at your option) any later version.
 //
 // ---------------------------------------------------------------------
+#include <crevasse/base/problems.h>
 #include <crevasse/linear/cg_iteration.h>
 #include <crevasse/linear/conjugate_gradients.h>
-#include <crevasse/scene/problems.h>
 
 #include <sstream>
 

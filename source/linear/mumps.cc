@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
 #include <crevasse/linear/mumps.h>
 #include <crevasse/linear/mumps_instance.h>
-#include <crevasse/scene/problems.h>
 
 namespace Crevasse
 {

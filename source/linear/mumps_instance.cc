@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
 #include <crevasse/linear/abandoned_factors.h>
 #include <crevasse/linear/mumps_instance.h>
-#include <crevasse/scene/problems.h>
 
 #include <deal.II/base/mpi.h>
 

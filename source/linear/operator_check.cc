@@ -10,10 +10,10 @@
 // ---------------------------------------------------------------------
 
 
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/linear/operator_check.h>
-#include <crevasse/scene/problems.h>
-#include <crevasse/scene/text.h>
 
 #include <deal.II/base/function.h>
 #include <deal.II/grid/grid_tools.h>

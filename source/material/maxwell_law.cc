@@ -9,10 +9,10 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/text.h>
 #include <crevasse/material/maxwell_law.h>
 #include <crevasse/material/properties.h>
-#include <crevasse/scene/chain.h>
-#include <crevasse/scene/text.h>
+#include <crevasse/parameters/chain.h>
 
 namespace Crevasse
 {

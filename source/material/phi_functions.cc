@@ -8,8 +8,8 @@
 // either version 2.1 of the License, or (at your option) any later version.
 //
 // ---------------------------------------------------------------------
+#include <crevasse/base/problems.h>
 #include <crevasse/material/phi_functions.h>
-#include <crevasse/scene/problems.h>
 
 #include <cmath>
 

@@ -9,12 +9,12 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/range.h>
+#include <crevasse/base/text.h>
 #include <crevasse/material/isotropic.h>
 #include <crevasse/material/properties.h>
 #include <crevasse/material/voigt_matrix.h>
-#include <crevasse/scene/range.h>
-#include <crevasse/scene/tensor_formulas.h>
-#include <crevasse/scene/text.h>
+#include <crevasse/parameters/tensor_formulas.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,9 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
 #include <crevasse/material/isotropic.h>
 #include <crevasse/material/voigt_matrix.h>
-#include <crevasse/scene/problems.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 

@@ -10,7 +10,7 @@
 // ---------------------------------------------------------------------
 
 
-#include <crevasse/discretisation/state_archive.h>
+#include <crevasse/base/state_archive.h>
 #include <crevasse/periodic/contraction.h>
 
 #include <algorithm>

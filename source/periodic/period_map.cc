@@ -9,8 +9,8 @@
 //
 // ---------------------------------------------------------------------
 
+#include <crevasse/base/problems.h>
 #include <crevasse/periodic/period_map.h>
-#include <crevasse/scene/problems.h>
 #include <crevasse/time/forwarding_equation.h>
 
 #include <sstream>

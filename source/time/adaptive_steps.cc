@@ -8,8 +8,8 @@
 // either version 2.1 of the License, or (at your option) any later version.
 //
 // ---------------------------------------------------------------------
-#include <crevasse/discretisation/state_archive.h>
-#include <crevasse/scene/problems.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/state_archive.h>
 #include <crevasse/time/adaptive_steps.h>
 
 #include <deal.II/base/mpi.h>

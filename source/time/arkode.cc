@@ -9,8 +9,8 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/discretisation/state_archive.h>
-#include <crevasse/scene/problems.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/state_archive.h>
 #include <crevasse/time/arkode.h>
 #include <crevasse/time/arkode_failure.h>
 

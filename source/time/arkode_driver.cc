@@ -9,7 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/scene/problems.h>
+#include <crevasse/base/problems.h>
 #include <crevasse/time/arkode_driver.h>
 #include <crevasse/time/arkode_failure.h>
 

@@ -8,7 +8,7 @@
 // either version 2.1 of the License, or (at your option) any later version.
 //
 // ---------------------------------------------------------------------
-#include <crevasse/discretisation/state_archive.h>
+#include <crevasse/base/state_archive.h>
 #include <crevasse/time/contact_events.h>
 
 #include <deal.II/base/mpi.h>
@@ -288,7 +288,8 @@ namespace Crevasse
     archive.section("contact events");
     method->serialize(archive);
     archive.common(goes_on);
-    // Where the next step begins: an adaptive one may have been started already.
+    // Where the next step begins: an adaptive one may have been started
+    // already.
     archive.at_points(begin.rate);
     archive.on_bounds(begin.functions);
     archive.common(to.t);

@@ -9,7 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/discretisation/state_archive.h>
+#include <crevasse/base/state_archive.h>
 #include <crevasse/time/evolution.h>
 #include <crevasse/time/inelastic_strain.h>
 

@@ -9,7 +9,7 @@
 //
 // ---------------------------------------------------------------------
 
-#include <crevasse/discretisation/state_archive.h>
+#include <crevasse/base/state_archive.h>
 #include <crevasse/time/sdirk.h>
 
 #include <deal.II/base/numbers.h>

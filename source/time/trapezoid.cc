@@ -10,7 +10,7 @@
 // ---------------------------------------------------------------------
 
 
-#include <crevasse/discretisation/state_archive.h>
+#include <crevasse/base/state_archive.h>
 #include <crevasse/time/trapezoid.h>
 
 #include <limits>

@@ -17,7 +17,7 @@
 //
 // DIRECTORY, where the file is looked for, is on the file system in question.
 
-#include <crevasse/run/stop_request.h>
+#include <crevasse/base/stop_request.h>
 
 #include <cstdio>
 

@@ -13,7 +13,7 @@
 // the plane and in space. In the Debug flavour deal.II's assertions tell where
 // a mesh that it should not have been given makes it read anything.
 
-#include <crevasse/run/body.h>
+#include <crevasse/model/body.h>
 
 #include <deal.II/base/mpi.h>
 

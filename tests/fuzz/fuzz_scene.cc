@@ -13,9 +13,9 @@
 // that used.prm keeps: all that the program does before there is a mesh.
 
 #include <crevasse/material/maxwell_law.h>
-#include <crevasse/run/body.h>
-#include <crevasse/scene/scene_file.h>
-#include <crevasse/scene/temperature.h>
+#include <crevasse/model/body.h>
+#include <crevasse/parameters/scene_file.h>
+#include <crevasse/temperature/temperature.h>
 
 #include <cstdint>
 #include <sstream>

@@ -12,7 +12,7 @@
 #ifndef crevasse_tests_fuzz_input_file_h
 #define crevasse_tests_fuzz_input_file_h
 
-#include <crevasse/scene/problems.h>
+#include <crevasse/base/problems.h>
 
 #include <filesystem>
 #include <fstream>

@@ -5,8 +5,10 @@ import pathlib
 import re
 import sys
 
-ORDER = ["scene", "material", "discretisation", "linear", "contact", "time",
-         "periodic", "crack_tip", "output", "run"]
+ORDER = ["base", "temperature", "parameters", "material", "grid",
+         "discretisation", "linear", "contact", "time", "model", "checkpoint",
+         "harmonic_balance", "periodic", "crack_tip", "postprocess",
+         "simulation", "app", "study"]
 INCLUDE = re.compile(r'#\s*include\s*[<"]crevasse/([^/>"]+)/')
 
 

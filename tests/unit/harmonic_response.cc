@@ -2,10 +2,10 @@
 // factors against what they replace, and periodic states against steps in real
 // time, with and without contact.
 
-#include <crevasse/output/log.h>
-#include <crevasse/run/fourier_problem.h>
-#include <crevasse/run/largest_load.h>
-#include <crevasse/scene/problems.h>
+#include <crevasse/base/log.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/harmonic_balance/fourier_problem.h>
+#include <crevasse/model/largest_load.h>
 #include <crevasse/time/evolution.h>
 
 #include <complex>

@@ -13,19 +13,19 @@
 // a support holds, where the cells of two ranks meet: its neighbour on the lip
 // belongs to the other rank.
 
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
 #include <crevasse/contact/condensed_active_set.h>
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/stiffness.h>
+#include <crevasse/grid/geometry.h>
 #include <crevasse/linear/mumps.h>
 #include <crevasse/material/isotropic.h>
-#include <crevasse/output/lip_state.h>
-#include <crevasse/output/nodal_fields.h>
-#include <crevasse/output/probe.h>
-#include <crevasse/run/body.h>
-#include <crevasse/scene/built_in_boundary.h>
-#include <crevasse/scene/collectively.h>
-#include <crevasse/scene/geometry.h>
-#include <crevasse/scene/problems.h>
+#include <crevasse/model/body.h>
+#include <crevasse/parameters/built_in_boundary.h>
+#include <crevasse/postprocess/lip_state.h>
+#include <crevasse/postprocess/nodal_fields.h>
+#include <crevasse/postprocess/probe.h>
 
 #include <deal.II/dofs/dof_tools.h>
 

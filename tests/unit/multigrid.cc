@@ -12,6 +12,7 @@
 // in as many iterations on any mesh, with hanging nodes, coefficients that jump
 // and a part of the lip closed; on any number of ranks.
 
+#include <crevasse/base/problems.h>
 #include <crevasse/contact/active_set.h>
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/discretisation/stiffness.h>
@@ -19,7 +20,6 @@
 #include <crevasse/linear/matrix_product.h>
 #include <crevasse/linear/mumps.h>
 #include <crevasse/linear/operator_check.h>
-#include <crevasse/scene/problems.h>
 
 #include <algorithm>
 #include <crevasse_tests/cracked_block.h>

@@ -17,7 +17,7 @@
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/linear/matrix_product.h>
 #include <crevasse/material/isotropic.h>
-#include <crevasse/output/probe.h>
+#include <crevasse/postprocess/probe.h>
 
 #include <crevasse_tests/tests.h>
 #include <random>

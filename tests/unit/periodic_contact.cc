@@ -15,8 +15,8 @@
 // one solution whatever the start and the method; shifts in time and units;
 // a closed form; degenerate nodes; input that is refused.
 
-#include <crevasse/contact/periodic_contact.h>
-#include <crevasse/scene/problems.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/harmonic_balance/periodic_contact.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -14,9 +14,9 @@
 // the complementarity conditions is the solution. And the certificate tells
 // wrong solutions from right ones.
 
+#include <crevasse/base/problems.h>
 #include <crevasse/contact/projected_sor.h>
 #include <crevasse/contact/relaxation_factor.h>
-#include <crevasse/scene/problems.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 

@@ -12,6 +12,7 @@
 // One, two and four ranks give the same solution: the one that this rank finds
 // for itself, with everything on it.
 
+#include <crevasse/base/problems.h>
 #include <crevasse/contact/active_set.h>
 #include <crevasse/contact/condensed_active_set.h>
 #include <crevasse/contact/projected_sor.h>
@@ -21,7 +22,6 @@
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/linear/mumps.h>
 #include <crevasse/linear/mumps_instance.h>
-#include <crevasse/scene/problems.h>
 
 #include <deal.II/dofs/dof_tools.h>
 

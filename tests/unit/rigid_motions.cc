@@ -12,8 +12,8 @@
 // Rigid motions that supports leave free are found and named.
 
 #include <crevasse/discretisation/rigid_motions.h>
-#include <crevasse/scene/built_in_boundary.h>
-#include <crevasse/scene/geometry.h>
+#include <crevasse/grid/geometry.h>
+#include <crevasse/parameters/built_in_boundary.h>
 
 #include <crevasse_tests/tests.h>
 

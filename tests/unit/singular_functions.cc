@@ -16,11 +16,11 @@
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/grid/geometry.h>
 #include <crevasse/linear/matrix_operator.h>
 #include <crevasse/linear/matrix_product.h>
 #include <crevasse/material/isotropic.h>
-#include <crevasse/scene/built_in_boundary.h>
-#include <crevasse/scene/geometry.h>
+#include <crevasse/parameters/built_in_boundary.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/solver_cg.h>

@@ -13,10 +13,10 @@
 // limits on decaying ones, events at kinks, and the relaxation times
 // on which the limits are based.
 
+#include <crevasse/base/problems.h>
 #include <crevasse/material/maxwell_law.h>
 #include <crevasse/material/phi_functions.h>
 #include <crevasse/material/voigt_matrix.h>
-#include <crevasse/scene/problems.h>
 #include <crevasse/time/arkode.h>
 #include <crevasse/time/arkode_failure.h>
 #include <crevasse/time/contact_events.h>

@@ -12,8 +12,8 @@
 #ifndef crevasse_discretisation_contact_boundary_h
 #define crevasse_discretisation_contact_boundary_h
 
+#include <crevasse/base/expression.h>
 #include <crevasse/discretisation/space.h>
-#include <crevasse/scene/expression.h>
 
 #include <vector>
 

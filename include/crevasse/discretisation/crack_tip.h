@@ -12,7 +12,7 @@
 #ifndef crevasse_discretisation_crack_tip_h
 #define crevasse_discretisation_crack_tip_h
 
-#include <crevasse/scene/boundary_roles.h>
+#include <crevasse/parameters/boundary_roles.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>

@@ -12,10 +12,10 @@
 #ifndef crevasse_discretisation_external_loads_h
 #define crevasse_discretisation_external_loads_h
 
+#include <crevasse/base/expression.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/discretisation/strain_operator.h>
-#include <crevasse/scene/expression.h>
-#include <crevasse/scene/parameters.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <vector>
 

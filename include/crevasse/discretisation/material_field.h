@@ -16,7 +16,7 @@
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/material/maxwell_law.h>
 #include <crevasse/material/voigt_matrix.h>
-#include <crevasse/scene/temperature.h>
+#include <crevasse/temperature/temperature.h>
 
 #include <memory>
 #include <vector>

@@ -13,8 +13,8 @@
 #define crevasse_discretisation_refinement_h
 
 #include <crevasse/discretisation/space.h>
-#include <crevasse/scene/boundary_roles.h>
-#include <crevasse/scene/refinement_parameters.h>
+#include <crevasse/parameters/boundary_roles.h>
+#include <crevasse/parameters/refinement_parameters.h>
 
 #include <functional>
 #include <memory>

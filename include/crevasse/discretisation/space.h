@@ -13,7 +13,7 @@
 #define crevasse_discretisation_space_h
 
 #include <crevasse/discretisation/singular_shapes.h>
-#include <crevasse/scene/boundary_roles.h>
+#include <crevasse/parameters/boundary_roles.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/distributed/tria.h>

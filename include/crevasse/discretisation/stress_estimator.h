@@ -12,6 +12,7 @@
 #ifndef crevasse_discretisation_stress_estimator_h
 #define crevasse_discretisation_stress_estimator_h
 
+#include <crevasse/base/expression.h>
 #include <crevasse/discretisation/cell_polynomials.h>
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/material_field.h>
@@ -19,8 +20,7 @@
 #include <crevasse/discretisation/singular_stress.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/discretisation/traction_residual.h>
-#include <crevasse/scene/expression.h>
-#include <crevasse/scene/parameters.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <deal.II/lac/vector.h>
 

@@ -12,10 +12,10 @@
 #ifndef crevasse_discretisation_traction_residual_h
 #define crevasse_discretisation_traction_residual_h
 
+#include <crevasse/base/expression.h>
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/space.h>
-#include <crevasse/scene/expression.h>
-#include <crevasse/scene/parameters.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/vector.h>

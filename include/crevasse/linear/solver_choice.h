@@ -12,7 +12,7 @@
 #ifndef crevasse_linear_solver_choice_h
 #define crevasse_linear_solver_choice_h
 
-#include <crevasse/scene/parameters.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <cstddef>
 #include <string>

@@ -14,7 +14,7 @@
 
 #include <crevasse/material/property.h>
 #include <crevasse/material/voigt.h>
-#include <crevasse/scene/parameters.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <string>
 

@@ -12,7 +12,7 @@
 #ifndef crevasse_material_property_h
 #define crevasse_material_property_h
 
-#include <crevasse/scene/expression.h>
+#include <crevasse/base/expression.h>
 
 #include <functional>
 #include <string>

@@ -12,10 +12,10 @@
 #ifndef crevasse_periodic_period_map_h
 #define crevasse_periodic_period_map_h
 
-#include <crevasse/periodic/observer.h>
-#include <crevasse/periodic/pauses.h>
+#include <crevasse/base/pauses.h>
 #include <crevasse/time/evolution.h>
 #include <crevasse/time/integrator.h>
+#include <crevasse/time/observer.h>
 #include <crevasse/time/step_control.h>
 #include <crevasse/time/step_list.h>
 

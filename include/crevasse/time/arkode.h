@@ -12,7 +12,7 @@
 #ifndef crevasse_time_arkode_h
 #define crevasse_time_arkode_h
 
-#include <crevasse/scene/parameters.h>
+#include <crevasse/parameters/parameters.h>
 #include <crevasse/time/arkode_driver.h>
 #include <crevasse/time/integrator.h>
 

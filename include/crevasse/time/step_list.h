@@ -12,7 +12,7 @@
 #ifndef crevasse_time_step_list_h
 #define crevasse_time_step_list_h
 
-#include <crevasse/scene/parameters.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <vector>
 

@@ -13,7 +13,7 @@
 #ifndef crevasse_tests_memory_archive_h
 #define crevasse_tests_memory_archive_h
 
-#include <crevasse/discretisation/state_archive.h>
+#include <crevasse/base/state_archive.h>
 
 #include <deque>
 

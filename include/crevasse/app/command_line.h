@@ -1,0 +1,70 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_app_command_line_h
+#define crevasse_app_command_line_h
+
+#include <crevasse/parameters/assignments.h>
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** The exit statuses that scripts rely on. */
+  enum ExitStatus
+  {
+    done              = 0,
+    bad_input         = 2, ///< found before computing
+    numerical_failure = 3,
+    file_failure      = 4,
+    stopped           = 5 ///< on request; a checkpoint was written
+  };
+
+  /** What `crevasse sweep` is asked, as it was written; see SweepPlan and
+   * Quantity for what it means. */
+  struct SweepRequest
+  {
+    std::vector<std::string> vary;      ///< "Section/Name=a,b & ..."
+    std::vector<std::string> reference; ///< "Section/Name=value"
+    std::vector<std::string> exact;     ///< "quantity=formula of t"
+    std::string              error;     ///< list of quantities
+  };
+
+  /** What the command line says. */
+  struct Command
+  {
+    std::string           scene_file;
+    std::vector<Override> overrides; ///< "Section/Name=value"
+    std::string           output_directory;
+    std::string           print_format; ///< prm, json, markdown or nothing
+    bool                  check     = false;
+    bool                  quiet     = false;
+    bool                  resume    = false;
+    bool                  force     = false; ///< earlier results are replaced
+    double                wall_time = 0.;    ///< seconds; 0: any
+    bool                  sweep     = false; ///< a whole study of the scene
+    SweepRequest          sweep_request;
+    bool                  advise       = false; ///< its cheapest settings
+    double                target_error = 0.;    ///< that they are to reach
+    std::string           quantities;           ///< with this error; a list
+
+    /** Set if there is nothing to do but to exit: help, version, or a mistake,
+     * about which the user has been told. */
+    bool       exit   = false;
+    ExitStatus status = done;
+  };
+
+  Command
+  parse_command_line(const int argc, const char *const *argv);
+} // namespace Crevasse
+
+#endif

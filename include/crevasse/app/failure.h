@@ -1,0 +1,47 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_app_failure_h
+#define crevasse_app_failure_h
+
+#include <crevasse/base/log.h>
+
+#include <exception>
+
+namespace Crevasse
+{
+  /** Whether all ranks come here within some seconds; an error that one rank
+   * alone has leaves the others waiting elsewhere. Collective, unless they do
+   * not come. */
+  bool
+  all_ranks_arrive(const MPI_Comm communicator);
+
+  /** Says the error of a rank that is alone with it, and ends all ranks. */
+  [[noreturn]] void
+  abort_all_ranks(const std::exception &error, const MPI_Comm communicator);
+
+  /**
+   * The end of a run by an exception: writes its message and returns the exit
+   * status of its kind (see interface: 2 for SceneError, 4 for FileError, 3 for
+   * the rest).
+   *
+   * Most errors are thrown on all ranks at once. If this rank alone has one, as
+   * when the first one cannot write a table, the others wait for it in some
+   * communication for ever: after some seconds it ends all of them by
+   * MPI_Abort, with the same status.
+   */
+  int
+  report_failure(const std::exception &error,
+                 const MPI_Comm        communicator,
+                 Log                  &log);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,44 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_base_csv_table_h
+#define crevasse_base_csv_table_h
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** A table written row by row, so that what was computed survives whatever
+   * happens next. A number has the fewest digits that read back as the same
+   * one. */
+  class CsvTable
+  {
+  public:
+    /** @param goes_on Whether there are rows already, which stay.
+     * @throw FileError if the file cannot be written. */
+    CsvTable(const std::string              &file_name,
+             const std::vector<std::string> &header,
+             const bool                      goes_on = false);
+
+    /** @throw FileError if the row cannot be written. */
+    void
+    add_row(const std::vector<double> &values);
+
+  private:
+    const std::string file_name;
+    const std::size_t n_columns;
+    std::ofstream     file;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,108 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_base_expression_h
+#define crevasse_base_expression_h
+
+#include <deal.II/base/point.h>
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** Where and when a formula is evaluated. */
+  template <int dim>
+  struct Place
+  {
+    dealii::Point<dim> point;
+    double             t           = 0.;
+    double             temperature = 0.; ///< theta, a change of temperature
+    unsigned int       material    = 0;  ///< the material id of the cell
+  };
+
+  /**
+   * A formula as the user wrote it, evaluated by muParser. Its used variables
+   * tell whether it depends on space or time, which decides what is recomputed
+   * at each instant.
+   */
+  class Expression
+  {
+  public:
+    /** What a formula may depend on: x, y, z and t, or theta and material as
+     * well, which only the properties of the material know. */
+    enum class Variables
+    {
+      space_and_time,
+      space_time_and_material
+    };
+
+    /** @param parameter that the formula was given for, "[Section] Name".
+     * @throw SceneError with muParser's own words if the formula does not
+     * parse or uses an unknown name. */
+    explicit Expression(const std::string &formula,
+                        const Variables variables = Variables::space_and_time,
+                        const std::string &parameter = "");
+    ~Expression();
+    Expression(Expression &&) noexcept;
+    Expression &
+    operator=(Expression &&) noexcept;
+
+    /** @throw SceneError naming parameter, formula, point and instant when the
+     * value is not finite: whoever evaluates a formula during a run looks at
+     * all its points and instants before. */
+    template <int dim>
+    double
+    value(const Place<dim> &place) const;
+
+    template <int dim>
+    double
+    value(const dealii::Point<dim> &point, const double t = 0.) const;
+
+    bool
+    depends_on(const std::string &variable) const;
+
+    bool
+    depends_on_time() const;
+    bool
+    depends_on_space() const;
+    /** Whether the formula is a number. */
+    bool
+    is_constant() const;
+    /** Whether the formula is the number zero. */
+    bool
+    is_zero() const;
+
+    const std::string &
+    formula() const;
+
+    /** Splits "a; b; c" at the semicolons and parses each part. */
+    static std::vector<Expression>
+    parse_list(const std::string &formulas, const std::string &parameter = "");
+
+    /** The same at commas, but for those within brackets. */
+    static std::vector<Expression>
+    parse_row(const std::string &formulas,
+              const Variables    variables,
+              const std::string &parameter = "");
+
+  private:
+    struct Parser; // keeps muParser.h out of every includer
+    std::unique_ptr<Parser> parser;
+    std::string             text;
+    std::string             parameter;
+    std::set<std::string>   variables;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,77 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_base_log_h
+#define crevasse_base_log_h
+
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+#include <string>
+
+namespace Crevasse
+{
+  /** What the run tells: lines on the first rank's standard output (none if
+   * quiet) and in log.txt, and on a terminal one line that is overwritten.
+   * A line that cannot be written is a FileError. */
+  class Log
+  {
+  public:
+    Log(const MPI_Comm communicator, const bool quiet);
+
+    /** From now on lines go to this file as well; those before are added.
+     * @param goes_on Whether what the file has already stays. */
+    void
+    open_file(const std::string &file_name, const bool goes_on = false);
+
+    void
+    line(const std::string &text);
+
+    /** On standard error, even if quiet, and in the file. */
+    void
+    warning(const std::string &text);
+
+    /** On standard error, even if quiet, and in the file if there is one.
+     * Throws nothing: this is the last word of a run. */
+    void
+    error(const std::string &text);
+
+    /** Overwrites the progress line; nothing unless on a terminal. */
+    void
+    progress(const std::string &text);
+
+    /** Whether progress() shows anything. */
+    bool
+    on_terminal() const;
+
+  private:
+    void
+    clear_progress();
+
+    /** In the file, also if it is opened later. */
+    void
+    keep(const std::string &text);
+
+    void
+    require_written();
+
+    const bool    first_rank;
+    const bool    quiet;
+    const bool    terminal;
+    bool          progress_shown = false;
+    bool          output_is_gone = false; ///< nobody reads it any more
+    std::string   earlier_lines;
+    std::string   name;
+    std::ofstream file;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,108 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_base_problems_h
+#define crevasse_base_problems_h
+
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Crevasse
+{
+  /** Something the user gave is wrong: command line, parameter, expression or
+   * mesh, found before computing. The program ends with exit status 2. */
+  struct SceneError : std::runtime_error
+  {
+    using std::runtime_error::runtime_error;
+  };
+
+  /** The mathematics refuse: no convergence, unstable step, rigid motion left
+   * free. The program ends with exit status 3. */
+  struct NumericalError : std::runtime_error
+  {
+    using std::runtime_error::runtime_error;
+  };
+
+  /** A file cannot be read or written. The program ends with exit status 4. */
+  struct FileError : std::runtime_error
+  {
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * Collects everything that is wrong with a scene, so that all of it is
+   * reported at once.
+   */
+  class Problems
+  {
+  public:
+    /** A free-standing message. */
+    void
+    add(const std::string &message);
+
+    /** A parameter with its value and what would be allowed: "[Section] Name =
+     * value: allowed", after the place where it was set, if that is known. */
+    void
+    add(const std::string &section,
+        const std::string &name,
+        const std::string &value,
+        const std::string &allowed);
+
+    /** A file that cannot be read, found like a wrong parameter: the message
+     * of the parameter that names it, or a free-standing one. */
+    void
+    add_unreadable(const std::string &section,
+                   const std::string &name,
+                   const std::string &file_name,
+                   const std::string &reason);
+    void
+    add_unreadable(const std::string &message);
+
+    /** Remembers where a parameter was set ("scene.prm:12"); what is added
+     * about it from now on begins with this place. */
+    void
+    locate(const std::string &section,
+           const std::string &name,
+           const std::string &place);
+
+    bool
+    empty() const;
+
+    /** Whether something was reported about this section. */
+    bool
+    concern(const std::string &section) const;
+
+    /** Whether something was reported about this parameter, so that a
+     * comparison with others would only confuse. */
+    bool
+    concern(const std::string &section, const std::string &name) const;
+
+    /** Throws one SceneError with all messages, one a line in the order of the
+     * lines that they are about, if there are any; a FileError if there is
+     * nothing to mend but files that cannot be read. */
+    void
+    throw_if_any() const;
+
+  private:
+    using Parameter = std::pair<std::string, std::string>;
+
+    std::vector<std::string>         messages;
+    std::size_t                      n_unreadable = 0; ///< of these
+    std::set<Parameter>              concerned;
+    std::map<Parameter, std::string> places;
+  };
+} // namespace Crevasse
+
+#endif

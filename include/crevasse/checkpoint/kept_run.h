@@ -1,0 +1,67 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_checkpoint_kept_run_h
+#define crevasse_checkpoint_kept_run_h
+
+#include <crevasse/base/pauses.h>
+#include <crevasse/checkpoint/checkpoints.h>
+#include <crevasse/model/body.h>
+
+#include <functional>
+
+namespace Crevasse
+{
+  /** Writes the state of a run as a checkpoint, or takes it over from one: the
+   * beginning that Checkpoints knows of, a header, and all StateParts. */
+  template <int dim>
+  class KeptRun : public Pauses
+  {
+  public:
+    using Header = std::function<void(StateArchive &)>;
+
+    /** All arguments must outlive this object.
+     *
+     * @param n_stresses the fields of a stress that a checkpoint may have.
+     * @param last_period after which more periods may be wanted: then there
+     * is a checkpoint; 0: never.
+     * @param header which a run that is taken up has read already. */
+    KeptRun(Checkpoints       &checkpoints,
+            const Body<dim>   &body,
+            const unsigned int n_stresses,
+            const unsigned int last_period,
+            const Header      &header);
+
+    /** @throw StoppedOnRequest if that is asked for, with a checkpoint. */
+    void
+    between_steps(const unsigned int period, const unsigned int step) override;
+
+    /** Keeps what a run with more periods can go on from. */
+    void
+    before_what_is_not_computed(const unsigned int period) override;
+
+  private:
+    void
+    resume();
+
+    /** @return whether it could be written; if not, the log has the reason. */
+    bool
+    write(const unsigned int period, const unsigned int step);
+
+    Checkpoints       &checkpoints;
+    const Body<dim>   &body;
+    const unsigned int last_period;
+    const Header       header;
+  };
+} // namespace Crevasse
+
+#endif

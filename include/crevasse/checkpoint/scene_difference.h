@@ -1,0 +1,41 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_checkpoint_scene_difference_h
+#define crevasse_checkpoint_scene_difference_h
+
+#include <crevasse/base/summary.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** All parameters of a scene that was read, by section and name, and the
+   * checksums of the files that they name. */
+  Summary
+  scene_as_json(const dealii::ParameterHandler &prm);
+
+  /** "[Section] Name: was A, is B" for all parameters that differ and matter:
+   * a run may go on with other ones only if its results up to now remain what
+   * they are. */
+  std::vector<std::string>
+  differences_that_matter(const Summary &before, const Summary &now);
+
+  /** @throw SceneError with all of them, if there are any. */
+  void
+  require_same_scene(const Summary &before, const Summary &now);
+} // namespace Crevasse
+
+#endif

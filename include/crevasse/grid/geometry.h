@@ -1,0 +1,48 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_grid_geometry_h
+#define crevasse_grid_geometry_h
+
+#include <crevasse/parameters/parameters.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <functional>
+
+namespace Crevasse
+{
+  /** Numbers of cells that are not bound to fit into an integer. */
+  struct CellCounts
+  {
+    double first; ///< before refinement
+    double all;   ///< after it
+  };
+
+  /**
+   * Fills @p mesh with the built-in shape or the mesh file, and refines it
+   * uniformly as often as the scene asks. A crack tip always is a vertex, a
+   * straight crack front a line of the mesh: where uniform cells do not meet
+   * it, the two sides of it are divided separately.
+   *
+   * @param look sees how many cells there are going to be while there is no
+   * more than a file that was read; it may throw.
+   * @throw SceneError if the file cannot be understood as a mesh of
+   * quadrilaterals (hexahedra), or if the crack cannot be resolved.
+   */
+  template <int dim>
+  void
+  make_mesh(const GeometryParameters                      &parameters,
+            dealii::Triangulation<dim>                    &mesh,
+            const std::function<void(const CellCounts &)> &look = {});
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,67 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_harmonic_balance_complex_moduli_h
+#define crevasse_harmonic_balance_complex_moduli_h
+
+#include <crevasse/discretisation/material_field.h>
+#include <crevasse/harmonic_balance/complex_stiffness.h>
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * What stands for the stiffness where everything oscillates at one frequency
+   * (model, §3), with κ = k/(η₀ z) and z = iω or what a time scheme makes of
+   * it: each branch bears
+   *
+   *     sᵢ = k K*ᵢ (e − χθ),   K*ᵢ = (I + κ wᵢ K Hᵢ)⁻¹ wᵢ K
+   *
+   * and the spring what it always bears. AlgorithmicModuli are the same with a
+   * real κ.
+   */
+  template <int dim>
+  struct ComplexModuli
+  {
+    using Matrices = PointValues<ComplexVoigtMatrix<dim>>;
+
+    ComplexModuli(const MaterialState<dim>  &material,
+                  const std::complex<double> kappa,
+                  const std::size_t          n_points);
+
+    std::vector<Matrices> branches; ///< K*ᵢ
+    Matrices              sum;      ///< with the spring
+  };
+
+  /** The c with Σ K*ᵢ = c K at all points, if there is one: with a relaxation
+   * time that is the same everywhere, and where κ = 0. Collective. */
+  template <int dim>
+  std::optional<std::complex<double>>
+  common_factor(const ComplexModuli<dim>            &moduli,
+                const PointValues<VoigtMatrix<dim>> &stiffness,
+                const std::size_t                    n_points,
+                const MPI_Comm                       communicator);
+
+  /** The real or the imaginary parts of matrices. */
+  template <int dim>
+  PointValues<VoigtMatrix<dim>>
+  real_parts(const PointValues<ComplexVoigtMatrix<dim>> &matrices,
+             const std::size_t                           n_points);
+  template <int dim>
+  PointValues<VoigtMatrix<dim>>
+  imaginary_parts(const PointValues<ComplexVoigtMatrix<dim>> &matrices,
+                  const std::size_t                           n_points);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,94 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_harmonic_balance_complex_mumps_h
+#define crevasse_harmonic_balance_complex_mumps_h
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * Sparse factorisation, by MUMPS on any number of ranks, of a complex
+   * symmetric matrix A* = A' + iA'' whose two parts are positive
+   * (semi)definite: then no pivot is small (Higham 1998), and none is looked
+   * for.
+   *
+   * The matrix is condensed onto a set P of unknowns, which are eliminated
+   * last: the Schur complement that is left there is the inverse of the
+   * compliance on P. That costs far less than a column of A*⁻¹ for each of
+   * them.
+   */
+  class ComplexMumps
+  {
+  public:
+    using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+    using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+
+    /** In which order the unknowns are eliminated: the costly part of the
+     * analysis of a pattern. Rank 0 knows it. */
+    using Ordering = std::vector<int>;
+
+    /**
+     * Factorises. Collective.
+     *
+     * @param real A', and @p imaginary A'', with the same pattern.
+     * @param condensed the unknowns of P, of all ranks.
+     * @param same_pattern the ordering of a matrix with the same pattern and
+     * the same P, or null.
+     * @throw NumericalError if MUMPS fails, or the factor is a poor one.
+     */
+    ComplexMumps(
+      const Matrix                                       &real,
+      const Matrix                                       &imaginary,
+      const std::vector<dealii::types::global_dof_index> &condensed    = {},
+      std::shared_ptr<const Ordering>                     same_pattern = {});
+    ~ComplexMumps();
+
+    /** For other matrices with the same pattern and the same P. */
+    std::shared_ptr<const Ordering>
+    ordering() const;
+
+    /** The rows and columns of P in A*⁻¹, in the order of @p condensed; the
+     * same on all ranks. */
+    const dealii::FullMatrix<std::complex<double>> &
+    compliance() const;
+
+    /** Solves for a right-hand side in two parts, which are overwritten by
+     * those of the solution. Collective. */
+    void
+    solve(Vector &real, Vector &imaginary) const;
+
+    /** Bytes of the factor on this rank. */
+    std::size_t
+    memory_consumption() const;
+
+  private:
+    struct Factor; // keeps zmumps_c.h out of every includer
+
+    /** @throw NumericalError if the factor does not solve the system with the
+     * solution 1. */
+    void
+    check(const Matrix &real, const Matrix &imaginary) const;
+
+    std::shared_ptr<const Ordering> order;
+    std::unique_ptr<Factor>         factor;
+  };
+} // namespace Crevasse
+
+#endif

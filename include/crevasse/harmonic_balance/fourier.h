@@ -1,0 +1,183 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_harmonic_balance_fourier_h
+#define crevasse_harmonic_balance_fourier_h
+
+#include <crevasse/contact/signorini_problem.h>
+#include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/material_field.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/harmonic_balance/complex_moduli.h>
+#include <crevasse/harmonic_balance/harmonic_responses.h>
+#include <crevasse/harmonic_balance/harmonics.h>
+#include <crevasse/harmonic_balance/lip_part.h>
+#include <crevasse/harmonic_balance/periodic_contact_problem.h>
+#include <crevasse/linear/linear_solver.h>
+#include <crevasse/time/secular_flow.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace Crevasse
+{
+  /** A periodic motion (problem P4; model, §2) at the N instants of
+   * Harmonics. */
+  struct PeriodicMotion
+  {
+    std::vector<Vector> displacement;   ///< q
+    std::vector<Vector> viscous_strain; ///< r, with the branches of a chain
+    /** g for each local lip node. */
+    std::vector<std::vector<double>> contact_forces;
+
+    /** At how many instants each node that bears a mean force is closed; on
+     * all ranks. */
+    std::vector<unsigned int> instants_of_contact;
+
+    unsigned int loaded_harmonics       = 0;
+    unsigned int complex_factorisations = 0;
+  };
+
+
+
+  /**
+   * The periodic state without marching: direct Fourier treatment in time (the
+   * paper's Remark 1; model, §2 and §3). K and H do not depend on time, so each
+   * harmonic n of the loads is a problem of its own,
+   *
+   *     A*ₙ qₙ = Fₙ + ∫ Dᵀ k K*ₙ χθₙ + Lᵀ gₙ,     rᵢₙ = Hᵢ sᵢₙ / (η₀ zₙ),
+   *
+   * with the ComplexModuli K*ₙ and the zₙ of Harmonics. Only the contact forces
+   * tie them together: they are found on the lip alone, as a
+   * PeriodicContactProblem. The mean stress is that of the secular flow,
+   * s̄ᵢ = η₀ ηᵢ Dβ. The mean of the displacement is free but for the lip: it
+   * takes the offsets of the contact problem, or what keeps other nodes from
+   * penetrating, and in the body what costs least elastic energy.
+   */
+  template <int dim>
+  class Fourier
+  {
+  public:
+    /** What is computed. All must outlive the method. */
+    struct Parts
+    {
+      const Space<dim>           &space;
+      const QuadratureField<dim> &points;
+      const StrainOperator<dim>  &strain_operator;
+      /** Its K and H must not depend on time, and have no singular H. */
+      const MaterialField<dim> &material;
+      const ExternalLoads<dim> &loads;
+      const UnilateralBounds   &bounds;
+      /** Of the stiffness without its factor k. */
+      LinearSolver &linear_solver;
+    };
+
+    using ContactMethod =
+      std::function<PeriodicContactSolution(const PeriodicContactProblem &)>;
+
+    /** Samples loads and thermal strain. Collective.
+     * @throw SceneError if a formula has no value. */
+    Fourier(const Parts &parts, const Harmonics &harmonics);
+
+    /** The mean of the samples divided by η₀: the load of the secular
+     * problem. */
+    Vector
+    mean_load() const;
+
+    /** The load that counts as none beside the samples, divided by η₀. */
+    double
+    negligible_load() const;
+
+    /** Collective.
+     *
+     * @param flow of mean_load(); null: that vanishes.
+     * @param solve_contact called if a node bears a mean force, on all ranks
+     * with the same problem.
+     * @param memory for complex factors, in bytes, of all ranks.
+     * @throw NumericalError if MUMPS fails, and what @p solve_contact throws.
+     */
+    PeriodicMotion
+    solve(const SecularFlow   *flow,
+          const ContactMethod &solve_contact,
+          const double         memory) const;
+
+  private:
+    using Complex = std::complex<double>;
+
+    void
+    sample_loads();
+    void
+    sample_thermal_strain();
+
+    ComplexModuli<dim>
+    moduli(const unsigned int n) const;
+
+    /** Adds ∫ Dᵀ k K* χθₙ. */
+    void
+    add_thermal_load(const unsigned int        n,
+                     const ComplexModuli<dim> &moduli,
+                     std::vector<Vector>      &loads) const;
+
+    /** Overwrites loads by displacements without contact, all but the mean, and
+     * states the contact problem. Those that are not loaded are left alone and
+     * become zero. */
+    PeriodicContactProblem
+    respond(HarmonicResponses<dim> &responses,
+            const LipPart          &lip,
+            PeriodicMotion         &motion) const;
+
+    /** Adds what the contact forces do. */
+    void
+    add_contact(const PeriodicContactSolution &contact,
+                HarmonicResponses<dim>        &responses,
+                const LipPart                 &lip,
+                PeriodicMotion                &motion) const;
+
+    /** χθₙ at a point; 0 if only its mean is there. */
+    ComplexVoigtVector<dim>
+    thermal_harmonic(const unsigned int n, const std::size_t offset) const;
+
+    /** rₙ for the displacement qₙ. */
+    void
+    find_viscous_strain(const unsigned int n, PeriodicMotion &motion) const;
+
+    /** The mean of u_N at all nodes of the lip.
+     *
+     * @param offsets of the nodes of @p part. */
+    dealii::Vector<double>
+    mean_on_lip(const LipPart                &part,
+                const dealii::Vector<double> &offsets,
+                const PeriodicMotion         &motion) const;
+
+    /** Of least elastic energy. */
+    void
+    find_mean_displacement(const dealii::Vector<double> &on_lip,
+                           Vector                       &mean) const;
+
+    void
+    find_mean_viscous_strain(const SecularFlow *flow,
+                             PeriodicMotion    &motion) const;
+
+    const Parts              parts;
+    const Harmonics         &harmonics;
+    const MaterialState<dim> material;
+    const LipPart            lip; ///< all of it
+
+    // Coefficients of harmonics.
+    std::vector<Vector> load;
+    std::vector<Vector> thermal_strain; ///< the mean alone, or none
+    double              largest_load = 0.;
+  };
+} // namespace Crevasse
+
+#endif

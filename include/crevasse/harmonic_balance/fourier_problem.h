@@ -1,0 +1,87 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_harmonic_balance_fourier_problem_h
+#define crevasse_harmonic_balance_fourier_problem_h
+
+#include <crevasse/base/summary.h>
+#include <crevasse/harmonic_balance/fourier.h>
+#include <crevasse/model/body.h>
+#include <crevasse/model/solvers.h>
+#include <crevasse/parameters/scene.h>
+#include <crevasse/time/secular_flow.h>
+#include <crevasse/time/step_list.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** The periodic state found direct in time, and what was found on the way. */
+  struct FourierResult
+  {
+    PeriodicMotion             motion;
+    std::optional<SecularFlow> flow; ///< none: the mean load vanishes
+    TimeRule                   rule = TimeRule::trapezoid;
+    std::vector<std::string>   warnings;
+
+    /** How the contact problem was solved; empty if no node bears a mean
+     * force. */
+    std::string contact;
+
+    /** Forgets all but the beginning of the motion, from which another method
+     * goes on. */
+    void
+    keep_start();
+
+    /** Lines for the log. */
+    std::vector<std::string>
+    describe() const;
+
+    /** Adds "direct_in_time". */
+    void
+    add_to(Summary &summary) const;
+  };
+
+  /** Why the direct treatment in time cannot do a scene, and what can; empty if
+   * it can. Collective. */
+  template <int dim>
+  std::vector<std::string>
+  fourier_obstacles(const Scene     &scene,
+                    const Body<dim> &body,
+                    const StepList  &steps);
+
+  /** Whether the direct treatment in time can do a scene. Collective.
+   * @throw SceneError with all that it cannot do, and what to use instead. */
+  template <int dim>
+  void
+  require_fourier(const Scene     &scene,
+                  const Body<dim> &body,
+                  const StepList  &steps);
+
+  /**
+   * Finds the periodic state of a scene direct in time: see Fourier. The
+   * secular flow is that of the mean of the samples. Collective.
+   *
+   * @param smallest_relaxation_time of the material, for a warning.
+   * @throw NumericalError if one of the problems is not solved.
+   */
+  template <int dim>
+  FourierResult
+  solve_fourier_problem(const Scene     &scene,
+                        const Body<dim> &body,
+                        const StepList  &steps,
+                        Solvers<dim>    &solvers,
+                        const double     smallest_relaxation_time);
+} // namespace Crevasse
+
+#endif

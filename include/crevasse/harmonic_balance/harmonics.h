@@ -1,0 +1,112 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_harmonic_balance_harmonics_h
+#define crevasse_harmonic_balance_harmonics_h
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <complex>
+#include <vector>
+
+namespace Crevasse
+{
+  /** By what the derivative in time of a harmonic is replaced. */
+  enum class TimeRule
+  {
+    /** What the trapezoidal rule with steps from instant to instant makes of
+     * it: the samples satisfy that scheme to rounding. */
+    trapezoid,
+    /** The derivative of the trigonometric polynomial through the samples: as
+     * good as the loads are smooth. */
+    exact
+  };
+
+
+
+  /**
+   * A period sampled at N equidistant instants t_j, and the trigonometric
+   * polynomial through the samples,
+   *
+   *     x(t_j) = Re Σₙ cₙ exp(iωₙt_j),   n = 0 … N/2,   ωₙ = 2πn/T.
+   *
+   * The sine of the last harmonic of an even N vanishes at all instants: only
+   * the real part of its c counts, and that of a response to it, whatever the
+   * rule.
+   */
+  class Harmonics
+  {
+  public:
+    Harmonics(const double       period,
+              const unsigned int n_instants,
+              const TimeRule     rule);
+
+    /** N */
+    unsigned int
+    n_instants() const;
+
+    double
+    instant(const unsigned int j) const;
+
+    /** Without the mean: N/2, rounded down. */
+    unsigned int
+    n_harmonics() const;
+
+    /** Whether only the real part of this harmonic is seen by the samples. */
+    bool
+    is_real(const unsigned int n) const;
+
+    /** 1/zₙ for n > 0: what the integral in time multiplies the harmonic n by.
+     * iωₙ is the zₙ of the exact rule, (2i/Δt) tan(ωₙΔt/2) that of the
+     * trapezoidal one, which is infinite for the last harmonic of an even N. */
+    std::complex<double>
+    integral(const unsigned int n) const;
+
+    /**
+     * Replaces N samples by coefficients: the mean c₀, then real and imaginary
+     * part of each cₙ, at the numbers 2n − 1 and 2n.
+     *
+     * @tparam VectorType one whose own entries are one block of memory.
+     */
+    template <typename VectorType>
+    void
+    analyse(std::vector<VectorType> &samples) const;
+
+    /** The inverse of analyse(). */
+    template <typename VectorType>
+    void
+    synthesise(std::vector<VectorType> &coefficients) const;
+
+    /** The coefficients of zero, shaped like @p model. */
+    template <typename VectorType>
+    std::vector<VectorType>
+    zero(const VectorType &model) const
+    {
+      return std::vector<VectorType>(1 + 2 * n_harmonics(), model);
+    }
+
+  private:
+    /** A matrix, times vectors of numbers. */
+    template <typename VectorType>
+    static void
+    apply(const dealii::FullMatrix<double> &matrix,
+          std::vector<VectorType>          &vectors);
+
+    const double   period;
+    const unsigned n;
+    const TimeRule rule;
+
+    dealii::FullMatrix<double> analysis, synthesis;
+  };
+} // namespace Crevasse
+
+#endif

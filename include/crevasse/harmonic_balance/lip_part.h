@@ -1,0 +1,96 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_harmonic_balance_lip_part_h
+#define crevasse_harmonic_balance_lip_part_h
+
+#include <crevasse/contact/signorini_problem.h>
+#include <crevasse/linear/linear_solver.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /** Some nodes of the lip, of all ranks: every rank knows all of them, in the
+   * same order. Where L is said, it is that of these nodes. */
+  class LipPart
+  {
+  public:
+    /** Collective.
+     *
+     * @param chosen which of the locally owned bounds belong to it. */
+    LipPart(const MPI_Comm           communicator,
+            const UnilateralBounds  &bounds,
+            const std::vector<bool> &chosen);
+
+    unsigned int
+    n_nodes() const;
+
+    /** Of each node. */
+    const std::vector<dealii::types::global_dof_index> &
+    dofs() const;
+    const std::vector<double> &
+    signs() const;
+    const std::vector<double> &
+    gaps() const;
+
+    /** L v, on all ranks. Collective. */
+    dealii::Vector<double>
+    restrict_to_lip(const Vector &v) const;
+
+    /** The same of a value for each locally owned bound. */
+    dealii::Vector<double>
+    gather(const std::vector<double> &on_bounds) const;
+
+    /** The inverse of gather(); 0 for other bounds. */
+    std::vector<double>
+    scatter(const dealii::Vector<double> &on_lip) const;
+
+    /** v += factor × Lᵀ g */
+    void
+    add_forces(const double                  factor,
+               const dealii::Vector<double> &forces,
+               Vector                       &v) const;
+
+    /** Makes L v what is given, and touches nothing else. */
+    void
+    prescribe(const dealii::Vector<double> &on_lip, Vector &v) const;
+
+    /** L A⁻¹ Lᵀ. Collective.
+     *
+     * @param model a vector with the layout of A. */
+    dealii::FullMatrix<double>
+    compliance(LinearSolver &linear_solver, const Vector &model) const;
+
+  private:
+    /** Calls f(node, bound) for the locally owned ones. */
+    template <typename Function>
+    void
+    for_each_local(const Function &f) const;
+
+    dealii::Vector<double>
+    of_all_ranks(dealii::Vector<double> &&local) const;
+
+    const MPI_Comm            communicator;
+    const std::size_t         n_bounds; ///< locally owned ones
+    unsigned int              first = 0;
+    std::vector<unsigned int> bounds; ///< of the locally owned nodes
+
+    std::vector<dealii::types::global_dof_index> node_dofs;
+    std::vector<double>                          node_signs;
+    std::vector<double>                          node_gaps;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,91 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_harmonic_balance_periodic_convolution_h
+#define crevasse_harmonic_balance_periodic_convolution_h
+
+#include <crevasse/harmonic_balance/periodic_contact_problem.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <memory>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * The convolution S ∗ g of PeriodicContactProblem with functions of N
+   * equidistant instants at p nodes, by fast Fourier transforms along time
+   * (FFTW, real to complex): with ĝₙ = Σ_j g(t_j) exp(−2πi n j/N),
+   *
+   *     (S ∗ g)(t_j) = (2/N) Re Σₙ Sₙ ĝₙ exp(2πi n j/N),    n = 1 … N/2,
+   *
+   * where the last harmonic of an even N counts half. A function is one vector
+   * of p N entries: all nodes of the first instant, of the second, and so on.
+   */
+  class PeriodicConvolution
+  {
+  public:
+    /**
+     * Shares the matrices of the compliances.
+     *
+     * @param compliances S₁ … S_{N/2}, each p × p
+     * @throw ExceptionBase if one is not finite.
+     */
+    PeriodicConvolution(
+      const std::vector<PeriodicContactProblem::Compliance> &compliances,
+      const unsigned int                                     n_nodes,
+      const unsigned int                                     n_instants);
+    ~PeriodicConvolution();
+
+    unsigned int
+    n_nodes() const;
+    unsigned int
+    n_instants() const;
+
+    /** S ∗ g, p N entries; whatever the mean of g, the result has none. */
+    void
+    vmult(dealii::Vector<double>       &result,
+          const dealii::Vector<double> &function) const;
+
+    /** Applies Re Sₙ for the highest n, which is next to the elastic
+     * compliance: a symmetric positive definite p × p matrix, for
+     * preconditioners; of no entries if there is no harmonic. */
+    const dealii::FullMatrix<double> &
+    elastic_compliance() const;
+
+    /** The largest |entry| on the diagonals of all Sₙ; 0 without harmonics. */
+    double
+    largest_compliance() const;
+
+    /**
+     * The kernel C(t_k), k = 0 … N − 1, p × p matrices with
+     * (C ∗ g)(t_j) = Σ_k C(t_j − t_k) g(t_k) = (S ∗ g)(t_j) + S_e mean(g),
+     * where S_e is elastic_compliance(): with it for a harmonic 0, the kernel
+     * is positive definite for all functions. N p² numbers.
+     */
+    std::vector<dealii::FullMatrix<double>>
+    definite_kernel() const;
+
+  private:
+    struct Transforms;
+
+    const std::vector<PeriodicContactProblem::Compliance> compliances;
+    const unsigned int                                    p;
+    const unsigned int                                    N;
+    dealii::FullMatrix<double>                            elastic;
+    double                                                largest = 0.;
+    const std::unique_ptr<Transforms>                     transforms;
+  };
+} // namespace Crevasse
+
+#endif

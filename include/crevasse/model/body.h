@@ -1,0 +1,88 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_model_body_h
+#define crevasse_model_body_h
+
+#include <crevasse/contact/signorini_problem.h>
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/material_field.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/space.h>
+#include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/material/maxwell_law.h>
+#include <crevasse/parameters/effects.h>
+#include <crevasse/parameters/scene.h>
+
+#include <memory>
+#include <string>
+
+namespace Crevasse
+{
+  /** The roles of the scene's boundaries: what the user says, completed by what
+   * the built-in shape has. @throw SceneError if there is a traction but no
+   * loaded boundary. */
+  BoundaryRoles
+  boundary_roles(const Scene &scene);
+
+  /** The scene's geometry with the refinement that needs no solution: uniform
+   * and towards the crack tip. Collective. @throw SceneError */
+  template <int dim>
+  std::shared_ptr<Mesh<dim>>
+  make_scene_mesh(const Scene &scene, const MPI_Comm communicator);
+
+  /**
+   * The discretised body: mesh, spaces, lip and loads, but nothing assembled
+   * or solved yet. Building it finds every error of mesh and boundaries.
+   */
+  template <int dim>
+  struct Body
+  {
+    /** @throw SceneError, or NumericalError if a rigid motion is left free. */
+    Body(const Scene &scene, const MPI_Comm communicator);
+
+    /** The same on another mesh than make_scene_mesh() has. */
+    Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh);
+
+    const Temperature<dim>     temperature;
+    const Effects              effects;
+    const MaxwellLaw<dim>      law;
+    const Space<dim>           space;
+    const QuadratureField<dim> points;
+    const MaterialField<dim>   material;
+    const StrainOperator<dim>  strain_operator;
+    const ContactBoundary<dim> lip;
+    const ExternalLoads<dim>   loads;
+  };
+
+  /** The bounds of the discrete cone C: at the nodes of a lip, in their order,
+   * and after them that of the singular function which opens it. Its
+   * coefficient is K_I but for a factor: without the bound the lip would
+   * penetrate between the nodes by √r. (w₃ opens it by r^{3/2} only, and has
+   * none.) */
+  template <int dim>
+  UnilateralBounds
+  unilateral_bounds(const ContactBoundary<dim> &lip, const Space<dim> &space);
+
+  /** The scene's supports: its own list, or what the built-in shape needs. */
+  template <int dim>
+  std::vector<FixedPoint<dim>>
+  fixed_points(const Scene &scene);
+
+  /** Roles, boundary ids and supports in one line: "symmetry 2; loaded 3;
+   * contact 4; fixed (0.5, 0): 1". */
+  template <int dim>
+  std::string
+  describe_boundaries(const Scene &scene);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,152 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_model_instant_cache_h
+#define crevasse_model_instant_cache_h
+
+#include <crevasse/base/log.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace Crevasse
+{
+  /** The memory that a scene grants to what is kept for instants, of all ranks
+   * and all caches together. */
+  class InstantMemory
+  {
+  public:
+    /** @p log must outlive this object. */
+    InstantMemory(const MPI_Comm communicator, const double bytes, Log &log);
+
+    /** Counts what a cache keeps on this rank: contact solvers grow. */
+    void
+    count(const std::function<std::size_t()> &bytes_kept);
+
+    /** Whether so many bytes more on this rank may be kept; never again once
+     * they may not. Collective. */
+    bool
+    grants(const std::size_t bytes);
+
+  private:
+    const MPI_Comm                            communicator;
+    const double                              limit;
+    Log                                      &log;
+    std::vector<std::function<std::size_t()>> caches;
+    bool                                      is_full = false;
+  };
+
+  /**
+   * Keeps what belongs to instants for the same instants of later periods, as
+   * long as the memory lasts; what does not fit is made anew each time. Those
+   * that were made first are kept: where instants come in turn, dropping the
+   * oldest would always drop the next.
+   */
+  template <typename Value>
+  class InstantCache
+  {
+  public:
+    /** The instant, and what else a value depends on: κ of AlgorithmicModuli.
+     */
+    using Key  = std::pair<double, double>;
+    using Make = std::function<std::shared_ptr<Value>()>;
+
+    /** @param bytes of a value on this rank.
+     * @param drop called with a value that is made anew later. */
+    InstantCache(InstantMemory                                   &memory,
+                 const std::function<std::size_t(const Value &)> &bytes,
+                 const std::function<void(const Value &)>        &drop = {})
+      : memory(memory)
+      , bytes(bytes)
+      , drop(drop)
+    {
+      memory.count([this]() {
+        std::size_t sum = 0;
+        for (const auto &[key, value] : kept)
+          sum += this->bytes(*value);
+        return sum;
+      });
+    }
+
+    InstantCache(const InstantCache &) = delete;
+    InstantCache &
+    operator=(const InstantCache &) = delete;
+
+    /** The value of an instant, made if need be. Collective. */
+    std::shared_ptr<Value>
+    at(const Key &key, const Make &make)
+    {
+      const auto found =
+        kept.lower_bound({key.first, key.second * (1. - rounding)});
+      if (found != kept.end() && are_equal(found->first, key))
+        return found->second;
+      if (scratch != nullptr && are_equal(scratch_key, key))
+        return scratch;
+
+      std::shared_ptr<Value> value = make();
+      if (memory.grants(bytes(*value)))
+        return kept.emplace(key, std::move(value)).first->second;
+      if (scratch != nullptr && drop)
+        drop(*scratch);
+      scratch     = std::move(value);
+      scratch_key = key;
+      return scratch;
+    }
+
+    /** Whether there is a value of this instant. */
+    bool
+    has(const Key &key) const
+    {
+      const auto found =
+        kept.lower_bound({key.first, key.second * (1. - rounding)});
+      return (found != kept.end() && are_equal(found->first, key)) ||
+             (scratch != nullptr && are_equal(scratch_key, key));
+    }
+
+    /** Shows all values that there are. */
+    template <typename Function>
+    void
+    for_each(const Function &show) const
+    {
+      for (const auto &[key, value] : kept)
+        show(*value);
+      if (scratch != nullptr)
+        show(*scratch);
+    }
+
+  private:
+    /** Equal steps differ by rounding, and so does κ. */
+    static constexpr double rounding = 1e-12;
+
+    static bool
+    are_equal(const Key &a, const Key &b)
+    {
+      return a.first == b.first &&
+             std::abs(a.second - b.second) <= rounding * std::abs(b.second);
+    }
+
+    InstantMemory                                  &memory;
+    const std::function<std::size_t(const Value &)> bytes;
+    const std::function<void(const Value &)>        drop;
+
+    std::map<Key, std::shared_ptr<Value>> kept;
+    std::shared_ptr<Value>                scratch; ///< one that is not kept
+    Key                                   scratch_key;
+  };
+} // namespace Crevasse
+
+#endif

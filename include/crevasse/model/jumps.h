@@ -1,0 +1,39 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#ifndef crevasse_model_jumps_h
+#define crevasse_model_jumps_h
+
+#include <crevasse/model/body.h>
+#include <crevasse/parameters/scene.h>
+#include <crevasse/time/step_list.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /** Whether a formula of the scene has a comparison, a condition or a rounding
+   * in it, and so can jump anywhere. */
+  bool
+  formulas_can_jump(const Scene &scene);
+
+  /** The ends of steps at which loads or material jump in time: the end of the
+   * period, where t begins anew, and others if formulas can jump. Collective.
+   *
+   * @param largest_load over all steps, by largest_load(). */
+  template <int dim>
+  std::vector<double>
+  find_jumps(const Scene     &scene,
+             const Body<dim> &body,
+             const StepList  &steps,
+             const double     largest_load);
+} // namespace Crevasse
+
+#endif

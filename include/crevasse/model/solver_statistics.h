@@ -1,0 +1,54 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_model_solver_statistics_h
+#define crevasse_model_solver_statistics_h
+
+#include <crevasse/base/summary.h>
+#include <crevasse/contact/contact_solver.h>
+#include <crevasse/linear/linear_solver.h>
+
+namespace Crevasse
+{
+  /** How often the expensive things of a run were done, and how well. */
+  struct SolverStatistics
+  {
+    unsigned int assemblies       = 0;
+    unsigned int factorisations   = 0;
+    unsigned int multigrid_setups = 0;
+
+    std::size_t linear_solves     = 0;
+    std::size_t linear_iterations = 0;
+    std::size_t back_solves       = 0; ///< with a whole matrix
+    double      back_solve_time   = 0.;
+
+    // Without bounds a problem is certified, but no variational inequality.
+    std::size_t vi_solves     = 0;
+    std::size_t vi_iterations = 0;
+    double      vi_time       = 0.;
+    std::size_t certified     = 0; ///< solves with a certificate
+    Certificate certificate;
+    double      accuracy = 0.; ///< ContactSolver::accuracy()
+
+    void
+    add(const LinearSolver &solver);
+    void
+    add(const ContactSolver &solver);
+    void
+    add(const SolverStatistics &other);
+
+    /** Counters, certificate and mean times of summary.json. */
+    void
+    add_to(Summary &summary) const;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,58 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_parameters_assignments_h
+#define crevasse_parameters_assignments_h
+
+#include <crevasse/base/problems.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** One parameter as somebody set it, whether or not it exists. */
+  struct Assignment
+  {
+    /** Where: "scene.prm:12", or the option of the command line. */
+    std::string place;
+    /** Names joined by "/" where sections are nested. */
+    std::string section;
+    /** Empty: the section is only opened here. */
+    std::string name;
+    std::string value;
+  };
+
+  /** "Section/Name=value" as somebody wrote it on the command line. */
+  struct Override
+  {
+    std::string text;
+    /** What messages name: the option that brought it. */
+    std::string option = "--set";
+  };
+
+  /** Understands "Section/Name=value" of the command line. */
+  void
+  read_override(const Override          &override,
+                std::vector<Assignment> &assignments,
+                Problems                &problems);
+
+  /** Sets each parameter in turn. What is unknown or has a value of the wrong
+   * type is left as it was and reported with what would be allowed. */
+  void
+  apply(const std::vector<Assignment> &assignments,
+        dealii::ParameterHandler      &prm,
+        Problems                      &problems);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,57 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_parameters_effects_h
+#define crevasse_parameters_effects_h
+
+#include <crevasse/parameters/boundary_roles.h>
+#include <crevasse/parameters/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** Which effects a scene calls for, decided once, each with its reason. What
+   * is off is not created: it costs neither time nor memory. */
+  struct Effects
+  {
+    struct Effect
+    {
+      std::string name;
+      bool        on = false;
+      std::string why;
+    };
+
+    Effect contact;
+    Effect viscosity;
+    Effect secular_flow; ///< off until somebody who knows the loads decides
+    Effect chain;
+    Effect thermal_strain;
+    Effect varying_stiffness; ///< by a factor or freely
+    Effect varying_viscosity;
+    Effect body_force;
+    Effect singular_functions;
+    Effect stress_intensity;
+    Effect field_output;
+
+    /** @param temperature_varies whether [Loads] Temperature does in time. */
+    Effects(const Scene         &scene,
+            const BoundaryRoles &roles,
+            const bool           temperature_varies);
+
+    /** All of them, in a fixed order, for tables. */
+    std::vector<Effect>
+    list() const;
+  };
+} // namespace Crevasse
+
+#endif

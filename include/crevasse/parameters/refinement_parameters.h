@@ -1,0 +1,55 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_parameters_refinement_parameters_h
+#define crevasse_parameters_refinement_parameters_h
+
+#include <crevasse/base/problems.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** How the mesh is refined besides [Geometry] Refinements. */
+  struct RefinementParameters
+  {
+    static constexpr const char *section = "Refinement";
+
+    /** none | tip | adaptive */
+    std::string strategy = "none";
+    /** Refinement ends when the mesh has them; 0: no limit. */
+    unsigned int target_unknowns = 0;
+    /** tip: levels; adaptive: meshes after the first. 0: by the target. */
+    unsigned int cycles = 0;
+    /** fixed fraction (of the cells) | bulk (of the estimate, Dörfler) */
+    std::string marking          = "bulk";
+    double      refine_fraction  = 0.5;
+    double      coarsen_fraction = 0.;
+    /** Estimated error of the stress in the energy norm, relative to that of
+     * the stress, at which cycles end; 0: none. */
+    double tolerance = 0.;
+    /** Instants within the period that the estimate looks at; none: those of
+     * the largest load and of the most opposite one. */
+    std::vector<double> instants;
+    /** Periods after which the mesh is adapted again; 0: never. */
+    unsigned int readapt_every = 0;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+} // namespace Crevasse
+
+#endif

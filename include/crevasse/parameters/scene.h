@@ -1,0 +1,54 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_parameters_scene_h
+#define crevasse_parameters_scene_h
+
+#include <crevasse/parameters/crack_tip_parameters.h>
+#include <crevasse/parameters/parameters.h>
+#include <crevasse/parameters/refinement_parameters.h>
+
+#include <string>
+
+namespace Crevasse
+{
+  /** Everything that one run is told by its user. */
+  struct Scene
+  {
+    std::string  title;
+    unsigned int dimension = 2;
+    /** Empty: `results/NAME` for NAME.prm. */
+    std::string output_directory;
+
+    GeometryParameters        geometry;
+    BoundaryParameters        boundary;
+    MaterialParameters        material;
+    LoadParameters            loads;
+    DiscretisationParameters  discretisation;
+    RefinementParameters      refinement;
+    ContactParameters         contact;
+    LinearSolverParameters    linear_solver;
+    TimeIntegrationParameters time_integration;
+    PeriodicStateParameters   periodic_state;
+    CrackTipParameters        crack_tip;
+    OutputParameters          output;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /** Each section's own check, and what only several sections together can
+     * tell (number of load components, steps within the period, ...). */
+    void
+    check(Problems &problems) const;
+  };
+} // namespace Crevasse
+
+#endif

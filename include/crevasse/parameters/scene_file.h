@@ -1,0 +1,55 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_parameters_scene_file_h
+#define crevasse_parameters_scene_file_h
+
+#include <crevasse/base/problems.h>
+#include <crevasse/parameters/assignments.h>
+#include <crevasse/parameters/scene.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** Writes all parameters with defaults and documentation, as "prm", "json"
+   * or "markdown". */
+  void
+  print_parameters(std::ostream &out, const std::string &format);
+
+  /**
+   * Reads a .prm or .json scene, then the overrides "Section/Name=value" of
+   * the command line. What does not parse or is unknown is added to
+   * @p problems with file, line, section, parameter, value and what is
+   * allowed; reading goes on to the end. Values are not yet checked against
+   * each other: call Scene::check(). A mesh file is looked for next to the
+   * scene first.
+   *
+   * @p prm must be new. Filled, it can write used.prm; nothing must be set or
+   * read through it afterwards, for its entries refer to the scene that was
+   * filled here, not to the one that is returned.
+   *
+   * @throw FileError if the file cannot be read.
+   */
+  Scene
+  read_scene(const std::string           &file_name,
+             const std::vector<Override> &overrides,
+             dealii::ParameterHandler    &prm,
+             Problems                    &problems);
+
+  /** The text of used.prm: every parameter of a scene that was read. */
+  std::string
+  used_parameters(dealii::ParameterHandler &prm);
+} // namespace Crevasse
+
+#endif

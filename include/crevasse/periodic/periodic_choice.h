@@ -1,0 +1,69 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#ifndef crevasse_periodic_periodic_choice_h
+#define crevasse_periodic_periodic_choice_h
+
+#include <crevasse/model/body.h>
+#include <crevasse/parameters/scene.h>
+#include <crevasse/time/step_list.h>
+
+#include <string>
+
+namespace Crevasse
+{
+  /** By what a run finds its periodic state. */
+  struct PeriodicChoice
+  {
+    std::string method; ///< march, anderson or fourier
+    bool        starts_from_fourier = false;
+    /** Whether another method takes over where one fails. */
+    bool        may_fall_back = false;
+    std::string why;
+
+    /** Whether something is solved direct in time. */
+    bool
+    uses_fourier() const;
+
+    /** Whether r must be periodic, and so a secular flow split off. */
+    bool
+    needs_periodic_strain() const;
+
+    /** Whether only the last period is one of the body. */
+    bool
+    periods_are_iterates() const;
+
+    /** One line for the log. */
+    std::string
+    describe() const;
+  };
+
+  /**
+   * What the scene says; "automatic" takes the direct method where nothing but
+   * the loads depends on time, as a start for schemes other than its own, and
+   * else Anderson's acceleration, unless r may flow in an unknown way.
+   * Collective.
+   *
+   * @param steps whose jumps are marked.
+   * @param largest_relaxation_time Stress that is forgotten within a period
+   * needs no start.
+   * @throw SceneError if the scene asks for a method that cannot do it.
+   */
+  template <int dim>
+  PeriodicChoice
+  choose_periodic_method(const Scene     &scene,
+                         const Body<dim> &body,
+                         const StepList  &steps,
+                         const double     largest_relaxation_time);
+} // namespace Crevasse
+
+#endif

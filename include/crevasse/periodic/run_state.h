@@ -1,0 +1,79 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_periodic_run_state_h
+#define crevasse_periodic_run_state_h
+
+#include <crevasse/model/solver_statistics.h>
+#include <crevasse/periodic/observed_periods.h>
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <string>
+
+namespace Crevasse
+{
+  class StateArchive;
+
+  /**
+   * What a run has come to at the end of a period: the state of the body, from
+   * which it goes on wherever and on whatever mesh, and what its summary will
+   * tell of the periods before. By itself it is a run that has not begun.
+   */
+  struct RunState
+  {
+    PeriodicResult result; ///< of the periods so far
+
+    // On the mesh of the moment; empty at rest.
+    Vector viscous_strain; ///< see QuadratureField
+    Vector displacement;   ///< zero in constrained entries
+
+    SolverStatistics              solvers;
+    std::size_t                   rate_evaluations     = 0;
+    double                        largest_stress       = 0.;
+    double                        largest_displacement = 0.;
+    double                        largest_opening      = 0.;
+    std::map<std::string, double> seconds; ///< of each phase
+
+    /** How many methods were tried in vain on this mesh. */
+    unsigned int methods_left = 0;
+    bool         was_resumed  = false; ///< this leg of the run
+
+    bool
+    has_begun() const
+    {
+      return result.periods > 0;
+    }
+
+    /** Whether tables were begun, which go on. */
+    bool
+    has_tables() const
+    {
+      return has_begun() || was_resumed;
+    }
+
+    /** Shows all but the fields and whether it was resumed. */
+    void
+    serialize(StateArchive &archive);
+  };
+
+  /** A part of a run on one mesh. */
+  struct Leg
+  {
+    /** After which it ends if the run has not. */
+    unsigned int last_period = std::numeric_limits<unsigned int>::max();
+    /** Whether the run is over: periodic, or out of periods. */
+    bool ends_run = false;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,47 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_postprocess_crack_tip_choice_h
+#define crevasse_postprocess_crack_tip_choice_h
+
+#include <crevasse/model/body.h>
+
+#include <string>
+
+namespace Crevasse
+{
+  /** How K_I is found: see InteractionIntegral and WilliamsFit. */
+  struct CrackTipChoice
+  {
+    bool        integral; ///< or the fit
+    std::string why;
+
+    /** "interaction integral" or "williams fit". */
+    std::string
+    name() const;
+  };
+
+  /**
+   * The integral wants the displacement of an elastic body under the loads and
+   * contact forces of the instant. The stress is that of such a body where
+   * nothing creeps; where all points relax alike, η = τK; and where the whole
+   * body is homogeneous, isotropic, and held by nothing that hinders its
+   * deformation, for then its stress depends on no modulus. Thermal strain and
+   * body forces would add terms of their own.
+   *
+   * Collective. @throw SceneError if [Crack tip] Method asks for the integral
+   * where it is not right, with the reason.
+   */
+  CrackTipChoice
+  choose_crack_tip_method(const Scene &scene, const Body<2> &body);
+} // namespace Crevasse
+
+#endif

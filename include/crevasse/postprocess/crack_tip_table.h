@@ -1,0 +1,115 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_postprocess_crack_tip_table_h
+#define crevasse_postprocess_crack_tip_table_h
+
+#include <crevasse/base/csv_table.h>
+#include <crevasse/crack_tip/growth_law.h>
+#include <crevasse/crack_tip/strain_energy.h>
+#include <crevasse/crack_tip/weight_function.h>
+#include <crevasse/crack_tip/williams_fit.h>
+#include <crevasse/time/observer.h>
+#include <crevasse/time/step_list.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * crack_tip.csv: what is read off at the crack tip at each accepted step.
+   *
+   * K_I is that of the interaction integral where there is one, or else of the
+   * fit, which K_I_stress is in any case. K_I_singular is the coefficient of
+   * the singular function that opens the crack, in the displacement of an
+   * elastic body under the same forces. K_I_error is the largest of three: the
+   * difference between the integrals over two squares, that between integral
+   * and fit, and what the mesh leaves, |K_I| times the relative error of the
+   * elastic energy as StressEstimator has it; without the integral, of the
+   * difference of the fits to two discs and the last. It is no bound.
+   */
+  class CrackTipTable : public Observer
+  {
+  public:
+    /** The numbers of a step. */
+    struct Values
+    {
+      double intensity, of_stress, of_singular_function, error, release_rate,
+        energy;
+    };
+
+    /** The interaction integral over two squares, and the coefficient of the
+     * singular function that opens the crack, if there is one. */
+    struct Integrals
+    {
+      WeightFunction                large, small;
+      std::optional<WeightFunction> singular;
+    };
+
+    /** E' as a function of the instant within the period. */
+    using Modulus = std::function<double(const double)>;
+
+    /** References must outlive this object.
+     *
+     * @param integrals none: the fit serves for K_I.
+     * @param file_name empty on ranks that do not write.
+     * @param goes_on whether it has rows already.
+     * @param relative_error of the elastic energy. */
+    CrackTipTable(std::optional<Integrals> &&integrals,
+                  const WilliamsFit         &fit,
+                  const StrainEnergy        &energy,
+                  const Modulus             &modulus,
+                  const ExternalLoads<2>    &loads,
+                  const StepList            &steps,
+                  const std::string         &file_name,
+                  const bool                 goes_on,
+                  const double               relative_error);
+
+    void
+    observe(const Sample &sample) override;
+
+    void
+    serialize(StateArchive &archive) override;
+
+    /** K_I of the last period. */
+    const TipHistory &
+    last_period() const;
+
+    /** All numbers of the last period. */
+    const std::vector<Values> &
+    values() const;
+
+  private:
+    bool
+    has_singular_function() const;
+
+    Values
+    evaluate(const Sample &sample);
+
+    const std::optional<Integrals> integrals;
+    const WilliamsFit             &fit;
+    const StrainEnergy            &energy;
+    const Modulus                  modulus;
+    const ExternalLoads<2>        &loads;
+    const StepList                &steps;
+    const double                   relative_error;
+    Vector                         nodal_forces;
+    std::unique_ptr<CsvTable>      table;
+    TipHistory                     history;
+    std::vector<Values>            of_last_period;
+  };
+} // namespace Crevasse
+
+#endif

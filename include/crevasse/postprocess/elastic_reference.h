@@ -1,0 +1,59 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_postprocess_elastic_reference_h
+#define crevasse_postprocess_elastic_reference_h
+
+#include <crevasse/model/body.h>
+#include <crevasse/model/solvers.h>
+#include <crevasse/postprocess/elastic_comparison.h>
+#include <crevasse/time/integrator.h>
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** F, for loads F(t) p(x), relative to the loads at step_of_largest_load().
+   */
+  struct LoadFactors
+  {
+    std::vector<double> at_steps; ///< at the beginning of each step
+    double              integral; ///< over a period, by the integrator's rule
+  };
+
+  /**
+   * @param integrator None without viscosity; the integral is then 0.
+   * @param comparison [Output] Elastic comparison: open or closed.
+   *
+   * @throw SceneError if there is no closed form to compare with: the lip has
+   * a gap, the viscosity is not proportional to the stiffness, the loads are
+   * not of this form, or F changes its sign where it must not.
+   */
+  template <int dim>
+  LoadFactors
+  load_factors(const Body<dim>   &body,
+               const StepList    &steps,
+               const Integrator  *integrator,
+               const std::string &comparison);
+
+  /** What ElasticComparison compares with: u_el and s_el at the instant of the
+   * largest load, by the direct solver, and F. */
+  template <int dim>
+  ElasticComparison::Reference
+  elastic_reference(const Scene      &scene,
+                    const Body<dim>  &body,
+                    Solvers<dim>     &solvers,
+                    const StepList   &steps,
+                    const Integrator *integrator);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,84 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_postprocess_field_writer_h
+#define crevasse_postprocess_field_writer_h
+
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/space.h>
+#include <crevasse/discretisation/stress_recovery.h>
+#include <crevasse/time/observer.h>
+#include <crevasse/time/step_list.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * Fields for ParaView at chosen instants of the last period and at the end
+   * of the run. Which period is the last is known only after it, so that the
+   * states are kept in memory and written by write().
+   *
+   * Point data, named as here: displacement; stress_11, …, the components of
+   * the recovered stress; viscous_strain_11, …, those of the tensor r (the
+   * shear component r_12 is half the engineering shear strain 2 r_12);
+   * principal_stress_1, … and principal_direction_1, … in the plane of the
+   * mesh, the largest first; second_deviator_invariant; contact_pressure.
+   */
+  template <int dim>
+  class FieldWriter : public Observer
+  {
+  public:
+    /** @param times instants within the period; the nearest step is taken. */
+    FieldWriter(const Space<dim>           &space,
+                const StressRecovery<dim>  &recovery,
+                const ContactBoundary<dim> &lip,
+                const StepList             &steps,
+                const std::vector<double>  &times,
+                const std::string          &directory);
+
+    void
+    observe(const Sample &sample) override;
+
+    void
+    serialize(StateArchive &archive) override;
+
+    /** Writes solution_<n>.vtu, .pvtu and solution.pvd; returns the number of
+     * instants. Collective. @throw FileError */
+    unsigned int
+    write() const;
+
+  private:
+    struct Snapshot
+    {
+      double time;
+      State  state;
+      Vector viscous_strain;
+    };
+
+    void
+    write(const Snapshot &snapshot, const unsigned int number) const;
+
+    const Space<dim>           &space;
+    const StressRecovery<dim>  &recovery;
+    const ContactBoundary<dim> &lip;
+    const std::string           directory;
+
+    /** By instant, so that a period replaces the one before. */
+    std::map<double, Snapshot> snapshots;
+    std::set<double>           wanted;
+  };
+} // namespace Crevasse
+
+#endif

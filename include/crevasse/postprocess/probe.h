@@ -1,0 +1,125 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_postprocess_probe_h
+#define crevasse_postprocess_probe_h
+
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/space.h>
+#include <crevasse/discretisation/stress_recovery.h>
+#include <crevasse/parameters/probe_list.h>
+#include <crevasse/time/evolution.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * Displacement, recovered stress and, on the lip, opening and pressure at one
+   * point, as weighted sums found once: following a point through time costs
+   * next to nothing. Each rank sums over what it owns, so that no ghost values
+   * are read, and the sums over the ranks are the values on each of them.
+   *
+   * A point is on the lip if one of the cells around it has a lip face there.
+   */
+  template <int dim>
+  class ProbeEvaluator
+  {
+  public:
+    /** Collective. @throw SceneError if the point lies outside the mesh. */
+    ProbeEvaluator(const Probe<dim>           &probe,
+                   const Space<dim>           &space,
+                   const StressRecovery<dim>  &recovery,
+                   const ContactBoundary<dim> &lip);
+
+    const std::string &
+    name() const;
+
+    /** Whether the point lies on the crack lip. */
+    bool
+    on_lip() const;
+
+    dealii::Tensor<1, dim>
+    displacement(const Vector &displacement) const;
+
+    /** Along the inward normal of the lip; 0 off it. */
+    double
+    normal_component(const dealii::Tensor<1, dim> &displacement) const;
+
+    VoigtVector<dim>
+    stress(const Vector &stress) const;
+
+    /** Opening u_N − gap and contact pressure, interpolated from the nodes of
+     * the lip; both 0 off the lip. */
+    std::array<double, 2>
+    opening_and_pressure(const State &state) const;
+
+  private:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+    using DofWeights =
+      std::vector<std::pair<dealii::types::global_dof_index, double>>;
+
+    /** A point in one of the cells around it. */
+    struct Place
+    {
+      Cell               cell;
+      dealii::Point<dim> unit_point;
+      bool               found    = false;
+      unsigned int       lip_face = dealii::numbers::invalid_unsigned_int;
+    };
+
+    Place
+    find_place(const Space<dim> &space) const;
+
+    /** Whether the place of this rank is the one to take; one rank has it. */
+    bool
+    is_chosen(const Place &place) const;
+
+    void
+    find_displacement_weights(const Place &place, const Space<dim> &space);
+    /** What singular functions have at the place. */
+    static void
+    add_singular_values(const Place         &place,
+                        const Space<dim>    &space,
+                        std::vector<Vector> &weights);
+    void
+    find_stress_weights(const Place &place);
+    void
+    find_lip_weights(const Place &place, const Space<dim> &space);
+
+    const Probe<dim>            probe;
+    const MPI_Comm              communicator;
+    const StressRecovery<dim>  &recovery;
+    const ContactBoundary<dim> &lip;
+
+    /** Of the dofs and lip nodes that this rank owns. */
+    std::array<DofWeights, dim>                  displacement_weights;
+    typename StressRecovery<dim>::PointWeights   stress_weights;
+    std::vector<std::pair<unsigned int, double>> pressure_weights;
+
+    bool                   is_on_lip = false;
+    dealii::Tensor<1, dim> normal; ///< inward, of the lip; 0 off it
+    double                 gap = 0.;
+  };
+
+  /** The evaluators of the scene's "name: x, y; …". @throw SceneError */
+  template <int dim>
+  std::vector<ProbeEvaluator<dim>>
+  make_probes(const std::string          &probes,
+              const Space<dim>           &space,
+              const StressRecovery<dim>  &recovery,
+              const ContactBoundary<dim> &lip);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,43 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_postprocess_relaxation_table_h
+#define crevasse_postprocess_relaxation_table_h
+
+#include <crevasse/base/log.h>
+#include <crevasse/model/body.h>
+#include <crevasse/model/solvers.h>
+
+#include <string>
+
+namespace Crevasse
+{
+  /**
+   * The paper's Table 1: without constraints, at the instant of the largest
+   * load, the iterations that SOR needs to reach the residual of the direct
+   * solver, for each factor that the scene lists and for the best one, found
+   * by dichotomy. Printed, and written to relaxation.csv in @p directory.
+   *
+   * The single precision of the paper's machine is assumed to have had 27 bits
+   * of mantissa: its direct solver's residual then is that of a solution
+   * rounded to them, so the table has a second column with this target.
+   */
+  template <int dim>
+  void
+  write_relaxation_table(const Scene       &scene,
+                         const Body<dim>   &body,
+                         Solvers<dim>      &solvers,
+                         const StepList    &steps,
+                         Log               &log,
+                         const std::string &directory);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,99 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_postprocess_tables_h
+#define crevasse_postprocess_tables_h
+
+#include <crevasse/base/csv_table.h>
+#include <crevasse/postprocess/lip_state.h>
+#include <crevasse/postprocess/probe.h>
+#include <crevasse/time/observer.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** probe_<name>.csv: one row for each accepted step. */
+  template <int dim>
+  class ProbeTable : public Observer
+  {
+  public:
+    /** @param file_name empty on ranks that do not write.
+     * @param goes_on see CsvTable. */
+    ProbeTable(const ProbeEvaluator<dim> &probe,
+               const std::string         &file_name,
+               const bool                 goes_on = false);
+
+    void
+    observe(const Sample &sample) override;
+
+  private:
+    const ProbeEvaluator<dim> &probe;
+    std::unique_ptr<CsvTable>  table;
+  };
+
+  /** contact.csv: closed nodes, contact force and largest pressure. */
+  template <int dim>
+  class ContactTable : public Observer
+  {
+  public:
+    /** @param of_last_period what the largest values are those of.
+     * @param goes_on see CsvTable. */
+    ContactTable(const ContactBoundary<dim> &lip,
+                 const std::string          &file_name,
+                 const bool                  of_last_period,
+                 const bool                  goes_on = false);
+
+    void
+    observe(const Sample &sample) override;
+
+    void
+    serialize(StateArchive &archive) override;
+
+    /** The largest opening seen so far, or in the last period. */
+    double
+    largest_opening() const;
+
+    /** The largest displacement likewise, of the whole body. */
+    double
+    largest_displacement() const;
+
+  private:
+    const ContactBoundary<dim> &lip;
+    const bool                  of_last_period;
+    std::unique_ptr<CsvTable>   table;
+    double                      opening      = 0.;
+    double                      displacement = 0.;
+  };
+
+  /** periods.csv: how the run approached its periodic state, at which cost. */
+  class PeriodTable : public Observer
+  {
+  public:
+    explicit PeriodTable(const std::string &file_name,
+                         const bool         goes_on = false);
+
+    void
+    observe(const Sample &) override
+    {
+    }
+
+    void
+    end_of_period(const PeriodReport &report) override;
+
+  private:
+    std::unique_ptr<CsvTable> table;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,77 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#ifndef crevasse_simulation_adaptive_run_h
+#define crevasse_simulation_adaptive_run_h
+
+#include <crevasse/simulation/adapted_mesh.h>
+#include <crevasse/simulation/simulation.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * A run from its scene to its results, on one mesh or on several: the mesh
+   * that it begins on, and legs of some periods between which the mesh is
+   * adapted to the last of them and the state taken over.
+   */
+  template <int dim>
+  class AdaptiveRun
+  {
+  public:
+    /** Finds what is wrong with the scene; computes nothing but elastic states
+     * that the mesh is adapted to. Collective.
+     *
+     * @param checkpoints which it writes, and which it goes on from if they
+     * say so; they must outlive this object. */
+    AdaptiveRun(const Scene   &scene,
+                const MPI_Comm communicator,
+                Log           &log,
+                Checkpoints   &checkpoints);
+
+    /** See Simulation::describe(). */
+    void
+    describe() const;
+
+    /** See Simulation::run(). */
+    void
+    run(const std::string             &directory,
+        const std::vector<Observer *> &others = {});
+
+    /** On the mesh of the moment. */
+    const Body<dim> &
+    discretised_body() const;
+
+  private:
+    /** Shows what is known about the meshes. */
+    void
+    serialize_summary(StateArchive &archive);
+
+    /** Adapts the mesh to what was estimated, and makes everything anew on it.
+     *
+     * @param state whose fields are taken over. */
+    void
+    readapt(const dealii::Vector<float> &squares,
+            const double                 error,
+            RunState                    &state);
+
+    const Scene                      scene;
+    Log                             &log;
+    Checkpoints                     &checkpoints;
+    AdaptedMesh<dim>                 adapted;
+    std::unique_ptr<Simulation<dim>> simulation;
+    Summary                          summary; ///< about the meshes
+  };
+} // namespace Crevasse
+
+#endif

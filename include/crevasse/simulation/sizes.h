@@ -1,0 +1,54 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_simulation_sizes_h
+#define crevasse_simulation_sizes_h
+
+#include <crevasse/base/log.h>
+#include <crevasse/base/summary.h>
+#include <crevasse/model/body.h>
+#include <crevasse/parameters/scene.h>
+#include <crevasse/periodic/periodic_choice.h>
+#include <crevasse/time/step_list.h>
+
+namespace Crevasse
+{
+  /** How large a discretised body is. */
+  struct Sizes
+  {
+    dealii::types::global_dof_index cells;
+    dealii::types::global_dof_index unknowns;
+    std::size_t                     quadrature_points;
+    std::size_t                     contact_nodes;
+    std::vector<unsigned int>       cells_of_ranks; ///< on the first rank
+    unsigned int                    levels; ///< of cells, the coarse included
+    double smallest_cell, largest_cell;     ///< their longest diagonals
+
+    /** Collective. */
+    template <int dim>
+    explicit Sizes(const Body<dim> &body);
+
+    void
+    add_to(Summary &summary) const;
+  };
+
+  /** Prints sizes and the memory that the run is going to need. Collective.
+   * @throw SceneError if that is more than there is. */
+  template <int dim>
+  void
+  describe_sizes(const Body<dim>      &body,
+                 const StepList       &steps,
+                 const Scene          &scene,
+                 const PeriodicChoice &choice,
+                 Log                  &log);
+} // namespace Crevasse
+
+#endif

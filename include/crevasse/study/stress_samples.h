@@ -1,0 +1,66 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#ifndef crevasse_study_stress_samples_h
+#define crevasse_study_stress_samples_h
+
+#include <crevasse/model/body.h>
+#include <crevasse/time/observer.h>
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** Keeps the stress at all quadrature points at the instants of the last
+   * period, and writes it for StressRecord. */
+  template <int dim>
+  class StressSamples : public Observer
+  {
+  public:
+    /** @p body must outlive this. */
+    StressSamples(const Body<dim> &body, const double period);
+
+    void
+    observe(const Sample &sample) override;
+
+    /** Cell by cell in an order that does not depend on the number of ranks.
+     * Nothing where nothing was computed. Collective. @throw FileError */
+    void
+    write(const std::string &file_name) const;
+
+  private:
+    /** Among those of all ranks one after the other. */
+    struct PointsOfCell
+    {
+      std::size_t first, n_points;
+    };
+
+    /** All cells, on the first rank. */
+    std::vector<PointsOfCell>
+    cells_in_order() const;
+
+    /** On the first rank, all ranks' values in that order. */
+    std::vector<double>
+    gather(const std::vector<double>       &values,
+           const std::vector<PointsOfCell> &cells) const;
+
+    std::vector<double>
+    coordinates() const;
+
+    const Body<dim>                 &body;
+    const double                     period;
+    std::vector<double>              instants;
+    std::vector<std::vector<double>> samples; ///< may be more than instants
+  };
+} // namespace Crevasse
+
+#endif

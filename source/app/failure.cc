@@ -1,0 +1,93 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/app/command_line.h>
+#include <crevasse/app/failure.h>
+#include <crevasse/base/problems.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <thread>
+
+namespace Crevasse
+{
+  namespace
+  {
+    int
+    status_of(const std::exception &error)
+    {
+      if (dynamic_cast<const SceneError *>(&error) != nullptr)
+        return bad_input;
+      if (dynamic_cast<const FileError *>(&error) != nullptr)
+        return file_failure;
+      return numerical_failure;
+    }
+  } // namespace
+
+
+
+  bool
+  all_ranks_arrive(const MPI_Comm communicator)
+  {
+    using namespace std::chrono;
+    constexpr std::chrono::seconds patience(10);
+
+    // Apart from whatever else the other ranks are communicating.
+    MPI_Request request;
+    int         arrived = 0;
+    MPI_Ibarrier(communicator, &request);
+    const auto start = steady_clock::now();
+    while (arrived == 0 && steady_clock::now() - start < patience)
+      {
+        std::this_thread::sleep_for(milliseconds(10));
+        MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
+      }
+    return arrived != 0;
+  }
+
+
+
+  void
+  abort_all_ranks(const std::exception &error, const MPI_Comm communicator)
+  {
+    int rank;
+    MPI_Comm_rank(communicator, &rank);
+    std::cerr << "crevasse: " << error.what() << " (rank " << rank << ')'
+              << std::endl;
+    MPI_Abort(communicator, status_of(error));
+    std::abort(); // does not come so far
+  }
+
+
+
+  int
+  report_failure(const std::exception &error,
+                 const MPI_Comm        communicator,
+                 Log                  &log)
+  {
+    const std::string message = std::string("crevasse: ") + error.what();
+    const int         status  = status_of(error);
+    log.error(message);
+
+    int n_ranks, rank;
+    MPI_Comm_size(communicator, &n_ranks);
+    MPI_Comm_rank(communicator, &rank);
+    if (n_ranks > 1 && !all_ranks_arrive(communicator))
+      {
+        if (rank != 0) // the log is the first rank's
+          std::cerr << message << " (rank " << rank << ')' << std::endl;
+        MPI_Abort(communicator, status);
+      }
+    return status;
+  }
+} // namespace Crevasse

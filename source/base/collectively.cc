@@ -1,0 +1,96 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
+
+#include <string>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** What becomes of an exception on its way to another rank. */
+    enum ErrorKind : unsigned int
+    {
+      no_error,
+      scene_error,
+      numerical_error,
+      file_error,
+      other_error
+    };
+
+
+
+    ErrorKind
+    call(const std::function<void()> &f, std::string &message)
+    {
+      try
+        {
+          f();
+          return no_error;
+        }
+      catch (const SceneError &error)
+        {
+          message = error.what();
+          return scene_error;
+        }
+      catch (const NumericalError &error)
+        {
+          message = error.what();
+          return numerical_error;
+        }
+      catch (const FileError &error)
+        {
+          message = error.what();
+          return file_error;
+        }
+      catch (const std::exception &error)
+        {
+          message = error.what();
+          return other_error;
+        }
+    }
+  } // namespace
+
+
+
+  void
+  collectively(const MPI_Comm communicator, const std::function<void()> &f)
+  {
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    if (n_ranks == 1)
+      return f(); // exceptions pass as they are
+
+    std::string        message;
+    const unsigned int kind = call(f, message);
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int first =
+      Utilities::MPI::min(kind == no_error ? n_ranks : rank, communicator);
+    if (first == n_ranks)
+      return;
+
+    message = Utilities::MPI::broadcast(communicator, message, first);
+    switch (Utilities::MPI::broadcast(communicator, kind, first))
+      {
+        case scene_error:
+          throw SceneError(message);
+        case numerical_error:
+          throw NumericalError(message);
+        case file_error:
+          throw FileError(message);
+        default:
+          throw std::runtime_error(message);
+      }
+  }
+} // namespace Crevasse

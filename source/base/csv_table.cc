@@ -1,0 +1,50 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/csv_table.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+
+#include <deal.II/base/exceptions.h>
+
+namespace Crevasse
+{
+  CsvTable::CsvTable(const std::string              &file_name,
+                     const std::vector<std::string> &header,
+                     const bool                      goes_on)
+    : file_name(file_name)
+    , n_columns(header.size())
+    , file(file_name, goes_on ? std::ios::app : std::ios::trunc)
+  {
+    if (!goes_on)
+      {
+        for (std::size_t i = 0; i < n_columns; ++i)
+          file << (i > 0 ? "," : "") << header[i];
+        file << std::endl;
+      }
+    if (!file)
+      throw FileError("Cannot write " + file_name + ".");
+  }
+
+
+
+  void
+  CsvTable::add_row(const std::vector<double> &values)
+  {
+    AssertDimension(values.size(), n_columns);
+    for (std::size_t i = 0; i < n_columns; ++i)
+      file << (i > 0 ? "," : "") << Text::from_number(values[i]);
+    file << std::endl;
+    if (!file)
+      throw FileError("Cannot write " + file_name +
+                      ": is the disk full? The rows before are there.");
+  }
+} // namespace Crevasse

@@ -1,0 +1,95 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/directory_lock.h>
+#include <crevasse/base/problems.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <fstream>
+#include <iterator>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** Whether the name still leads to the open file: who held it before may
+     * have removed it after it was opened here. */
+    bool
+    is_named(const int file, const std::string &name)
+    {
+      struct stat opened, named;
+      return fstat(file, &opened) == 0 && stat(name.c_str(), &named) == 0 &&
+             opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+    }
+
+
+
+    /** The open file, or -1 if there can be none, which is told when the run
+     * comes to write its files.
+     * @throw FileError that names who writes there already. */
+    int
+    lock_file(const std::string &directory, const std::string &name)
+    {
+      // There are file systems that number a file anew each time.
+      constexpr unsigned int most_tries = 10;
+      for (unsigned int tries = 1;; ++tries)
+        {
+          const int file =
+            open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+          if (file < 0)
+            return file;
+          if (flock(file, LOCK_EX | LOCK_NB) == 0)
+            {
+              if (tries == most_tries || is_named(file, name))
+                return file;
+              close(file);
+              continue;
+            }
+          if (errno != EWOULDBLOCK)
+            return file; // there are no locks
+          close(file);
+          std::ifstream     other(name);
+          const std::string who{std::istreambuf_iterator<char>(other), {}};
+          throw FileError("Another run writes to " + directory + " (" +
+                          who.substr(0, who.find('\n')) +
+                          "). Choose another directory by --output DIR, or "
+                          "wait.");
+        }
+    }
+  } // namespace
+
+
+
+  DirectoryLock::DirectoryLock(const std::string &directory)
+    : name(directory + "/running")
+    , file(lock_file(directory, name))
+  {
+    if (file >= 0)
+      std::ofstream(name) << "process " << getpid() << " on "
+                          << dealii::Utilities::System::get_hostname() << '\n';
+  }
+
+
+
+  DirectoryLock::~DirectoryLock()
+  {
+    if (file < 0)
+      return;
+    unlink(name.c_str());
+    close(file);
+  }
+} // namespace Crevasse

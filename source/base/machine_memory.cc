@@ -1,0 +1,189 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/machine_memory.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    constexpr double kibibyte = 1024.;
+
+
+
+    /** The number behind a name in a file of lines "name number ..."; if there
+     * is none, @p otherwise. */
+    double
+    number_in(const std::string &file_name,
+              const std::string &name,
+              const double       otherwise)
+    {
+      std::ifstream file(file_name);
+      for (std::string line; std::getline(file, line);)
+        {
+          std::istringstream words(line);
+          std::string        word;
+          double             number;
+          if (words >> word >> number && word == name)
+            return number;
+        }
+      return otherwise;
+    }
+
+
+
+    /** The number that is all of a file; infinite if it says "max" or is not
+     * there. */
+    double
+    number_in(const std::string &file_name)
+    {
+      std::ifstream file(file_name);
+      double        number;
+      return file >> number ? number : infinite;
+    }
+
+
+
+    /** How a version of Linux's control groups names what they say. */
+    struct GroupFiles
+    {
+      const char *folder, *limit, *used, *cache;
+    };
+
+    constexpr GroupFiles version_1 = {"/sys/fs/cgroup/memory",
+                                      "/memory.limit_in_bytes",
+                                      "/memory.usage_in_bytes",
+                                      "total_inactive_file"};
+    constexpr GroupFiles version_2 = {"/sys/fs/cgroup",
+                                      "/memory.max",
+                                      "/memory.current",
+                                      "inactive_file"};
+
+
+
+    /** What the groups from this one up to the root leave: each has its own
+     * limit. Files that are read once more and then forgotten are used memory
+     * to Linux, which it gives to those who ask.
+     *
+     * @param path "" for the root. Seen from within a container it may be one
+     * of the machine, of which the container has the root only. */
+    double
+    left_by_groups(const GroupFiles &files, std::string path)
+    {
+      double least = infinite;
+      while (true)
+        {
+          const std::string folder = files.folder + path;
+          const double      limit  = number_in(folder + files.limit);
+          const double      used   = number_in(folder + files.used);
+          if (limit < infinite && used < infinite)
+            least = std::min(
+              least,
+              std::max(limit - used +
+                         number_in(folder + "/memory.stat", files.cache, 0.),
+                       0.));
+          if (path.empty())
+            return least;
+          path.erase(path.rfind('/'));
+        }
+    }
+
+
+
+    /** The groups of this process: lines "number:controllers:path". */
+    double
+    left_by_groups()
+    {
+      double        least = infinite;
+      std::ifstream groups("/proc/self/cgroup");
+      for (std::string line; std::getline(groups, line);)
+        {
+          const auto first  = line.find(':');
+          const auto second = line.find(':', first + 1);
+          if (second == std::string::npos)
+            continue;
+          const std::string controllers =
+            "," + line.substr(first + 1, second - first - 1) + ",";
+          std::string path = line.substr(second + 1);
+          if (path.empty() || path[0] != '/' || path == "/")
+            path.clear();
+          if (controllers == ",,")
+            least = std::min(least, left_by_groups(version_2, path));
+          else if (controllers.find(",memory,") != std::string::npos)
+            least = std::min(least, left_by_groups(version_1, path));
+        }
+      return least;
+    }
+
+
+
+    /** What the machine can still give, as Linux says; infinite if it does not
+     * say. A container or a batch job may have less than its machine. */
+    double
+    free_memory()
+    {
+      return std::min(kibibyte *
+                        number_in("/proc/meminfo", "MemAvailable:", infinite),
+                      left_by_groups());
+    }
+
+
+
+    /** What this process alone has; pages that ranks share are counted for
+     * none. */
+    double
+    own_memory()
+    {
+      return kibibyte * number_in("/proc/self/status", "RssAnon:", 0.);
+    }
+  } // namespace
+
+
+
+  double
+  sum_on_machine(const double value, const MPI_Comm communicator)
+  {
+    MPI_Comm machine;
+    MPI_Comm_split_type(
+      communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+    const double sum = Utilities::MPI::sum(value, machine);
+    MPI_Comm_free(&machine);
+    return sum;
+  }
+
+
+
+  double
+  available_memory(const MPI_Comm communicator)
+  {
+    return free_memory() + sum_on_machine(own_memory(), communicator);
+  }
+
+
+
+  std::vector<double>
+  peak_memory_of_ranks(const MPI_Comm communicator)
+  {
+    return Utilities::MPI::gather(
+      communicator, kibibyte * number_in("/proc/self/status", "VmHWM:", 0.));
+  }
+} // namespace Crevasse

@@ -1,0 +1,73 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/state_archive.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <numeric>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  void
+  StateArchive::section(const std::string &name)
+  {
+    std::string found = name;
+    common(found);
+    if (found != name)
+      throw FileError("The checkpoint does not fit: it has \"" + found +
+                      "\" where \"" + name +
+                      "\" is expected. It was written by another program.");
+  }
+
+
+
+  void
+  StateArchive::maximum(double &value)
+  {
+    double largest = Utilities::MPI::max(value, communicator());
+    common(largest);
+    if (is_loading())
+      value = largest;
+  }
+
+
+
+  void
+  StateArchive::part_of_sum(double &value)
+  {
+    std::vector<double> parts =
+      Utilities::MPI::all_gather(communicator(), value);
+    common(parts);
+    if (!is_loading())
+      return;
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator());
+    if (has_same_ranks())
+      value = parts[rank];
+    else
+      value = rank == 0 ? std::accumulate(parts.begin(), parts.end(), 0.) : 0.;
+  }
+
+
+
+  void
+  StateArchive::on_bounds(std::vector<bool> &values)
+  {
+    std::vector<double> numbers(values.begin(), values.end());
+    on_bounds(numbers);
+    if (is_loading())
+      values.assign(numbers.begin(), numbers.end());
+  }
+} // namespace Crevasse

@@ -1,0 +1,261 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/base/stop_request.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstdint>
+#include <ctime>
+#include <filesystem>
+#include <iterator>
+
+namespace Crevasse
+{
+  namespace
+  {
+    const auto program_begin = std::chrono::steady_clock::now();
+
+
+
+    /** What is left of the time since the program began; 0: any. */
+    double
+    time_left(const double wall_time)
+    {
+      const std::chrono::duration<double> elapsed =
+        std::chrono::steady_clock::now() - program_begin;
+      return wall_time == 0. ? 0. : std::max(wall_time - elapsed.count(), 1e-9);
+    }
+
+
+
+    const std::string signals[] = {"",
+                                   "SIGTERM",
+                                   "SIGINT",
+                                   "SIGHUP",
+                                   "SIGUSR1"};
+
+
+
+    std::string
+    name_of(const int signal)
+    {
+      return signal == SIGINT   ? "SIGINT"
+             : signal == SIGHUP ? "SIGHUP"
+                                : "SIGTERM";
+    }
+
+
+
+    // Set by handlers, in whichever thread they run.
+    std::atomic<int>          asked_to_stop(0), asked_to_write(0);
+    std::atomic<std::int64_t> time_of_first(0); ///< request to stop; 0: none
+    static_assert(std::atomic<int>::is_always_lock_free &&
+                    std::atomic<std::int64_t>::is_always_lock_free,
+                  "else handlers must not use them");
+
+
+
+    /** Since some moment before the program began. */
+    std::int64_t
+    milliseconds()
+    {
+      timespec now = {};
+      clock_gettime(CLOCK_MONOTONIC, &now);
+      return 1000 * std::int64_t(now.tv_sec) + now.tv_nsec / 1000000 + 1;
+    }
+
+
+
+    /** The first request is noted. The same one often comes twice: timeout
+     * sends it to the program and to its group, batch systems to whoever
+     * forwards it. What comes a second later is meant: then the signal does
+     * what it does without us. Nothing here but what a handler may do. */
+    void
+    note_stop(const int signal)
+    {
+      constexpr std::int64_t patience = 1000;
+      const int              error    = errno;
+      const std::int64_t     now      = milliseconds();
+      std::int64_t           first    = 0;
+      if (time_of_first.compare_exchange_strong(first, now))
+        asked_to_stop = signal;
+      else if (now - first >= patience)
+        {
+          struct sigaction without_us = {};
+          without_us.sa_handler       = SIG_DFL;
+          sigaction(signal, &without_us, nullptr);
+          raise(signal); // as soon as this handler returns
+        }
+      errno = error;
+    }
+
+
+
+    void
+    note_write(int)
+    {
+      asked_to_write = 1;
+    }
+
+
+
+    void
+    handle(const int signal, void (*handler)(int))
+    {
+      struct sigaction action = {};
+      action.sa_handler       = handler;
+      action.sa_flags         = SA_RESTART;
+      sigaction(signal, &action, nullptr);
+    }
+  } // namespace
+
+
+
+  StopRequests::StopRequests(const MPI_Comm communicator,
+                             const double   wall_time)
+    : communicator(communicator)
+    , first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    , wall_time(time_left(wall_time))
+  {
+    asked_to_stop = asked_to_write = 0;
+    time_of_first                  = 0;
+    for (const int signal : signals_to_stop)
+      {
+        struct sigaction before = {};
+        sigaction(signal, nullptr, &before);
+        if (before.sa_handler == SIG_IGN)
+          continue;
+        actions_before.emplace_back(signal, before);
+        handle(signal, note_stop);
+      }
+    handle(SIGUSR1, note_write);
+  }
+
+
+
+  StopRequests::~StopRequests()
+  {
+    for (const auto &[signal, action] : actions_before)
+      sigaction(signal, &action, nullptr);
+    // There is nothing left to write; the default would kill the program.
+    handle(SIGUSR1, SIG_IGN);
+  }
+
+
+
+  void
+  StopRequests::look_in(const std::string &directory)
+  {
+    file = directory + "/stop";
+    std::error_code not_there;
+    if (first_rank)
+      std::filesystem::remove(file, not_there);
+  }
+
+
+
+  StopRequests::Request
+  StopRequests::of_signals()
+  {
+    if (asked_to_stop != 0)
+      {
+        why = name_of(asked_to_stop);
+        return stop;
+      }
+    if (asked_to_write.exchange(0) == 0)
+      return none;
+    why = "SIGUSR1";
+    return checkpoint;
+  }
+
+
+
+  StopRequests::Request
+  StopRequests::of_file()
+  {
+    std::error_code not_there;
+    if (file.empty() || !std::filesystem::is_regular_file(file, not_there))
+      return none;
+    std::filesystem::remove(file, not_there);
+    why = "the file " + file;
+    return stop;
+  }
+
+
+
+  StopRequests::Request
+  StopRequests::of_time(const double seconds_to_write)
+  {
+    constexpr double margin = 1.5;
+    const double     now    = since_begin.wall_time();
+    if (last_poll >= 0.)
+      longest = std::max(longest, now - last_poll);
+    last_poll = now;
+    if (wall_time == 0. ||
+        now + margin * (longest + seconds_to_write) < wall_time)
+      return none;
+    why = "--wall-time";
+    return stop;
+  }
+
+
+
+  StopRequests::Request
+  StopRequests::poll(const double seconds_to_write)
+  {
+    int request = of_signals();
+    if (first_rank)
+      request =
+        std::max({request, int(of_file()), int(of_time(seconds_to_write))});
+    // The same number says what and who.
+    constexpr int n_signals = std::size(signals);
+    const auto    who  = std::find(std::begin(signals), std::end(signals), why);
+    const int     code = request * n_signals +
+                     (request == none ? 0 : int(who - signals) % n_signals);
+    const int all = dealii::Utilities::MPI::max(code, communicator);
+    if (all != code)
+      why = signals[all % n_signals];
+    return Request(all / n_signals);
+  }
+
+
+
+  void
+  StopRequests::skip_interval()
+  {
+    last_poll = -1.;
+  }
+
+
+
+  void
+  StopRequests::stop_if_asked()
+  {
+    skip_interval();
+    const bool stops = poll(0.) == stop;
+    skip_interval();
+    if (stops)
+      throw StoppedOnRequest("stopped on request (" + why +
+                             "), without a checkpoint.");
+  }
+
+
+
+  const std::string &
+  StopRequests::reason() const
+  {
+    return why;
+  }
+} // namespace Crevasse

@@ -1,0 +1,273 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/text.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <sstream>
+
+namespace Crevasse
+{
+  namespace Text
+  {
+    namespace
+    {
+      /** Characters to insert, delete or replace to turn one word into the
+       * other, small and capital letters being alike. */
+      std::size_t
+      edit_distance(const std::string &a, const std::string &b)
+      {
+        std::vector<std::size_t> row(b.size() + 1);
+        std::iota(row.begin(), row.end(), 0);
+        for (std::size_t i = 0; i < a.size(); ++i)
+          {
+            std::size_t diagonal = row[0];
+            row[0]               = i + 1;
+            for (std::size_t j = 0; j < b.size(); ++j)
+              {
+                const bool equal =
+                  std::tolower(static_cast<unsigned char>(a[i])) ==
+                  std::tolower(static_cast<unsigned char>(b[j]));
+                const std::size_t replaced = diagonal + (equal ? 0 : 1);
+                diagonal                   = row[j + 1];
+                row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
+              }
+          }
+        return row.back();
+      }
+    } // namespace
+
+
+
+    std::string
+    suffix(const std::string &file_name)
+    {
+      std::string suffix =
+        std::filesystem::path(file_name).extension().string();
+      std::transform(suffix.begin(),
+                     suffix.end(),
+                     suffix.begin(),
+                     [](const unsigned char c) { return std::tolower(c); });
+      return suffix;
+    }
+
+
+
+    std::vector<std::string>
+    split(const std::string &text, const char separator)
+    {
+      return dealii::Utilities::split_string_list(text, separator);
+    }
+
+
+
+    std::string
+    join(const std::vector<std::string> &parts, const std::string &glue)
+    {
+      std::string result;
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        result += (i == 0 ? "" : glue) + parts[i];
+      return result;
+    }
+
+
+
+    std::string
+    squeeze(const std::string &text)
+    {
+      std::istringstream       words(text);
+      std::vector<std::string> parts;
+      for (std::string word; words >> word;)
+        parts.push_back(word);
+      return join(parts, " ");
+    }
+
+
+
+    std::string
+    shorten(const std::string &text)
+    {
+      constexpr std::size_t longest = 120;
+      if (text.size() <= longest)
+        return text;
+
+      // Bytes 10xxxxxx continue a character of UTF-8: do not cut before one.
+      std::size_t length = longest;
+      while (length > 0 && (text[length] & 0xC0) == 0x80)
+        --length;
+      return text.substr(0, length) + "...";
+    }
+
+
+
+    std::string
+    parameter(const std::string &section, const std::string &name)
+    {
+      return section.empty() ? name : "[" + section + "] " + name;
+    }
+
+
+
+    bool
+    is_space(const char character)
+    {
+      return character == ' ' || (character >= '\t' && character <= '\r');
+    }
+
+
+
+    bool
+    is_control(const char character)
+    {
+      return std::iscntrl(static_cast<unsigned char>(character)) != 0;
+    }
+
+
+
+    bool
+    is_utf8(const std::string &text)
+    {
+      // Texts end up in JSON files, so the writer of these is the judge.
+      try
+        {
+          nlohmann::json(text).dump();
+          return true;
+        }
+      catch (const nlohmann::json::type_error &)
+        {
+          return false;
+        }
+    }
+
+
+
+    std::string
+    from_number(const double number)
+    {
+      char       buffer[32];
+      const auto end =
+        std::to_chars(std::begin(buffer), std::end(buffer), number).ptr;
+      return std::string(buffer, end);
+    }
+
+
+
+    template <int dim>
+    std::string
+    from_point(const dealii::Point<dim> &point)
+    {
+      std::vector<std::string> coordinates;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          char       buffer[32];
+          const auto end = std::to_chars(std::begin(buffer),
+                                         std::end(buffer),
+                                         point[d],
+                                         std::chars_format::general,
+                                         6)
+                             .ptr;
+          coordinates.emplace_back(buffer, end);
+        }
+      return "(" + join(coordinates, ", ") + ")";
+    }
+
+
+
+    std::optional<double>
+    to_number(const std::string &text)
+    {
+      std::string trimmed = dealii::Utilities::trim(text);
+      // from_chars knows no leading plus sign.
+      if (trimmed.size() > 1 && trimmed[0] == '+' && trimmed[1] != '-')
+        trimmed.erase(0, 1);
+
+      double      number = 0.;
+      const char *end    = trimmed.data() + trimmed.size();
+      const auto  result = std::from_chars(trimmed.data(), end, number);
+      if (result.ec != std::errc() || result.ptr != end ||
+          !std::isfinite(number))
+        return {};
+      return number;
+    }
+
+
+
+    std::optional<unsigned int>
+    to_unsigned(const std::string &text)
+    {
+      const std::string trimmed = dealii::Utilities::trim(text);
+      unsigned int      number  = 0;
+      const char       *end     = trimmed.data() + trimmed.size();
+      const auto        result  = std::from_chars(trimmed.data(), end, number);
+      if (result.ec != std::errc() || result.ptr != end)
+        return {};
+      return number;
+    }
+
+
+
+    std::optional<std::vector<double>>
+    to_numbers(const std::string &text)
+    {
+      std::vector<double> numbers;
+      for (const std::string &part : split(text, ','))
+        {
+          const auto number = to_number(part);
+          if (!number)
+            return {};
+          numbers.push_back(*number);
+        }
+      return numbers;
+    }
+
+
+
+    std::string
+    did_you_mean(const std::string              &word,
+                 const std::vector<std::string> &candidates)
+    {
+      std::string nearest;
+      std::size_t least = 1 + std::max<std::size_t>(2, word.size() / 4);
+      for (const std::string &candidate : candidates)
+        {
+          // Each missing letter counts, so most candidates need no look at
+          // their letters, nor does a word of a million letters.
+          const std::size_t difference =
+            std::max(word.size(), candidate.size()) -
+            std::min(word.size(), candidate.size());
+          if (difference >= least)
+            continue;
+          const std::size_t distance = edit_distance(word, candidate);
+          if (distance < least && distance < candidate.size())
+            {
+              least   = distance;
+              nearest = candidate;
+            }
+        }
+      return nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?";
+    }
+
+
+
+    template std::string
+    from_point<2>(const dealii::Point<2> &);
+    template std::string
+    from_point<3>(const dealii::Point<3> &);
+  } // namespace Text
+} // namespace Crevasse

@@ -1,0 +1,89 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text_file.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace Crevasse
+{
+  namespace
+  {
+    std::string
+    because_of_system()
+    {
+      return std::string("cannot be read: ") +
+             (errno == 0 ? "unknown reason" : std::strerror(errno));
+    }
+  } // namespace
+
+
+
+  std::string
+  why_unreadable(const std::string &file_name)
+  {
+    // Whatever hinders the look at the file hinders reading it, too.
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file_name, ignored))
+      return "cannot be read: it is a directory";
+
+    errno = 0;
+    std::ifstream file(file_name, std::ios::binary);
+    if (file)
+      file.peek();
+    return file.is_open() && !file.bad() ? "" : because_of_system();
+  }
+
+
+
+  std::string
+  read_text_file(const std::string &file_name)
+  {
+    const auto refuse = [&file_name](const std::string &reason) {
+      throw FileError("The file \"" + file_name + "\" " + reason + ".");
+    };
+    if (const std::string reason = why_unreadable(file_name); !reason.empty())
+      refuse(reason);
+
+    errno = 0;
+    std::ifstream      file(file_name, std::ios::binary);
+    std::ostringstream text;
+    // Copying nothing would set the failbit of the copy's target.
+    if (file && file.peek() != std::ifstream::traits_type::eof())
+      text << file.rdbuf();
+    if (!file.is_open() || file.bad() || !text)
+      refuse(because_of_system());
+
+    const std::string byte_order_mark = "\xEF\xBB\xBF";
+    const std::string result          = text.str();
+    return result.compare(0, 3, byte_order_mark) == 0 ? result.substr(3)
+                                                      : result;
+  }
+
+
+
+  void
+  write_atomically(const std::string &text, const std::string &file_name)
+  {
+    const std::string part = file_name + ".part";
+    std::ofstream     file(part, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file || std::rename(part.c_str(), file_name.c_str()) != 0)
+      throw FileError("Cannot write " + file_name + ": is the disk full?");
+  }
+} // namespace Crevasse

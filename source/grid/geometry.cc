@@ -1,0 +1,263 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/base/text_file.h>
+#include <crevasse/grid/geometry.h>
+#include <crevasse/grid/gmsh_check.h>
+#include <crevasse/parameters/built_in_boundary.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_in.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <sstream>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    std::vector<double>
+    equal_steps(const double length, const unsigned int n)
+    {
+      return std::vector<double>(n, length / n);
+    }
+
+
+
+    /** Steps along the crack plane, one of whose ends is the tip. */
+    std::vector<double>
+    steps_through_tip(const GeometryParameters &parameters)
+    {
+      const double       width = parameters.width;
+      const double       tip   = tip_abscissa(parameters);
+      const unsigned int n     = parameters.subdivisions[0];
+      if (n < 2)
+        throw SceneError(
+          "[Geometry] Subdivisions: a cracked plate needs at "
+          "least 2 cells along the crack plane, because the "
+          "crack tip is a vertex of the mesh.");
+
+      const double cells_left = n * tip / width;
+      const auto   n_left     = static_cast<unsigned int>(
+        std::clamp(std::round(cells_left), 1., n - 1.));
+      if (std::abs(cells_left - n_left) < 1e-10 * n)
+        return equal_steps(width, n);
+
+      std::vector<double>       steps = equal_steps(tip, n_left);
+      const std::vector<double> right = equal_steps(width - tip, n - n_left);
+      steps.insert(steps.end(), right.begin(), right.end());
+      return steps;
+    }
+
+
+
+    /** From the generator's ids, two for each axis in turn. */
+    template <int dim>
+    void
+    set_boundary_ids(const GeometryParameters &parameters,
+                     Triangulation<dim>       &mesh)
+    {
+      const double tip = tip_abscissa(parameters);
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary())
+          {
+            const types::boundary_id id = face->boundary_id();
+            if (id == 4 || id == 5)
+              face->set_boundary_id(id == 4 ? BoundaryIds::front
+                                            : BoundaryIds::back);
+            else if (has_crack(parameters) && id == BoundaryIds::ligament &&
+                     (face->center()[0] > tip) ==
+                       (parameters.shape == "edge crack"))
+              face->set_boundary_id(BoundaryIds::lip);
+          }
+    }
+
+
+
+    template <int dim>
+    void
+    make_plate(const GeometryParameters &parameters, Triangulation<dim> &mesh)
+    {
+      std::vector<std::vector<double>> steps(dim);
+      steps[0] = has_crack(parameters)
+                   ? steps_through_tip(parameters)
+                   : equal_steps(parameters.width, parameters.subdivisions[0]);
+      steps[1] = equal_steps(parameters.height, parameters.subdivisions[1]);
+      if (dim == 3)
+        steps[dim - 1] =
+          equal_steps(parameters.thickness, parameters.subdivisions[dim - 1]);
+
+      // The far corner is the sum of the steps, as the generator computes it:
+      // it insists on equality.
+      Point<dim> corner;
+      for (unsigned int d = 0; d < dim; ++d)
+        corner[d] = std::accumulate(steps[d].begin(), steps[d].end(), 0.);
+      GridGenerator::subdivided_hyper_rectangle(
+        mesh, steps, Point<dim>(), corner, true);
+
+      set_boundary_ids(parameters, mesh);
+    }
+
+
+
+    /** What deal.II has to say, without the place in its source. */
+    std::string
+    reason(const std::exception &error)
+    {
+      const auto *exception = dynamic_cast<const ExceptionBase *>(&error);
+      if (exception == nullptr)
+        return error.what();
+      std::ostringstream text;
+      exception->print_info(text);
+      const std::string info = Text::squeeze(text.str());
+      return info == "(none)" ? "its format is not known" : info;
+    }
+
+
+
+    /** The program cannot compute on cells that fold over. A triangulation
+     * could look for them while it is created, but not among triangles. */
+    template <int dim>
+    bool
+    is_convex(const typename Triangulation<dim>::cell_iterator &cell)
+    {
+      constexpr unsigned int n = GeometryInfo<dim>::vertices_per_cell;
+      Point<dim>             vertices[n];
+      for (unsigned int v = 0; v < n; ++v)
+        vertices[v] = cell->vertex(v);
+      Tensor<0, dim> jacobians[n];
+      GeometryInfo<dim>::alternating_form_at_vertices(vertices, jacobians);
+      return std::all_of(jacobians, jacobians + n, [&](const double jacobian) {
+        return jacobian > 1e-9 * std::pow(cell->diameter(), dim);
+      });
+    }
+
+
+
+    template <int dim>
+    void
+    require_convex_cells(const Triangulation<dim> &mesh,
+                         const std::string        &where)
+    {
+      if (!mesh.all_reference_cells_are_hyper_cube())
+        throw SceneError(where + only_hypercubes(dim));
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (!is_convex<dim>(cell))
+          throw SceneError(where + "the cell around " +
+                           Text::from_point<dim>(cell->center()) +
+                           " has an angle of 180 degrees or more; every cell "
+                           "must be convex" +
+                           (dim == 2 ? ", in the plane x-y." : "."));
+    }
+
+
+
+    /** Into a triangulation of its own: a distributed one does not survive
+     * triangles. */
+    template <int dim>
+    void
+    read_mesh(const std::string &file_name, Triangulation<dim> &coarse)
+    {
+      const std::string where = "[Geometry] Mesh file = " + file_name + ": ";
+
+      const bool is_gmsh =
+        std::filesystem::path(file_name).extension() == ".msh";
+      const std::string text = is_gmsh ? read_text_file(file_name) : "";
+
+      GridIn<dim> grid_in(coarse);
+      try
+        {
+          if (is_gmsh)
+            {
+              GmshCheck(text, dim).check();
+              std::istringstream stream(text);
+              // Without exceptions deal.II would go on after something that it
+              // could not read, for ever or until it crashes.
+              stream.exceptions(std::ios::failbit | std::ios::badbit);
+              grid_in.read_msh(stream);
+            }
+          else
+            grid_in.read(file_name);
+        }
+      catch (const std::exception &error)
+        {
+          throw SceneError(
+            where + "cannot be read as a mesh: " + reason(error) +
+            "\nAllowed: linear " +
+            (dim == 2 ? "quadrilaterals in the plane x-y" : "hexahedra") +
+            ", in a Gmsh file (.msh, format 2 or 4, ASCII), or "
+            "in another format that deal.II knows by the end of "
+            "the file's name.");
+        }
+      require_convex_cells(coarse, where);
+    }
+
+
+
+    template <int dim>
+    double
+    n_cells_of_plate(const GeometryParameters &parameters)
+    {
+      double n = 1.;
+      for (unsigned int d = 0; d < dim; ++d)
+        n *= parameters.subdivisions[d];
+      return n;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  make_mesh(const GeometryParameters                      &parameters,
+            Triangulation<dim>                            &mesh,
+            const std::function<void(const CellCounts &)> &look)
+  {
+    const bool         is_file = parameters.shape == "mesh file";
+    Triangulation<dim> from_file;
+    if (is_file)
+      read_mesh(parameters.mesh_file, from_file);
+    if (look)
+      {
+        const double n = is_file ? from_file.n_active_cells()
+                                 : n_cells_of_plate<dim>(parameters);
+        look({n, n * std::pow(2., dim * parameters.refinements)});
+      }
+    if (is_file)
+      mesh.copy_triangulation(from_file);
+    else
+      {
+        make_plate(parameters, mesh);
+        // deal.II's colours of the parts are not materials.
+        for (const auto &cell : mesh.cell_iterators())
+          cell->set_material_id(0);
+      }
+    mesh.refine_global(parameters.refinements);
+  }
+
+
+
+  template void
+  make_mesh<2>(const GeometryParameters &,
+               Triangulation<2> &,
+               const std::function<void(const CellCounts &)> &);
+  template void
+  make_mesh<3>(const GeometryParameters &,
+               Triangulation<3> &,
+               const std::function<void(const CellCounts &)> &);
+} // namespace Crevasse

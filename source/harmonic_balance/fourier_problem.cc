@@ -1,0 +1,296 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/harmonic_balance/fourier_problem.h>
+#include <crevasse/harmonic_balance/periodic_contact.h>
+#include <crevasse/model/secular.h>
+#include <crevasse/model/secular_problem.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Whether all fluidities of a body have an inverse. */
+    template <int dim>
+    bool
+    flows_everywhere(const Body<dim> &body)
+    {
+      const MPI_Comm communicator = body.space.communicator();
+      bool           flows        = false;
+      collectively(communicator,
+                   [&]() { flows = has_viscosity<dim>(body.material.at(0.)); });
+      return Utilities::MPI::min(flows ? 1 : 0, communicator) == 1;
+    }
+
+
+
+    /** What of the material the method cannot do, with what can. */
+    template <int dim>
+    std::vector<std::string>
+    material_obstacles(const Body<dim> &body)
+    {
+      const std::string instead = "; use [Periodic state] Method = anderson";
+      const Effects    &effects = body.effects;
+      if (!effects.viscosity.on)
+        return {
+          "without viscosity each instant is a problem of its own; use "
+          "[Periodic state] Method = march"};
+      std::vector<std::string> found;
+      if (effects.varying_stiffness.on)
+        found.push_back("the stiffness varies in time, " +
+                        effects.varying_stiffness.why + instead);
+      if (body.material.fluidity_varies())
+        found.push_back("the viscosity varies in time, " +
+                        effects.varying_viscosity.why +
+                        "; use [Periodic state] Method = march");
+      else if (effects.varying_viscosity.on)
+        found.push_back("the viscosity varies in time, " +
+                        effects.varying_viscosity.why + instead);
+      if (body.law.has_spring())
+        found.push_back(
+          "the fractions of [Material] Chain have a sum below 1, "
+          "and the spring that is left bears the mean load" +
+          instead);
+      if (found.empty() && !flows_everywhere(body))
+        found.push_back(
+          "the fluidity of [Material] is singular: a part of the strain does "
+          "not flow; use [Periodic state] Method = march");
+      return found;
+    }
+
+
+
+    std::vector<std::string>
+    warnings_about(const PeriodicMotion &motion,
+                   const double          step,
+                   const double          smallest_relaxation_time)
+    {
+      // Opening and closing are told to the nearest instant.
+      constexpr unsigned int   enough = 5;
+      std::vector<std::string> warnings;
+      if (step > 2. * smallest_relaxation_time)
+        warnings.push_back(
+          "the steps of " + Text::from_number(step) +
+          " are longer than twice the smallest relaxation time, " +
+          Text::from_number(smallest_relaxation_time) +
+          ": the fastest relaxation is not resolved. Raise [Time integration] "
+          "Steps per period.");
+      const auto &counts = motion.instants_of_contact;
+      const auto  n_poor =
+        std::count_if(counts.begin(), counts.end(), [](const unsigned int n) {
+          return n < enough;
+        });
+      if (n_poor > 0)
+        warnings.push_back(
+          std::to_string(n_poor) + " of " + std::to_string(counts.size()) +
+          " nodes of the lip that bear a mean force are closed at fewer than " +
+          std::to_string(enough) + " instants, the fewest at " +
+          std::to_string(*std::min_element(counts.begin(), counts.end())) +
+          ": their forces are not resolved. Raise [Time integration] Steps per "
+          "period.");
+      return warnings;
+    }
+
+
+
+    /** On the first rank, told to all: they must go on alike. */
+    PeriodicContactSolution
+    solve_contact(const PeriodicContactProblem &problem,
+                  const MPI_Comm                communicator,
+                  FourierResult                &result)
+    {
+      PeriodicContactSolution solution;
+      collectively(communicator, [&]() {
+        if (Utilities::MPI::this_mpi_process(communicator) != 0)
+          return;
+        PeriodicContact contact;
+        try
+          {
+            solution = contact.solve(problem);
+          }
+        catch (const ExceptionBase &error)
+          {
+            throw NumericalError(
+              std::string("The periodic contact problem has no meaning: ") +
+              error.get_exc_name() +
+              ". Look for moduli or relaxation times that differ by many "
+              "orders of magnitude, or use [Periodic state] Method = "
+              "anderson.");
+          }
+        result.contact = contact.statistics().describe() +
+                         ", certificate: " + contact.certificate().describe();
+      });
+      const auto tell = [communicator](auto &value) {
+        value = Utilities::MPI::broadcast(communicator, value, 0);
+      };
+      tell(solution.forces);
+      tell(solution.openings);
+      tell(solution.offsets);
+      tell(result.contact);
+      return solution;
+    }
+  } // namespace
+
+
+
+  void
+  FourierResult::keep_start()
+  {
+    motion.viscous_strain.resize(1);
+    motion.displacement.clear();
+    motion.contact_forces.clear();
+  }
+
+
+
+  std::vector<std::string>
+  FourierResult::describe() const
+  {
+    std::vector<std::string> lines = {
+      "  direct in time: " + std::to_string(motion.loaded_harmonics) +
+      " loaded harmonics, " + std::to_string(motion.complex_factorisations) +
+      " complex factorisations"};
+    if (!contact.empty())
+      lines.push_back("  periodic contact at " +
+                      std::to_string(motion.instants_of_contact.size()) +
+                      " nodes: " + contact);
+    return lines;
+  }
+
+
+
+  void
+  FourierResult::add_to(Summary &summary) const
+  {
+    auto &direct                     = summary["direct_in_time"];
+    direct["loaded_harmonics"]       = motion.loaded_harmonics;
+    direct["complex_factorisations"] = motion.complex_factorisations;
+    direct["nodes_with_mean_force"]  = motion.instants_of_contact.size();
+    direct["contact"]                = contact;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  fourier_obstacles(const Scene     &scene,
+                    const Body<dim> &body,
+                    const StepList  &steps)
+  {
+    std::vector<std::string> all = material_obstacles(body);
+    if (scene.time_integration.step_control != "uniform")
+      all.push_back(
+        "harmonics need equal steps; set [Time integration] Step "
+        "control = uniform, or use [Periodic state] Method = "
+        "anderson");
+    for (unsigned int k = 1; k <= steps.n_steps(); ++k)
+      if (steps.jumps_at(steps.instant(k)))
+        {
+          all.push_back("loads or temperatures jump at t = " +
+                        Text::from_number(steps.instant(k)) +
+                        ", where one sample has no value for both sides; use "
+                        "[Periodic state] Method = anderson");
+          break;
+        }
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  require_fourier(const Scene     &scene,
+                  const Body<dim> &body,
+                  const StepList  &steps)
+  {
+    Problems problems;
+    for (const std::string &obstacle : fourier_obstacles(scene, body, steps))
+      problems.add(
+        "[Periodic state] Method or Start from = fourier: " + obstacle + ".");
+    problems.throw_if_any();
+  }
+
+
+
+  template <int dim>
+  FourierResult
+  solve_fourier_problem(const Scene     &scene,
+                        const Body<dim> &body,
+                        const StepList  &steps,
+                        Solvers<dim>    &solvers,
+                        const double     smallest_relaxation_time)
+  {
+    FourierResult result;
+    result.rule                 = scene.periodic_state.harmonics == "exact"
+                                    ? TimeRule::exact
+                                    : TimeRule::trapezoid;
+    dealii::TimerOutput &phases = solvers.settings().phases;
+    const Harmonics harmonics(steps.period(), steps.n_steps(), result.rule);
+    const UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
+    solvers.at(0.);
+    const Fourier<dim> fourier({body.space,
+                                body.points,
+                                body.strain_operator,
+                                body.material,
+                                body.loads,
+                                bounds,
+                                solvers.current().linear_solver()},
+                               harmonics);
+
+    const Vector mean_load = fourier.mean_load();
+    if (mean_load.linfty_norm() > fourier.negligible_load())
+      {
+        TimerOutput::Scope phase(phases, "secular problem");
+        result.flow = solve_secular_problem(body, mean_load, solvers);
+      }
+    TimerOutput::Scope phase(phases, "harmonics");
+    result.motion = fourier.solve(
+      result.flow ? &*result.flow : nullptr,
+      [&](const PeriodicContactProblem &problem) {
+        TimerOutput::Scope phase(phases, "periodic contact");
+        return solve_contact(problem, body.space.communicator(), result);
+      },
+      1024. * 1024. * scene.linear_solver.memory_for_instants);
+    result.warnings = warnings_about(result.motion,
+                                     steps.largest_step(),
+                                     smallest_relaxation_time);
+    return result;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                          \
+  template std::vector<std::string> fourier_obstacles<dim>(const Scene &,         \
+                                                           const Body<dim> &,     \
+                                                           const StepList &);     \
+  template void                     require_fourier<dim>(const Scene &,           \
+                                     const Body<dim> &,       \
+                                     const StepList &);       \
+  template FourierResult            solve_fourier_problem<dim>(const Scene &,     \
+                                                    const Body<dim> &, \
+                                                    const StepList &,  \
+                                                    Solvers<dim> &,    \
+                                                    const double)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace Crevasse

@@ -1,0 +1,275 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/discretisation/refinement.h>
+#include <crevasse/discretisation/rigid_motions.h>
+#include <crevasse/grid/geometry.h>
+#include <crevasse/model/body.h>
+#include <crevasse/model/mesh_room.h>
+#include <crevasse/model/tip_functions.h>
+#include <crevasse/parameters/built_in_boundary.h>
+
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Everything else builds on a body that cannot move away. */
+    template <int dim>
+    const Space<dim> &
+    held(const Space<dim> &space)
+    {
+      require_no_rigid_motion(space);
+      return space;
+    }
+
+
+
+    /** The parameters that name boundary ids, each with its own name. */
+    std::array<std::pair<const char *, const std::string *>, 3>
+    roles_besides_loaded(const BoundaryParameters &parameters)
+    {
+      return {{{"Clamped", &parameters.clamped},
+               {"Symmetry", &parameters.symmetry},
+               {"Contact", &parameters.contact}}};
+    }
+
+
+
+    /** Which parameter took the loaded boundary of the built-in shape for
+     * itself, as a sentence, or nothing if none did. */
+    std::string
+    who_took_the_loaded_boundary(const Scene &scene)
+    {
+      if (parse_boundary_ids(scene.boundary.loaded))
+        return "";
+      for (const auto id : built_in_roles(scene.geometry).loaded)
+        for (const auto &[name, value] : roles_besides_loaded(scene.boundary))
+          {
+            const auto ids = parse_boundary_ids(*value);
+            if (ids && ids->count(id) > 0)
+              return " The loaded boundary of this shape is the boundary id " +
+                     std::to_string(id) + ", which [Boundary] " + name + " = " +
+                     *value + " takes away from it.";
+          }
+      return "";
+    }
+
+
+
+    std::string
+    list_ids(const char *role, const std::set<types::boundary_id> &ids)
+    {
+      std::vector<std::string> numbers;
+      for (const types::boundary_id id : ids)
+        numbers.push_back(std::to_string(id));
+      return role + (" " + Text::join(numbers, ", "));
+    }
+
+
+
+    /** As in a scene: components follow a colon unless all are fixed. */
+    template <int dim>
+    std::string
+    describe_fixed_point(const FixedPoint<dim> &fixed_point)
+    {
+      std::vector<std::string> components;
+      for (unsigned int d = 0; d < dim; ++d)
+        if (fixed_point.components[d])
+          components.push_back(std::to_string(d + 1));
+      return "fixed " + Text::from_point(fixed_point.point) +
+             (components.size() < dim ? ": " + Text::join(components, ", ")
+                                      : "");
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /** A file may be there for some of the processes only. */
+    template <int dim>
+    Temperature<dim>
+    read_temperature(const LoadParameters &loads, const MPI_Comm communicator)
+    {
+      std::optional<Temperature<dim>> temperature;
+      collectively(communicator, [&]() {
+        temperature.emplace(loads.temperature, loads.period);
+      });
+      return std::move(*temperature);
+    }
+  } // namespace
+
+
+
+  BoundaryRoles
+  boundary_roles(const Scene &scene)
+  {
+    const BoundaryRoles roles =
+      resolve_roles(scene.boundary, built_in_roles(scene.geometry));
+    for (const Expression &component :
+         Expression::parse_list(scene.loads.traction))
+      if (!component.is_zero() && roles.loaded.empty())
+        throw SceneError("[Loads] Traction = " + scene.loads.traction +
+                         ": no boundary has the role Loaded that could bear "
+                         "it; set [Boundary] Loaded, or the traction to 0." +
+                         who_took_the_loaded_boundary(scene));
+    return roles;
+  }
+
+
+
+  template <int dim>
+  std::vector<FixedPoint<dim>>
+  fixed_points(const Scene &scene)
+  {
+    return scene.boundary.fixed_points == "automatic"
+             ? built_in_fixed_points<dim>(scene.geometry, boundary_roles(scene))
+             : parse_fixed_points<dim>(scene.boundary.fixed_points);
+  }
+
+
+
+  template <int dim>
+  std::string
+  describe_boundaries(const Scene &scene)
+  {
+    const BoundaryRoles      roles = boundary_roles(scene);
+    std::vector<std::string> parts;
+    const auto               add = [&parts](const char *role, const auto &ids) {
+      if (!ids.empty())
+        parts.push_back(list_ids(role, ids));
+    };
+    add("clamped", roles.clamped);
+    add("symmetry", roles.symmetry);
+    add("loaded", roles.loaded);
+    add("contact", roles.contact);
+    for (const FixedPoint<dim> &fixed_point : fixed_points<dim>(scene))
+      parts.push_back(describe_fixed_point(fixed_point));
+    return Text::join(parts, "; ");
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<Mesh<dim>>
+  make_scene_mesh(const Scene &scene, const MPI_Comm communicator)
+  {
+    const auto unrefined = [&scene, communicator]() {
+      auto mesh = std::make_shared<Mesh<dim>>(communicator);
+      make_mesh<dim>(scene.geometry, *mesh, [&](const CellCounts &cells) {
+        require_room<dim>(scene, cells, communicator);
+      });
+      return mesh;
+    };
+    return scene.refinement.strategy == "tip"
+             ? graded_mesh<dim>(unrefined,
+                                boundary_roles(scene),
+                                scene.refinement,
+                                scene.discretisation.degree)
+             : unrefined();
+  }
+
+
+
+  template <int dim>
+  Body<dim>::Body(const Scene &scene, const MPI_Comm communicator)
+    : Body(scene, make_scene_mesh<dim>(scene, communicator))
+  {
+  }
+
+
+
+  template <int dim>
+  Body<dim>::Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh)
+    : temperature(read_temperature<dim>(scene.loads, mesh->get_communicator()))
+    , effects(scene, boundary_roles(scene), temperature.depends_on_time())
+    , law(scene.material)
+    , space(
+        mesh,
+        scene.discretisation.degree,
+        boundary_roles(scene),
+        fixed_points<dim>(scene),
+        scene.discretisation.volumetric_strain == "mean"
+          ? VolumetricStrain::mean
+          : VolumetricStrain::full,
+        tip_functions(scene, *mesh, boundary_roles(scene), law, temperature))
+    , points(held(space))
+    , material(space, points, law, temperature)
+    , strain_operator(space, points)
+    , lip(space,
+          Expression(scene.boundary.gap,
+                     Expression::Variables::space_and_time,
+                     Text::parameter(BoundaryParameters::section, "Gap")))
+    , loads(space, strain_operator, scene.loads)
+  {
+    // What the tables say must be what is computed.
+    Assert(effects.thermal_strain.on == material.has_thermal_strain(),
+           ExcInternalError());
+    Assert(effects.varying_stiffness.on || !material.stiffness_varies(),
+           ExcInternalError());
+    Assert(effects.varying_viscosity.on || !material.fluidity_varies(),
+           ExcInternalError());
+  }
+
+
+
+  template <int dim>
+  UnilateralBounds
+  unilateral_bounds(const ContactBoundary<dim> &lip, const Space<dim> &space)
+  {
+    UnilateralBounds bounds;
+    for (const LipNode<dim> &node : lip.nodes())
+      {
+        bounds.dofs.push_back(node.dof);
+        bounds.sign.push_back(node.sign);
+        bounds.gap.push_back(node.gap);
+      }
+    if (space.singular_shapes() != nullptr &&
+        space.locally_owned_unknowns().is_element(space.singular_unknown(0)))
+      {
+        bounds.dofs.push_back(space.singular_unknown(0));
+        bounds.sign.push_back(1.);
+        bounds.gap.push_back(0.);
+        bounds.n_global = 1;
+      }
+    return bounds;
+  }
+
+
+
+  template struct Body<2>;
+  template struct Body<3>;
+  template UnilateralBounds
+  unilateral_bounds<2>(const ContactBoundary<2> &, const Space<2> &);
+  template UnilateralBounds
+  unilateral_bounds<3>(const ContactBoundary<3> &, const Space<3> &);
+  template std::shared_ptr<Mesh<2>>
+  make_scene_mesh<2>(const Scene &, const MPI_Comm);
+  template std::shared_ptr<Mesh<3>>
+  make_scene_mesh<3>(const Scene &, const MPI_Comm);
+  template std::vector<FixedPoint<2>>
+  fixed_points<2>(const Scene &);
+  template std::vector<FixedPoint<3>>
+  fixed_points<3>(const Scene &);
+  template std::string
+  describe_boundaries<2>(const Scene &);
+  template std::string
+  describe_boundaries<3>(const Scene &);
+} // namespace Crevasse

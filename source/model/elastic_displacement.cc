@@ -1,0 +1,96 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/contact/unconstrained.h>
+#include <crevasse/model/elastic_displacement.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    Vector
+    open_displacement(const Scene  &scene,
+                      Solvers<dim> &solvers,
+                      const Vector &loads)
+    {
+      const UnilateralBounds none;
+      const SignoriniProblem unconstrained(solvers.current().stiffness(), none);
+      std::vector<double>    no_forces;
+      Vector                 displacement;
+      displacement.reinit(loads);
+      Unconstrained(unconstrained,
+                    solvers.current().linear_solver(),
+                    scene.contact.tolerance)
+        .solve(loads, displacement, no_forces);
+      return displacement;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Vector
+  elastic_displacement(const Scene     &scene,
+                       const Body<dim> &body,
+                       Solvers<dim>    &solvers,
+                       const Vector    &loads,
+                       const bool       lip_closed)
+  {
+    if (!lip_closed)
+      return open_displacement(scene, solvers, loads);
+
+    // A closed lip is a symmetry plane. The other space's constraints agree
+    // with this one's but for the lip, where the loads then do not count.
+    BoundaryRoles roles = body.space.roles();
+    roles.symmetry.insert(roles.contact.begin(), roles.contact.end());
+    roles.contact.clear();
+    const SingularShapes *const shapes = body.space.singular_shapes();
+    const Space<dim>            closed_space(body.space.shared_mesh(),
+                                  body.space.finite_element().degree,
+                                  roles,
+                                  fixed_points<dim>(scene),
+                                  body.space.volumetric_strain(),
+                                  shapes != nullptr ? shapes->functions()
+                                                               : SingularFunctions());
+    const UnilateralBounds      none;
+    ContactSystem<dim>          closed(solvers.settings(),
+                              closed_space,
+                              body.points,
+                              *body.material.at(0.).stiffness,
+                              none);
+    Vector                      closed_loads(loads);
+    closed_space.constraints().set_zero(closed_loads);
+    Vector              displacement;
+    std::vector<double> no_forces;
+    displacement.reinit(loads);
+    closed.contact_solver().solve(closed_loads, displacement, no_forces);
+
+    solvers.add(closed.statistics());
+    return displacement;
+  }
+
+
+
+#define INSTANTIATE(dim)                                       \
+  template Vector elastic_displacement<dim>(const Scene &,     \
+                                            const Body<dim> &, \
+                                            Solvers<dim> &,    \
+                                            const Vector &,    \
+                                            const bool)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace Crevasse

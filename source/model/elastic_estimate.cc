@@ -1,0 +1,51 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/model/elastic_estimate.h>
+#include <crevasse/time/evolution.h>
+
+namespace Crevasse
+{
+  template <int dim>
+  void
+  look_at_elastic_states(const Body<dim>           &body,
+                         Solvers<dim>              &solvers,
+                         const std::vector<double> &instants,
+                         StressEstimator<dim>      &estimator)
+  {
+    Evolution<dim> evolution(body.strain_operator,
+                             body.points,
+                             body.loads,
+                             solvers);
+    for (const double t : instants)
+      {
+        evolution.elastic_state(t);
+        estimator.look_at(t,
+                          evolution.state().stress,
+                          evolution.state().contact_forces,
+                          solvers.at(t).material,
+                          &evolution.state().displacement);
+      }
+  }
+
+
+
+#define INSTANTIATE(dim)                                                 \
+  template void look_at_elastic_states<dim>(const Body<dim> &,           \
+                                            Solvers<dim> &,              \
+                                            const std::vector<double> &, \
+                                            StressEstimator<dim> &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace Crevasse

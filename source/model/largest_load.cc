@@ -1,0 +1,205 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/range.h>
+#include <crevasse/base/text.h>
+#include <crevasse/model/largest_load.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** The largest nodal force of the stress that thermal strain would cause
+     * in a body that is held everywhere. */
+    template <int dim>
+    double
+    largest_thermal_load(const Body<dim> &body, const double t)
+    {
+      const MaterialState<dim> material = body.material.at(t);
+      Vector                   forces;
+      body.strain_operator.initialize(forces);
+      body.strain_operator.add_transpose(forces, [&](const std::size_t offset) {
+        const std::size_t point = offset / n_stress_components<dim>;
+        return material.stiffness_factor * ((*material.stiffness)[point] *
+                                            (*material.thermal_strain)[point]);
+      });
+      return forces.linfty_norm();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Vector
+  loads_at(const Body<dim> &body, const double t)
+  {
+    Vector loads;
+    body.strain_operator.initialize(loads);
+    body.loads.evaluate(t, loads);
+    return loads;
+  }
+
+
+
+  namespace
+  {
+    /** Which of these instants has the largest load vector, the first of
+     * several. */
+    template <int dim>
+    unsigned int
+    number_of_largest_load(const Body<dim>           &body,
+                           const std::vector<double> &instants)
+    {
+      unsigned int largest = 0;
+      double       norm    = -1.;
+      for (unsigned int i = 0; i < instants.size(); ++i)
+        {
+          const double here = loads_at(body, instants[i]).l2_norm();
+          if (here > norm)
+            {
+              norm    = here;
+              largest = i;
+            }
+        }
+      return largest;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  unsigned int
+  step_of_largest_load(const Body<dim> &body, const StepList &steps)
+  {
+    std::vector<double> begins;
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      begins.push_back(steps.instant(k));
+    return number_of_largest_load(body, begins);
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  instants_of_extreme_loads(const Body<dim> &body, const StepList &steps)
+  {
+    const double     largest = steps.instant(step_of_largest_load(body, steps));
+    const Vector     loads   = loads_at(body, largest);
+    constexpr double rounding    = 1e-6;
+    double           least       = -rounding * (loads * loads);
+    std::vector<double> extremes = {largest};
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      if (const double product = loads_at(body, steps.instant(k)) * loads;
+          product < least)
+        {
+          least    = product;
+          extremes = {largest, steps.instant(k)};
+        }
+    return extremes;
+  }
+
+
+
+  template <int dim>
+  double
+  largest_load(const Body<dim> &body, const StepList &steps)
+  {
+    // Between the samples too, where the stages of the integrators are.
+    Vector loads;
+    body.strain_operator.initialize(loads);
+    double largest = 0.;
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      for (const double fraction : {0., 0.25, 0.5, 0.75})
+        {
+          body.loads.evaluate(steps.within_period(steps.instant(k) +
+                                                  fraction * steps.step(k)),
+                              loads);
+          largest = std::max(largest, loads.linfty_norm());
+        }
+    if (body.material.has_thermal_strain())
+      for (unsigned int k = 0; k < steps.n_steps(); ++k)
+        largest =
+          std::max(largest, largest_thermal_load(body, steps.instant(k)));
+    if (largest != 0. && !Ranges::size.contains(largest))
+      throw SceneError(
+        "[Loads]: the largest force on a node over a period is " +
+        Text::from_number(largest) + "; it " + Ranges::size.text +
+        ". Choose other units.");
+    return largest;
+  }
+
+
+
+  template <int dim>
+  double
+  load_missed_by_steps(const Body<dim> &body, const StepList &steps)
+  {
+    // Commensurate with nothing: the middle of a step may meet a zero, too.
+    constexpr double fraction = 0.6180339887498949;
+    double           missed = 0., largest = 0.;
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      {
+        const double begin = steps.instant(k), end = begin + steps.step(k);
+        Vector       line   = loads_at(body, begin);
+        Vector       within = loads_at(body, begin + fraction * (end - begin));
+        largest = std::max({largest, line.l2_norm(), within.l2_norm()});
+        // A jump at the end of a step is not within it.
+        line.sadd(1. - fraction,
+                  fraction,
+                  loads_at(body, steps.just_before(end)));
+        within -= line;
+        missed = std::max(missed, within.l2_norm());
+      }
+    return largest > 0. ? missed / largest : 0.;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  instants_of_scale(const Body<dim> &body, const StepList &steps)
+  {
+    // Steps may meet a load at its zeros only; multiples of the golden ratio
+    // are commensurate with nothing.
+    constexpr double       golden    = 0.6180339887498949;
+    constexpr unsigned int n_sampled = 200, n_chosen = 5;
+    std::vector<double>    sampled;
+    for (unsigned int i = 1; i <= n_sampled; ++i)
+      sampled.push_back(steps.within_period(steps.period() * golden * i));
+    std::vector<double> chosen(sampled.begin(), sampled.begin() + n_chosen);
+    chosen.push_back(sampled[number_of_largest_load(body, sampled)]);
+    chosen.push_back(steps.instant(step_of_largest_load(body, steps)));
+    return chosen;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                       \
+  template Vector              loads_at<dim>(const Body<dim> &, const double); \
+  template unsigned int        step_of_largest_load<dim>(const Body<dim> &,    \
+                                                  const StepList &);    \
+  template std::vector<double> instants_of_extreme_loads<dim>(                 \
+    const Body<dim> &, const StepList &);                                      \
+  template double largest_load<dim>(const Body<dim> &, const StepList &);      \
+  template double load_missed_by_steps<dim>(const Body<dim> &,                 \
+                                            const StepList &);                 \
+  template std::vector<double> instants_of_scale<dim>(const Body<dim> &,       \
+                                                      const StepList &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace Crevasse

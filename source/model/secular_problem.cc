@@ -1,0 +1,379 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/model/secular.h>
+#include <crevasse/model/secular_problem.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double rounding_of_means = 1e-12;
+
+
+
+    /** The size of what the mean load is a mean of. */
+    template <int dim>
+    double
+    largest_weighted_load(const Body<dim> &body, const double period)
+    {
+      constexpr unsigned int n_samples = 512;
+      Vector                 loads;
+      body.strain_operator.initialize(loads);
+      double largest = 0.;
+      for (unsigned int k = 0; k < n_samples; ++k)
+        {
+          const double t = period * (k + 0.5) / n_samples;
+          body.loads.evaluate(t, loads);
+          largest =
+            std::max(largest,
+                     loads.linfty_norm() /
+                       body.law.viscosity_factor().value(Point<dim>(), t));
+        }
+      return largest;
+    }
+
+
+
+    /** f̄ as the steps of an integrator see it. */
+    template <int dim>
+    Vector
+    mean_load_of_steps(const Body<dim>  &body,
+                       const StepList   &steps,
+                       const Integrator &integrator)
+    {
+      TimeQuadrature rule = integrator.quadrature();
+      if (rule.weights.empty())
+        rule = {{0., 1.}, {0.5, 0.5}};
+      Vector mean, loads;
+      body.strain_operator.initialize(mean);
+      body.strain_operator.initialize(loads);
+      for (unsigned int k = 0; k < steps.n_steps(); ++k)
+        for (unsigned int i = 0; i < rule.nodes.size(); ++i)
+          {
+            const double instant =
+              steps.instant(k) + rule.nodes[i] * steps.step(k);
+            const double t = rule.nodes[i] > 0. && steps.jumps_at(instant)
+                               ? steps.just_before(instant)
+                               : steps.within_period(instant);
+            body.loads.evaluate(t, loads);
+            mean.add(rule.weights[i] * steps.step(k) / steps.period() /
+                       body.law.viscosity_factor().value(Point<dim>(), t),
+                     loads);
+          }
+      return mean;
+    }
+
+
+
+    /** What is to be said if the steps miss a part of the mean load; nothing
+     * if they do not. */
+    template <int dim>
+    std::string
+    missed_by_steps(const Body<dim> &body,
+                    const Vector    &mean_load,
+                    const double     missed_load,
+                    const double     largest_load)
+    {
+      constexpr double tolerable  = 0.1; // Euler's error of coarse steps
+      constexpr double hardly_any = 1e-3;
+      const double     mean       = mean_load.linfty_norm();
+      const double     part       = missed_load / mean;
+      if (part <= tolerable)
+        return "";
+      std::ostringstream text;
+      text << "the mean load over the period";
+      if (!body.law.viscosity_factor().is_constant())
+        text << ", weighted by 1 / [Material] Viscosity time factor,";
+      text
+        << " is not the one that the time steps see: they differ by "
+        << 100. * part
+        << " %, and so do beta and what is marched. Something changes within "
+           "less than a step. Take more steps, or [Time integration] Step "
+           "control = list with instants where it changes.";
+      if (mean <= hardly_any * largest_load)
+        text
+          << " Or is it meant to vanish? It is " << mean / largest_load
+          << " of the largest load: a pi written with few digits leaves one.";
+      return text.str();
+    }
+
+
+
+    /** What is to be said if the steps see a mean load that there is not;
+     * nothing if they do not. */
+    std::string
+    seen_by_steps(const Vector &seen, const double largest_load)
+    {
+      constexpr double tolerable = 0.01;
+      if (seen.linfty_norm() <= tolerable * largest_load)
+        return "";
+      return "[Periodic state] Secular split: the mean load vanishes, but the "
+             "time steps see one: the body flows by an error of the steps. "
+             "Something changes within less than a step. Take more steps, or "
+             "[Time integration] Step control = list with instants where it "
+             "changes.";
+    }
+
+
+
+    /** What is to be said of steps of which some count negatively in the mean
+     * over the period; nothing if none do. */
+    std::string
+    warning_of_negative_weights(const std::string &scheme,
+                                const Integrator  &integrator)
+    {
+      const std::vector<double> &weights = integrator.quadrature().weights;
+      if (std::none_of(weights.begin(), weights.end(), [](const double weight) {
+            return weight < 0.;
+          }))
+        return "";
+      return "[Time integration] Scheme = " + scheme +
+             " of this Order has stages of negative weight: where the lip "
+             "opens in the mean some may bear pressure that others balance, "
+             "and periodic states that differ by the error of the steps fulfil "
+             "the equations of the steps. Set Order = 2, or Scheme = sdirk2.";
+    }
+
+
+
+    /** The τ of a body whose viscosity is τK everywhere: then A serves the
+     * secular problem too. Nothing if it is another body. Collective. */
+    template <int dim>
+    std::optional<double>
+    uniform_relaxation_time(const Body<dim>          &body,
+                            const Viscosity<dim>     &viscosity,
+                            const MaterialState<dim> &material)
+    {
+      const auto       &eta          = viscosity.sum;
+      const auto       &K            = *material.stiffness;
+      const std::size_t n_points     = body.points.n_local_points();
+      const MPI_Comm    communicator = body.space.communicator();
+
+      const double tau =
+        Utilities::MPI::max(n_points > 0 ? eta[0].norm() / K[0].norm() : 0.,
+                            communicator);
+      bool is_uniform = true;
+      for (std::size_t p = 0; p < n_points && is_uniform; ++p)
+        is_uniform =
+          (eta[p] - tau * K[p]).norm() <= rounding_of_means * tau * K[p].norm();
+      if (Utilities::MPI::min(is_uniform ? 1 : 0, communicator) == 0)
+        return {};
+      return tau;
+    }
+  } // namespace
+
+
+
+  bool
+  flows_by_mean_load(const std::string &scheme)
+  {
+    return scheme != "exponential" && scheme != "predictor corrector";
+  }
+
+
+
+  template <int dim>
+  std::string
+  secular_obstacle(const Body<dim> &body)
+  {
+    if (!body.effects.viscosity.on)
+      return "without viscosity nothing flows";
+    if (body.law.has_spring())
+      return "the elastic spring of the chain bears the mean load";
+    if (body.material.fluidity_varies())
+      return "the viscosity varies in time, and not by [Material] Viscosity "
+             "time factor alone";
+    const MaterialState<dim> material = body.material.at(0.);
+    bool                     has_all  = false;
+    collectively(body.space.communicator(),
+                 [&]() { has_all = has_viscosity<dim>(material); });
+    if (Utilities::MPI::min(has_all ? 1 : 0, body.space.communicator()) == 0)
+      return "the fluidity is singular: a part of the strain does not flow";
+    return "";
+  }
+
+
+
+  template <int dim>
+  SecularSplit
+  choose_secular_split(const Scene      &scene,
+                       const Body<dim>  &body,
+                       const StepList   &steps,
+                       const Integrator *integrator,
+                       const bool        needs_periodic_strain)
+  {
+    SecularSplit split;
+    split.effect               = body.effects.secular_flow;
+    Effects::Effect   &effect  = split.effect;
+    const std::string &wish    = scene.periodic_state.secular_split;
+    const std::string  setting = "[Periodic state] Secular split = " + wish;
+    if (wish == "off")
+      {
+        effect.why = setting + ": what flows is in the displacement";
+        return split;
+      }
+    const std::string reason = secular_obstacle(body);
+    if (!reason.empty())
+      {
+        if (wish == "on")
+          throw SceneError(setting + ": " + reason +
+                           ". Set it to automatic or off.");
+        effect.why = reason;
+        return split;
+      }
+    body.strain_operator.initialize(split.mean_load);
+    body.loads.mean(body.law.viscosity_factor(),
+                    scene.loads.period,
+                    split.mean_load);
+    const double largest = largest_weighted_load(body, scene.loads.period);
+    effect.on = split.mean_load.linfty_norm() > rounding_of_means * largest;
+    split.is_split = effect.on && (wish == "on" || needs_periodic_strain);
+    effect.why =
+      !effect.on ? "the mean load vanishes"
+      : split.is_split
+        ? "the mean load does not vanish: its flow is split off"
+        : "the mean load does not vanish: beta is found, not split off";
+    const std::string &scheme = scene.time_integration.scheme;
+    if (split.is_split && !flows_by_mean_load(scheme))
+      throw SceneError(
+        "[Time integration] Scheme = " + scheme + " with [Periodic state] " +
+        std::string(wish == "on" ? "Secular split = on"
+                                 : "Method = " + scene.periodic_state.method) +
+        ": its steps flow steadily otherwise than the secular problem says, "
+        "and contact would depend on the difference. Use Method = march with "
+        "Secular split = automatic, or another scheme, such as sdirk2.");
+    // Adaptive steps are found where the loads are.
+    if (scene.time_integration.step_control == "adaptive")
+      return split;
+    const Vector seen        = mean_load_of_steps(body, steps, *integrator);
+    Vector       missed_part = seen;
+    missed_part -= split.mean_load;
+    const double missed_load = missed_part.linfty_norm();
+    const bool   has_rule    = !integrator->quadrature().weights.empty() &&
+                          !scene.time_integration.locate_contact_events;
+    split.strain_returns =
+      has_rule &&
+      (split.is_split || missed_load <= 10. * rounding_of_means * largest);
+    if (!effect.on)
+      {
+        split.warning = seen_by_steps(seen, largest);
+        return split;
+      }
+    const std::string missed =
+      missed_by_steps(body, split.mean_load, missed_load, largest);
+    if (!missed.empty() && split.is_split)
+      throw SceneError(setting + ": " + missed);
+    if (!missed.empty())
+      split.warning = "[Periodic state] Secular split: " + missed;
+    else if (split.is_split && body.effects.contact.on)
+      split.warning = warning_of_negative_weights(scheme, *integrator);
+    // What is marched must not flow on by the error of the steps.
+    if (split.is_split && !integrator->quadrature().weights.empty())
+      split.mean_load = seen;
+    return split;
+  }
+
+
+
+  template <int dim>
+  SecularFlow
+  solve_secular_problem(const Body<dim> &body,
+                        const Vector    &mean_load,
+                        Solvers<dim>    &solvers)
+  {
+    const MaterialState<dim>      material = body.material.at(0.);
+    std::optional<Viscosity<dim>> found;
+    collectively(body.space.communicator(), [&]() {
+      found = viscosity_of<dim>(material, body.points.n_local_points());
+    });
+    const Viscosity<dim> &viscosity = *found;
+    const auto            solve     = [&](const Vector  &load,
+                           const double   time,
+                           ContactSolver &contact_solver) {
+      return secular_flow_of<dim>(body.strain_operator,
+                                  body.points,
+                                  material,
+                                  viscosity,
+                                  load,
+                                  time,
+                                  contact_solver);
+    };
+
+    UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
+    const bool       has_gap =
+      std::any_of(bounds.gap.begin(), bounds.gap.end(), [](const double gap) {
+        return gap != 0.;
+      });
+    const bool is_closed =
+      Utilities::MPI::max(has_gap ? 1 : 0, body.space.communicator()) == 0;
+    if (const auto tau = uniform_relaxation_time(body, viscosity, material);
+        tau && is_closed)
+      {
+        // With a load of the size by which that solver judges: the mean, which
+        // has the viscosity in it, may be of any other.
+        const double factor =
+          solvers.settings().largest_load / mean_load.linfty_norm();
+        Vector load = mean_load;
+        load *= factor;
+        SecularFlow flow = solve(load, *tau, solvers.at(0.).contact_solver);
+        flow.velocity /= factor;
+        flow.strain_rate /= factor;
+        for (double &force : flow.contact_forces)
+          force /= factor;
+        return flow;
+      }
+
+    SolverSettings settings    = solvers.settings();
+    settings.relaxation_factor = [&](const SparseMatrix &matrix) {
+      return solvers.relaxation_factor(matrix, mean_load);
+    };
+    std::fill(bounds.gap.begin(), bounds.gap.end(), 0.);
+    ContactSystem<dim> system(settings,
+                              body.space,
+                              body.points,
+                              viscosity.sum,
+                              bounds,
+                              &solvers.current());
+    system.contact_solver().judge_by_load(mean_load.linfty_norm());
+    const SecularFlow flow = solve(mean_load, 1., system.contact_solver());
+    solvers.add(system.statistics());
+    return flow;
+  }
+
+
+
+#define INSTANTIATE(dim)                                              \
+  template std::string  secular_obstacle<dim>(const Body<dim> &);     \
+  template SecularSplit choose_secular_split<dim>(const Scene &,      \
+                                                  const Body<dim> &,  \
+                                                  const StepList &,   \
+                                                  const Integrator *, \
+                                                  const bool);        \
+  template SecularFlow  solve_secular_problem<dim>(const Body<dim> &, \
+                                                  const Vector &,    \
+                                                  Solvers<dim> &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace Crevasse

@@ -1,0 +1,111 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/parameters/built_in_boundary.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    FixedPoint<dim>
+    free_point(const double x, const double z)
+    {
+      FixedPoint<dim> fixed_point;
+      fixed_point.components.fill(false);
+      fixed_point.point[0] = x;
+      if (dim == 3)
+        fixed_point.point[dim - 1] = z;
+      return fixed_point;
+    }
+  } // namespace
+
+
+
+  bool
+  has_crack(const GeometryParameters &parameters)
+  {
+    return parameters.shape == "edge crack" ||
+           parameters.shape == "centre crack";
+  }
+
+
+
+  double
+  tip_abscissa(const GeometryParameters &parameters)
+  {
+    return parameters.shape == "edge crack"
+             ? parameters.width - parameters.crack_length
+             : parameters.crack_length;
+  }
+
+
+
+  BoundaryRoles
+  built_in_roles(const GeometryParameters &parameters)
+  {
+    BoundaryRoles roles;
+    if (parameters.shape == "mesh file")
+      return roles;
+
+    roles.symmetry = {BoundaryIds::ligament};
+    roles.loaded   = {BoundaryIds::top};
+    if (has_crack(parameters))
+      roles.contact = {BoundaryIds::lip};
+    if (parameters.shape == "centre crack")
+      roles.symmetry.insert(BoundaryIds::left);
+    return roles;
+  }
+
+
+
+  template <int dim>
+  std::vector<FixedPoint<dim>>
+  built_in_fixed_points(const GeometryParameters &parameters,
+                        const BoundaryRoles      &roles)
+  {
+    if (parameters.shape == "mesh file" || !roles.clamped.empty())
+      return {};
+
+    // A plane of symmetry holds the translation along its normal, and every
+    // rotation but that about its normal.
+    const bool slides_along = roles.symmetry.count(BoundaryIds::left) == 0 &&
+                              roles.symmetry.count(BoundaryIds::right) == 0;
+    const bool slides_across = dim == 3 &&
+                               roles.symmetry.count(BoundaryIds::front) == 0 &&
+                               roles.symmetry.count(BoundaryIds::back) == 0;
+    if (!slides_along && !slides_across)
+      return {};
+
+    // The paper holds the tip.
+    const double    x = has_crack(parameters) ? tip_abscissa(parameters) : 0.;
+    FixedPoint<dim> first = free_point<dim>(x, 0.);
+    first.components[0]   = slides_along;
+    if (dim == 3)
+      first.components[dim - 1] = slides_across;
+    if (!slides_along || !slides_across)
+      return {first};
+
+    // It could still turn in the crack plane.
+    FixedPoint<dim> second = free_point<dim>(x, parameters.thickness);
+    second.components[0]   = true;
+    return {first, second};
+  }
+
+
+
+  template std::vector<FixedPoint<2>>
+  built_in_fixed_points<2>(const GeometryParameters &, const BoundaryRoles &);
+  template std::vector<FixedPoint<3>>
+  built_in_fixed_points<3>(const GeometryParameters &, const BoundaryRoles &);
+} // namespace Crevasse

@@ -1,0 +1,123 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/parameters/checker.h>
+#include <crevasse/parameters/crack_tip_parameters.h>
+
+#include <deal.II/base/patterns.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  void
+  CrackTipParameters::add_parameters(ParameterHandler &prm)
+  {
+    const Patterns::Double number;
+    prm.add_parameter("Stress intensity",
+                      stress_intensity,
+                      "Whether crack_tip.csv tells the stress intensity "
+                      "factor K_I of each step.");
+    prm.add_parameter(
+      "Method",
+      method,
+      "How K_I is found: by an integral over a square around the tip, where "
+      "the stress is that of an elastic body, or by fitting Williams' series "
+      "to the stress around the tip. \"automatic\" takes the integral "
+      "wherever it is right.",
+      Patterns::Selection("automatic|interaction integral|williams fit"));
+    prm.add_parameter("Radius",
+                      radius,
+                      "Half the side of that square, or the larger radius of "
+                      "the fit, in units of length; 0: automatic. Allowed: a "
+                      "number of at least 0",
+                      number);
+    prm.add_parameter(
+      "Crack growth law",
+      growth_law,
+      "Law of the crack's growth. \"paris\": da/dN = C (dK - dK_th)^m; "
+      "\"creep\": da/dt = D P^phi, P being the Creep growth parameter; "
+      "\"sum\": both.",
+      Patterns::Selection("none|paris|creep|sum"));
+    prm.add_parameter(
+      "Paris factor",
+      paris_factor,
+      "C, the growth of a period where dK - dK_th is 1, in units "
+      "of length / (stress sqrt(length))^m. Allowed: a number "
+      "greater than 0 where it is used",
+      number);
+    prm.add_parameter("Paris exponent",
+                      paris_exponent,
+                      "m, a pure number. Allowed: a number greater than 0",
+                      number);
+    prm.add_parameter("Paris threshold",
+                      paris_threshold,
+                      "dK_th, in units of stress sqrt(length): the crack does "
+                      "not grow below it. Allowed: a number of at least 0",
+                      number);
+    prm.add_parameter(
+      "Creep growth parameter",
+      creep_parameter,
+      "What drives the creep law: the integral C* of the secular flow, or K_I "
+      "at each instant of the period.",
+      Patterns::Selection("C star|stress intensity"));
+    prm.add_parameter("Creep factor",
+                      creep_factor,
+                      "D, the speed where P is 1, in units of length / time / "
+                      "P^phi; P is in units of stress length / time where it "
+                      "is C*, of stress sqrt(length) where it is K_I. Allowed: "
+                      "a number greater than 0 where it is used",
+                      number);
+    prm.add_parameter("Creep exponent",
+                      creep_exponent,
+                      "phi, a pure number. Allowed: a number greater than 0",
+                      number);
+  }
+
+
+
+  bool
+  CrackTipParameters::has_paris_part() const
+  {
+    return growth_law == "paris" || growth_law == "sum";
+  }
+
+
+
+  bool
+  CrackTipParameters::has_creep_part() const
+  {
+    return growth_law == "creep" || growth_law == "sum";
+  }
+
+
+
+  void
+  CrackTipParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    checker.demand(radius >= 0., "Radius", radius, "must be at least 0");
+    checker.demand(growth_law == "none" || stress_intensity,
+                   "Crack growth law",
+                   growth_law,
+                   "needs Stress intensity = true");
+    if (has_paris_part())
+      checker.demand_positive("Paris factor", paris_factor);
+    if (has_creep_part())
+      checker.demand_positive("Creep factor", creep_factor);
+    checker.demand_positive("Paris exponent", paris_exponent);
+    checker.demand_positive("Creep exponent", creep_exponent);
+    checker.demand(paris_threshold >= 0.,
+                   "Paris threshold",
+                   paris_threshold,
+                   "must be at least 0");
+  }
+} // namespace Crevasse

@@ -1,0 +1,479 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/parameters/parameters.h>
+
+#include <deal.II/base/patterns.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  // The patterns tell types only; ranges are left to check(), which can say in
+  // words what is allowed. What follows "Allowed:" is the last column of the
+  // parameter tables of the documentation.
+  namespace
+  {
+    const Patterns::Integer any_count(0);
+    const Patterns::List    list_of_counts(Patterns::Integer(0));
+    const Patterns::List    list_of_numbers(Patterns::Double{});
+  } // namespace
+
+
+
+  void
+  GeometryParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter(
+      "Shape",
+      shape,
+      "The body. The built-in shapes are the half above the crack plane y = 0 "
+      "of a plate: \"edge crack\" has its crack on the right, with the tip at "
+      "x = Width - Crack length; \"centre crack\" is a quarter of the plate, "
+      "with the crack from x = 0 to x = Crack length; in three dimensions both "
+      "go through the plate, with a straight front along z. \"rectangle\" "
+      "(in two dimensions) and \"box\" (in three) have no crack; \"mesh "
+      "file\" reads a mesh.",
+      Patterns::Selection("edge crack|centre crack|rectangle|box|mesh file"));
+    prm.add_parameter("Width",
+                      width,
+                      "Extent in x of a built-in shape, in units of length. "
+                      "Allowed: a number greater than 0");
+    prm.add_parameter("Height",
+                      height,
+                      "Extent in y of a built-in shape above the crack plane, "
+                      "in units of length. Allowed: a number greater than 0");
+    prm.add_parameter("Thickness",
+                      thickness,
+                      "Extent in z of a built-in shape in three dimensions, "
+                      "from z = 0 on, in units of length; not used in two. "
+                      "Allowed: a number greater than 0");
+    prm.add_parameter("Crack length",
+                      crack_length,
+                      "Length of the modelled part of the crack, in units of "
+                      "length; used by the two shapes with a crack. Allowed: a "
+                      "number greater than 0 and less than Width");
+    prm.add_parameter(
+      "Mesh file",
+      mesh_file,
+      "Mesh of quadrilaterals (in three dimensions: of hexahedra) with "
+      "boundary ids, for the shape \"mesh file\". "
+      "It is looked for next to the scene file first, then in the working "
+      "directory. Allowed: a Gmsh file (.msh) or another format that deal.II "
+      "reads");
+    prm.add_parameter(
+      "Subdivisions",
+      subdivisions,
+      "Numbers of cells along x and y (and z) of a built-in "
+      "shape, before refinement. Where equal cells do not meet the "
+      "crack tip, the two sides of it are divided separately. "
+      "Allowed: as many integers of at least 1 as dimensions, "
+      "separated by commas",
+      list_of_counts);
+    prm.add_parameter("Refinements",
+                      refinements,
+                      "How often all cells are halved in each direction. "
+                      "Allowed: an integer from 0 to 12",
+                      any_count);
+  }
+
+
+
+  void
+  BoundaryParameters::add_parameters(ParameterHandler &prm)
+  {
+    const std::string ids =
+      " The built-in shapes have the ids 0 on the left, 1 on the right, 2 "
+      "below but for the crack lip, 3 above, and 4 on the crack lip, in three "
+      "dimensions 5 at z = 0 and 6 at z = Thickness; a mesh file has its own. "
+      "\"automatic\" is ";
+    const std::string others =
+      " for a built-in shape, but for ids that another role names, and none "
+      "for a mesh file";
+    const std::string allowed =
+      ". Allowed: automatic, none, or boundary ids separated by commas";
+
+    prm.add_parameter("Clamped",
+                      clamped,
+                      "Boundary ids where the displacement is zero." + ids +
+                        "none" + allowed);
+    prm.add_parameter("Symmetry",
+                      symmetry,
+                      "Boundary ids of symmetry planes: the normal "
+                      "displacement and the tangential traction are zero." +
+                        ids + "2 (and 0 with a centre crack)" + others +
+                        allowed);
+    prm.add_parameter("Loaded",
+                      loaded,
+                      "Boundary ids that carry the traction of the section "
+                      "Loads." +
+                        ids + "3" + others + allowed);
+    prm.add_parameter("Contact",
+                      contact,
+                      "Boundary ids of crack lips, which may open but not go "
+                      "through the crack plane." +
+                        ids + "4 (none without a crack)" + others + allowed);
+    prm.add_parameter(
+      "Fixed points",
+      fixed_points,
+      "Mesh vertices that are held so that no rigid motion is left. A point is "
+      "fixed in all directions, or in the components, counted from 1, that "
+      "follow a colon; coordinates are in units of length. \"automatic\" holds "
+      "a built-in shape against the motions along the crack plane that clamped "
+      "sides and symmetry planes leave free: component 1 of the crack tip "
+      "(without a crack of 0, 0), in three dimensions component 3 of its end "
+      "at z = 0 and component 1 of both ends, each only as far as needed; in a "
+      "mesh file nothing. Allowed: automatic, none, or a list such as "
+      "0, 0; 1, 0: 2");
+    prm.add_parameter("Gap",
+                      gap,
+                      "The least normal displacement of the lip, in units of "
+                      "length: 0 for a crack that is closed when nothing is "
+                      "loaded, negative for one that stands open. Allowed: a "
+                      "formula of x, y, z with values of at most 0");
+  }
+
+
+
+  void
+  LoadParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Period",
+                      period,
+                      "Period of everything that depends on time, in units of "
+                      "time. In all formulas t is the time within the period. "
+                      "Allowed: a number greater than 0");
+    prm.add_parameter("Traction",
+                      traction,
+                      "Force per area on the boundaries that Boundary/Loaded "
+                      "names, in units of stress; nothing: none. Allowed: one "
+                      "formula of x, y, z, t for each dimension, separated by "
+                      "semicolons");
+    prm.add_parameter("Temperature",
+                      temperature,
+                      "Change of the temperature theta against that at which "
+                      "nothing is strained, in units of temperature. It "
+                      "strains the body by Thermal "
+                      "expansion, and the formulas of the material may depend "
+                      "on it. Allowed: a formula of x, y, z, t; a .csv file "
+                      "with the columns t, x, y, theta (t, x, y, z, theta in "
+                      "three dimensions): a rectangular grid of points, the "
+                      "same at each instant, between which is interpolated; "
+                      "or fields on meshes of their own with a scalar theta, "
+                      "temperature or T at their points: a .vtu or .pvtu "
+                      "file, or a .pvd file for several instants");
+    prm.add_parameter("Body force",
+                      body_force,
+                      "Force per volume, in units of stress / length; nothing: "
+                      "none. Allowed: one formula of x, y, z, t for each "
+                      "dimension, separated by semicolons");
+  }
+
+
+
+  void
+  DiscretisationParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Degree",
+                      degree,
+                      "Polynomial degree of the finite elements. Allowed: 1 or "
+                      "2",
+                      any_count);
+    prm.add_parameter("Volumetric strain",
+                      volumetric_strain,
+                      "The change of volume that the strain has at a point: "
+                      "\"full\" is that of the displacement there, \"mean\" "
+                      "its mean over the cell (B-bar), which linear elements "
+                      "need where the volume hardly changes, in plane strain "
+                      "or three dimensions with a Poisson ratio near 0.5.",
+                      Patterns::Selection("full|mean"));
+    prm.add_parameter(
+      "Singular functions",
+      singular_functions,
+      "Number of functions with the singularity of the crack tip that are "
+      "added to the finite elements: 1: that of a unit K_I, 2: and the other "
+      "one with the square root of r, which is needed where the viscous "
+      "Poisson ratio is not the elastic one, 3: and that with the power 3/2. "
+      "Allowed: 0 to 3",
+      any_count);
+  }
+
+
+
+  void
+  ContactParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Solver",
+                      solver,
+                      "Method for the contact inequality. \"condensed active "
+                      "set\" reduces it to the lip, \"active set\" works on "
+                      "all unknowns, \"projected sor\" is the method of the "
+                      "paper, by the first process if there are several; "
+                      "\"automatic\" takes the condensed one, or \"active "
+                      "set\" if the lip or the mesh is very large.",
+                      Patterns::Selection("automatic|projected sor|active set|"
+                                          "condensed active set"));
+    prm.add_parameter("Relaxation factor",
+                      relaxation_factor,
+                      "Over-relaxation factor of the projected SOR method; "
+                      "\"automatic\" searches for the best one. Allowed: "
+                      "automatic, or a number greater than 0 and less than 2");
+    prm.add_parameter("Relaxed together",
+                      relaxed_together,
+                      "What the projected SOR method relaxes at once.",
+                      Patterns::Selection("unknown|node"));
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Largest error that the certificate of a solution may "
+                      "show: penetration and complementarity relative to the "
+                      "largest displacement, tension and residual relative to "
+                      "the largest nodal force of the loads. Where rounding "
+                      "does not allow so much, what it does allow counts. "
+                      "Allowed: a number greater than 0, at most 0.01");
+    prm.add_parameter("Maximum iterations",
+                      maximum_iterations,
+                      "Iterations after which the solvers \"projected sor\" "
+                      "(sweeps) and \"active set\" (sets) give up. Allowed: "
+                      "an integer from 1 to 2147483647",
+                      any_count);
+    prm.add_parameter("Relaxation table",
+                      relaxation_table,
+                      "Relaxation factors for which the iterations are counted "
+                      "and tabulated; nothing: no table. Allowed: numbers "
+                      "greater than 0 and less than 2, separated by commas",
+                      list_of_numbers);
+  }
+
+
+
+  void
+  LinearSolverParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Type",
+                      type,
+                      "Solver of the linear systems: factorisation by "
+                      "CHOLMOD on one process or by MUMPS on several, or "
+                      "conjugate gradients with algebraic multigrid (ML) or, "
+                      "without a matrix, geometric multigrid. "
+                      "\"automatic\" chooses by dimension, size and number of "
+                      "processes.",
+                      Patterns::Selection("automatic|cholesky|mumps|amg|gmg"));
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Factor by which conjugate gradients reduce the residual "
+                      "before the solver \"active set\" looks at its set "
+                      "again; how accurate the result is [Contact] Tolerance "
+                      "says. Allowed: a number greater than 0, at most 0.1");
+    prm.add_parameter("Memory for instants",
+                      memory_for_instants,
+                      "Memory in MiB for matrices, factors and material data "
+                      "that vary in time (not by a factor only): those of as "
+                      "many instants of the period as it holds are kept, for "
+                      "the others they are made anew in each period. Allowed: "
+                      "a number of at least 0");
+  }
+
+
+
+  void
+  TimeIntegrationParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Scheme",
+                      scheme,
+                      "Method for the viscous strain. Explicit, with a limit "
+                      "of the step: \"euler\", \"heun\" and \"rk4\" of "
+                      "order 1, 2 and 4, and \"predictor corrector\" of order "
+                      "2, implicit in the material alone. Without limit: "
+                      "\"exponential\" of order 2, exact where the strain is "
+                      "held, \"sdirk2\" of order 2, implicit, and "
+                      "\"trapezoid\" of order 2, implicit, in which what is "
+                      "fast swings on. \"arkode explicit\" and \"arkode "
+                      "implicit\" are methods of the "
+                      "library ARKODE, of the Order given.",
+                      Patterns::Selection("euler|heun|rk4|predictor corrector|"
+                                          "exponential|sdirk2|trapezoid|"
+                                          "arkode explicit|arkode implicit"));
+    prm.add_parameter("Heun weight",
+                      heun_weight,
+                      "Weight w of the second stage of the scheme \"heun\", "
+                      "which lies at the fraction 1/(2w) of the step. Allowed: "
+                      "a number from 0.5 to 1");
+    prm.add_parameter("Steps per period",
+                      steps_per_period,
+                      "Number of equal steps of the step control \"uniform\"; "
+                      "with \"adaptive\" that of the longest steps, with the "
+                      "schemes of arkode that of samples. Allowed: an "
+                      "integer from 1 to 1000000",
+                      any_count);
+    prm.add_parameter(
+      "Step control",
+      step_control,
+      "Where the steps end: \"uniform\" divides the period "
+      "equally, \"list\" takes the instants of Steps, "
+      "\"adaptive\" chooses steps by their error, with schemes "
+      "that can tell it: heun, exponential, sdirk2 and those of "
+      "arkode.",
+      Patterns::Selection("uniform|list|adaptive"));
+    prm.add_parameter("Steps",
+                      steps,
+                      "Instants of the step control \"list\", in units of "
+                      "time; with \"adaptive\" those at which a step ends in "
+                      "any case, as where a load jumps. Allowed: increasing "
+                      "numbers from 0 to the period, "
+                      "separated by commas",
+                      list_of_numbers);
+    prm.add_parameter("Relative tolerance",
+                      relative_tolerance,
+                      "Error of the stress that the step control \"adaptive\" "
+                      "aims at, relative to the largest elastic stress of the "
+                      "period. Allowed: a number of at least 0 "
+                      "and less than 1");
+    prm.add_parameter("Absolute tolerance",
+                      absolute_tolerance,
+                      "The same in units of stress; both are added. Allowed: a "
+                      "number of at least 0");
+    prm.add_parameter("Order",
+                      order,
+                      "Order of the schemes \"arkode explicit\" and \"arkode "
+                      "implicit\". Allowed: an integer from 2 to 5",
+                      Patterns::Integer(2, 5));
+    prm.add_parameter("Locate contact events",
+                      locate_contact_events,
+                      "Whether steps are divided where nodes of the crack lip "
+                      "open or close. Without that the kinks of the solution "
+                      "limit every scheme to order 2. Allowed: true, false");
+    prm.add_parameter("Check stability",
+                      check_stability,
+                      "Whether steps that are too long for a scheme with a "
+                      "limit are refused. Without that they are taken, and the "
+                      "stress grows from step to step. Allowed: true, false");
+  }
+
+
+
+  void
+  PeriodicStateParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter(
+      "Method",
+      method,
+      "How the periodic state is found. \"march\" computes one period after "
+      "the other until the stress repeats, as the body itself would; "
+      "\"anderson\" starts each from the combination of the last ones that "
+      "comes closest to repeating; \"fourier\" solves for all instants at "
+      "once, where nothing but the loads depends on time and the steps are "
+      "equal; \"automatic\" takes the fastest that the scene allows, and "
+      "another one where that fails.",
+      Patterns::Selection("march|anderson|fourier|automatic"));
+    prm.add_parameter(
+      "Start from",
+      start_from,
+      "Viscous strain with which \"march\" and \"anderson\" begin: \"rest\" "
+      "is none, \"fourier\" that of the direct method.",
+      Patterns::Selection("rest|fourier"));
+    prm.add_parameter(
+      "Secular split",
+      secular_split,
+      "The flow beta that a mean load causes is the solution of a stationary "
+      "contact problem. \"automatic\" finds it so if there is a mean load and "
+      "the viscosity is a function of place times one of time, and integrates "
+      "the whole motion from rest; \"on\" integrates only the periodic part "
+      "q of u = beta t + q, which has a contact condition of its own: the "
+      "periodic state is the same, the way to it is not; \"off\" only "
+      "measures what the displacement gains over a period.",
+      Patterns::Selection("automatic|on|off"));
+    prm.add_parameter("Maximum periods",
+                      maximum_periods,
+                      "Number of periods after which the search ends even if "
+                      "the stress is not periodic. Allowed: an integer of at "
+                      "least 0",
+                      any_count);
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Estimated error of the stress, relative to the largest "
+                      "stress, at which the state counts as periodic; 0 "
+                      "computes Maximum periods in any case. Allowed: a number "
+                      "of at least 0, less than 1");
+    prm.add_parameter("Anderson depth",
+                      anderson_depth,
+                      "Number of earlier periods that \"anderson\" combines "
+                      "with the last one. Allowed: an integer of at least 1",
+                      Patterns::Integer(1));
+    prm.add_parameter("Anderson damping",
+                      anderson_damping,
+                      "Part of what the combination still misses that is added "
+                      "to it. Allowed: a number greater than 0, at most 1");
+    prm.add_parameter("Anderson delay",
+                      anderson_delay,
+                      "Periods that are marched before the first combination. "
+                      "Allowed: an integer of at least 0",
+                      any_count);
+    prm.add_parameter(
+      "Harmonics",
+      harmonics,
+      "How \"fourier\" integrates each harmonic over the steps: "
+      "\"trapezoid\" by the trapezoidal rule, as the scheme of that name "
+      "would; \"exact\" as if it went on between the instants.",
+      Patterns::Selection("trapezoid|exact"));
+  }
+
+
+
+  void
+  OutputParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Probes",
+                      probes,
+                      "Points whose displacement and stress are recorded at "
+                      "every step, in files named after them; coordinates are "
+                      "in units of length. Allowed: a list "
+                      "such as tip: 0.5, 0; corner: 1, 1, with as many "
+                      "coordinates as dimensions");
+    prm.add_parameter("Field times",
+                      field_times,
+                      "Instants within the last period at which the fields are "
+                      "written, in units of time. Allowed: numbers from 0 to "
+                      "the period, separated by commas",
+                      list_of_numbers);
+    prm.add_parameter("Fields",
+                      fields,
+                      "File format of the fields.",
+                      Patterns::Selection("vtu|none"));
+    prm.add_parameter(
+      "Elastic comparison",
+      elastic_comparison,
+      "Whether the stress of the last period is compared with "
+      "that of an elastic body whose crack is always open, or "
+      "always closed. For loads F(t) p(x), no gap, and a "
+      "viscosity in proportion to the stiffness or none; closed "
+      "needs an F of one sign, and so does either without "
+      "viscosity.",
+      Patterns::Selection("none|open|closed"));
+    prm.add_parameter("Load work",
+                      load_work,
+                      "Whether the work of the loads in the displacement is "
+                      "recorded at every step, for studies of convergence in "
+                      "the energy norm.");
+    prm.add_parameter("Contact problems",
+                      contact_problems,
+                      "Steps whose contact problem is written to files in the "
+                      "formats of Matrix Market and PETSc, for other solvers. "
+                      "Allowed: a list such as 1: 10; 3: 0 of periods, counted "
+                      "from 1, and steps in them, counted from 0");
+    prm.add_parameter("Checkpoint every",
+                      checkpoint_every,
+                      "Number of periods after which a checkpoint is written, "
+                      "from which --resume goes on; 0: only when the run is "
+                      "asked to stop, or by SIGUSR1. Allowed: an integer of at "
+                      "least 0",
+                      Patterns::Integer(0));
+  }
+} // namespace Crevasse

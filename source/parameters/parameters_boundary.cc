@@ -1,0 +1,63 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/expression.h>
+#include <crevasse/parameters/boundary_roles.h>
+#include <crevasse/parameters/checker.h>
+#include <crevasse/parameters/parameters.h>
+
+#include <map>
+
+namespace Crevasse
+{
+  void
+  BoundaryParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+
+    std::map<dealii::types::boundary_id, std::string> role_of;
+    const auto check_ids = [&](const char *name, const std::string &value) {
+      checker.demand_readable(name, value, [&]() {
+        const auto ids = parse_boundary_ids(value);
+        if (!ids)
+          return;
+        for (const auto id : *ids)
+          {
+            const auto [role, is_new] = role_of.emplace(id, name);
+            checker.demand(is_new,
+                           name,
+                           value,
+                           "the boundary id " + std::to_string(id) +
+                             " must have one role only; " + role->second +
+                             " names it as well");
+          }
+      });
+    };
+    check_ids("Clamped", clamped);
+    check_ids("Symmetry", symmetry);
+    check_ids("Loaded", loaded);
+    check_ids("Contact", contact);
+
+    checker.demand_readable("Gap", gap, [&]() {
+      const Expression expression(gap);
+      checker.demand(!expression.depends_on_time(),
+                     "Gap",
+                     gap,
+                     "must not depend on t");
+      if (expression.is_constant())
+        checker.demand(expression.value(dealii::Point<2>()) <= 0.,
+                       "Gap",
+                       gap,
+                       "must be at most 0: the lip moves away from the "
+                       "crack plane only");
+    });
+  }
+} // namespace Crevasse

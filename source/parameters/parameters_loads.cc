@@ -1,0 +1,52 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/expression.h>
+#include <crevasse/base/text.h>
+#include <crevasse/parameters/checker.h>
+#include <crevasse/parameters/parameters.h>
+#include <crevasse/temperature/temperature.h>
+
+namespace Crevasse
+{
+  void
+  LoadParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    checker.demand_positive("Period", period);
+
+    const auto check_formulas = [&](const char        *name,
+                                    const std::string &formulas) {
+      for (const std::string &formula : Text::split(formulas, ';'))
+        checker.demand_readable(name, formulas, [&]() {
+          Expression expression(formula);
+        });
+    };
+    check_formulas("Traction", traction);
+    check_formulas("Body force", body_force);
+
+    if (Temperature<2>::is_file(temperature))
+      checker.demand_file("Temperature", temperature);
+    else
+      checker.demand_readable("Temperature", temperature, [&]() {
+        try
+          {
+            Expression expression(temperature);
+          }
+        catch (const SceneError &error)
+          {
+            throw SceneError(std::string(error.what()) +
+                             " (names of files end in .csv, .vtu, .pvtu or "
+                             ".pvd)");
+          }
+      });
+  }
+} // namespace Crevasse

@@ -1,0 +1,85 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/parameters/probe_list.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <set>
+
+namespace Crevasse
+{
+  namespace
+  {
+    void
+    check_name(const std::string &name)
+    {
+      const std::string allowed =
+        "abcdefghijklmnopqrstuvwxyz"
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+        "0123456789_-";
+      if (name.empty() || name.find_first_not_of(allowed) != std::string::npos)
+        throw SceneError("the probe name \"" + Text::shorten(name) +
+                         "\" must consist of letters a-z, digits, \"_\" and "
+                         "\"-\", because it becomes a file name");
+    }
+
+
+
+    template <int dim>
+    Probe<dim>
+    parse_probe(const std::string &entry)
+    {
+      const std::size_t colon       = entry.find(':');
+      const auto        coordinates = colon == std::string::npos
+                                        ? std::nullopt
+                                        : Text::to_numbers(entry.substr(colon + 1));
+      if (!coordinates || coordinates->size() != dim)
+        throw SceneError("\"" + Text::shorten(entry) + "\" must be \"name: " +
+                         (dim == 2 ? "x, y" : "x, y, z") +
+                         "\"; probes are separated by semicolons");
+
+      Probe<dim> probe;
+      probe.name = dealii::Utilities::trim(entry.substr(0, colon));
+      check_name(probe.name);
+      for (unsigned int d = 0; d < dim; ++d)
+        probe.point[d] = (*coordinates)[d];
+      return probe;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<Probe<dim>>
+  parse_probes(const std::string &text)
+  {
+    std::vector<Probe<dim>> probes;
+    std::set<std::string>   names;
+    for (const std::string &entry : Text::split(text, ';'))
+      {
+        probes.push_back(parse_probe<dim>(entry));
+        if (!names.insert(probes.back().name).second)
+          throw SceneError("the name \"" + probes.back().name +
+                           "\" must stand for one probe only");
+      }
+    return probes;
+  }
+
+
+
+  template std::vector<Probe<2>>
+  parse_probes<2>(const std::string &);
+  template std::vector<Probe<3>>
+  parse_probes<3>(const std::string &);
+} // namespace Crevasse

@@ -1,0 +1,393 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/expression.h>
+#include <crevasse/base/text.h>
+#include <crevasse/parameters/boundary_roles.h>
+#include <crevasse/parameters/checker.h>
+#include <crevasse/parameters/probe_list.h>
+#include <crevasse/parameters/recorded_steps.h>
+#include <crevasse/parameters/scene.h>
+#include <crevasse/parameters/tensor_formulas.h>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** The bodies without a crack have different names. */
+    void
+    check_shape(const Scene &scene, Problems &problems)
+    {
+      const bool        plane    = scene.dimension == 2;
+      const std::string excluded = plane ? "box" : "rectangle";
+      if (scene.geometry.shape == excluded)
+        problems.add(GeometryParameters::section,
+                     "Shape",
+                     excluded,
+                     "is not allowed with Dimension = " +
+                       std::to_string(scene.dimension) +
+                       ": the body without a crack is \"" +
+                       (plane ? "rectangle" : "box") + "\" there");
+    }
+
+
+
+    /** In plane stress the thickness makes room for any change of area. */
+    void
+    check_volumetric_strain(const Scene &scene, Problems &problems)
+    {
+      if (scene.discretisation.volumetric_strain == "mean" &&
+          scene.dimension == 2 && scene.material.plane_state == "plane stress")
+        problems.add(DiscretisationParameters::section,
+                     "Volumetric strain",
+                     "mean",
+                     "is not allowed in plane stress, where no volume is kept "
+                     "and nothing locks; it must be full, or [Material] Plane "
+                     "state = plane strain");
+    }
+
+
+
+    bool
+    has_no_gap(const BoundaryParameters &boundary)
+    {
+      try
+        {
+          return Expression(boundary.gap).is_zero();
+        }
+      catch (const SceneError &)
+        {
+          return true; // The section itself complains.
+        }
+    }
+
+
+
+    /** The singular functions are those of a plane crack, and B-bar knows only
+     * shape functions. */
+    void
+    check_singular_functions(const Scene &scene, Problems &problems)
+    {
+      const DiscretisationParameters &discretisation = scene.discretisation;
+      const Checker checker(DiscretisationParameters::section, problems);
+      checker.demand(discretisation.singular_functions == 0 ||
+                       scene.dimension == 2,
+                     "Singular functions",
+                     discretisation.singular_functions,
+                     "must be 0 with Dimension = 3: they are those of a crack "
+                     "tip in the plane; use [Refinement] Strategy = tip");
+      checker.demand(discretisation.singular_functions == 0 ||
+                       discretisation.volumetric_strain == "full",
+                     "Singular functions",
+                     discretisation.singular_functions,
+                     "must be 0 with Volumetric strain = mean; use Degree = 2 "
+                     "instead of mean dilatations");
+      checker.demand(
+        discretisation.singular_functions == 0 ||
+          (scene.linear_solver.type != "amg" &&
+           scene.linear_solver.type != "gmg"),
+        "Singular functions",
+        discretisation.singular_functions,
+        "must be 0 with [Linear solver] Type = " + scene.linear_solver.type +
+          ": they couple all unknowns; use automatic, cholesky or mumps");
+      checker.demand(discretisation.singular_functions == 0 ||
+                       has_no_gap(scene.boundary),
+                     "Singular functions",
+                     discretisation.singular_functions,
+                     "must be 0 with [Boundary] Gap = " + scene.boundary.gap +
+                       ": a crack that is open without load may close at its "
+                       "tip, which the bound of the singular function forbids");
+    }
+
+
+
+    /** Projected SOR needs the entries of a matrix. */
+    void
+    check_matrix_free(const Scene &scene, Problems &problems)
+    {
+      const bool relaxes = scene.contact.solver == "projected sor" ||
+                           !scene.contact.relaxation_table.empty();
+      Checker(LinearSolverParameters::section, problems)
+        .demand(scene.linear_solver.type != "gmg" || !relaxes,
+                "Type",
+                scene.linear_solver.type,
+                "has no matrix, which [Contact] Solver = projected sor and "
+                "Relaxation table need; use automatic, cholesky or amg");
+    }
+
+
+
+    void
+    check_crack_tip(const Scene &scene, Problems &problems)
+    {
+      Checker(CrackTipParameters::section, problems)
+        .demand(!scene.crack_tip.stress_intensity || scene.dimension == 2,
+                "Stress intensity",
+                "true",
+                "is for Dimension = 2: in space K varies along the front");
+    }
+
+
+
+    /** Formulas and mesh sizes: one for each dimension. */
+    void
+    check_components(const Scene &scene, Problems &problems)
+    {
+      const std::string dimension = std::to_string(scene.dimension);
+
+      const auto &subdivisions = scene.geometry.subdivisions;
+      if (scene.geometry.shape != "mesh file" &&
+          subdivisions.size() != scene.dimension)
+        {
+          std::vector<std::string> parts;
+          for (const unsigned int n : subdivisions)
+            parts.push_back(std::to_string(n));
+          problems.add(GeometryParameters::section,
+                       "Subdivisions",
+                       Text::join(parts, ", "),
+                       "must be " + dimension +
+                         " integers, one for each dimension");
+        }
+
+      const auto check_formulas = [&](const char        *name,
+                                      const std::string &formulas) {
+        const std::size_t n = Text::split(formulas, ';').size();
+        if (n != 0 && n != scene.dimension)
+          problems.add(LoadParameters::section,
+                       name,
+                       formulas,
+                       "must be " + dimension +
+                         " formulas, one for each dimension, separated by "
+                         "semicolons, or nothing");
+      };
+      check_formulas("Traction", scene.loads.traction);
+      check_formulas("Body force", scene.loads.body_force);
+    }
+
+
+
+    /** Matrices and tensors, whose size is that of the dimension. Whether
+     * their entries are formulas the section knows. */
+    void
+    check_tensors(const Scene &scene, Problems &problems)
+    {
+      const MaterialParameters &material = scene.material;
+      const bool plane_stress = material.plane_state == "plane stress";
+      const auto check =
+        [&](const char *name, const std::string &value, const auto &read) {
+          if (!problems.concern(MaterialParameters::section, name))
+            Checker(MaterialParameters::section, problems)
+              .demand_readable(name, value, read);
+        };
+      const auto check_matrix = [&](const char        *name,
+                                    const std::string &value) {
+        check(name, value, [&]() {
+          parse_matrix(value, scene.dimension, plane_stress, "");
+        });
+      };
+      if (!material.stiffness_matrix.empty())
+        check_matrix("Stiffness matrix", material.stiffness_matrix);
+      if (material.viscosity == "matrix")
+        check_matrix("Viscosity matrix", material.viscosity_matrix);
+      check("Thermal expansion", material.thermal_expansion, [&]() {
+        parse_tensor(material.thermal_expansion, scene.dimension, "");
+      });
+    }
+
+
+
+    /** The lists of points, whose number of coordinates is the dimension. */
+    template <int dim>
+    void
+    check_points(const Scene &scene, Problems &problems)
+    {
+      const std::string &fixed_points = scene.boundary.fixed_points;
+      const std::string &probes       = scene.output.probes;
+      Checker(BoundaryParameters::section, problems)
+        .demand_readable("Fixed points", fixed_points, [&]() {
+          parse_fixed_points<dim>(fixed_points);
+        });
+      Checker(OutputParameters::section, problems)
+        .demand_readable("Probes", probes, [&]() {
+          parse_probes<dim>(probes);
+        });
+    }
+
+
+
+    /** What knows the steps in advance. */
+    void
+    check_fixed_steps(const Scene &scene, Problems &problems)
+    {
+      if (scene.time_integration.step_control == "adaptive")
+        Checker(OutputParameters::section, problems)
+          .demand(scene.output.elastic_comparison == "none",
+                  "Elastic comparison",
+                  scene.output.elastic_comparison,
+                  "compares at steps that are known in advance: with [Time "
+                  "integration] Step control = adaptive it must be none");
+    }
+
+
+
+    /** What needs a viscous strain that is periodic. */
+    void
+    check_secular_split(const Scene &scene, Problems &problems)
+    {
+      const PeriodicStateParameters &periodic = scene.periodic_state;
+      Checker(PeriodicStateParameters::section, problems)
+        .demand(periodic.secular_split != "off" ||
+                  (periodic.method != "anderson" &&
+                   periodic.method != "fourier" &&
+                   periodic.start_from != "fourier"),
+                "Secular split",
+                periodic.secular_split,
+                "leaves what flows in the viscous strain, which only Method = "
+                "march from rest can do with; set it to automatic");
+    }
+
+
+
+    /** The mesh can change only where nothing but the viscous strain goes on
+     * from one period to the next. */
+    void
+    check_readaptation(const Scene &scene, Problems &problems)
+    {
+      const unsigned int n = scene.refinement.readapt_every;
+      if (n == 0)
+        return;
+      const auto demand = [&](const bool fulfilled, const std::string &reason) {
+        Checker(RefinementParameters::section, problems)
+          .demand(fulfilled,
+                  "Readapt every",
+                  std::to_string(n),
+                  "must be 0 " + reason);
+      };
+      demand(scene.periodic_state.method == "march",
+             "unless [Periodic state] Method = march: other methods compare "
+             "states on one mesh");
+      demand(scene.periodic_state.start_from == "rest",
+             "with [Periodic state] Start from = " +
+               scene.periodic_state.start_from +
+               ": a march that begins anew goes on from its own state");
+      demand(scene.periodic_state.secular_split != "on",
+             "with [Periodic state] Secular split = on: each mesh has its own "
+             "flow");
+      demand(scene.material.viscosity != "none",
+             "with [Material] Viscosity = none: there is only one period");
+      demand(scene.output.contact_problems.empty(),
+             "with [Output] Contact problems, which are those of one mesh");
+      demand(scene.discretisation.singular_functions == 0,
+             "with [Discretisation] Singular functions: what they have caused "
+             "in the viscous strain does not go over to another mesh");
+      demand(n >= 3 || scene.periodic_state.tolerance == 0.,
+             "or at least 3 with [Periodic state] Tolerance > 0: on each mesh "
+             "the error of the stress is known from the third period on");
+    }
+
+
+
+    void
+    check_instants(const Scene &scene, Problems &problems)
+    {
+      if (problems.concern(LoadParameters::section, "Period"))
+        return;
+
+      const double period = scene.loads.period;
+      const auto   check  = [&](const char                *section,
+                             const char                *name,
+                             const std::vector<double> &instants) {
+        for (const double instant : instants)
+          if (instant > period)
+            problems.add(section,
+                         name,
+                         Text::from_number(instant),
+                         "must be within the period: Loads/Period = " +
+                           Text::from_number(period));
+      };
+      if (scene.time_integration.step_control == "list")
+        check(TimeIntegrationParameters::section,
+              "Steps",
+              scene.time_integration.steps);
+      check(OutputParameters::section, "Field times", scene.output.field_times);
+      check(RefinementParameters::section,
+            "Instants",
+            scene.refinement.instants);
+    }
+
+
+
+    /** Contact problems can be recorded only at steps that there will be. */
+    void
+    check_recorded_steps(const Scene &scene, Problems &problems)
+    {
+      if (problems.concern(OutputParameters::section, "Contact problems") ||
+          scene.time_integration.step_control != "uniform")
+        return;
+      const unsigned int n_periods = scene.periodic_state.maximum_periods;
+      const unsigned int n_steps   = scene.time_integration.steps_per_period;
+      for (const auto &[period, step] :
+           parse_recorded_steps(scene.output.contact_problems))
+        if (period > n_periods || step > n_steps)
+          problems.add(OutputParameters::section,
+                       "Contact problems",
+                       std::to_string(period) + ": " + std::to_string(step),
+                       "must be within Periodic state/Maximum periods = " +
+                         std::to_string(n_periods) +
+                         " and Time integration/Steps per period = " +
+                         std::to_string(n_steps));
+    }
+  } // namespace
+
+
+
+  void
+  Scene::check(Problems &problems) const
+  {
+    geometry.check(problems);
+    boundary.check(problems);
+    material.check(problems);
+    loads.check(problems);
+    discretisation.check(problems);
+    refinement.check(problems);
+    contact.check(problems);
+    linear_solver.check(problems);
+    time_integration.check(problems);
+    periodic_state.check(problems);
+    crack_tip.check(problems);
+    output.check(problems);
+
+    if (dimension != 2 && dimension != 3)
+      {
+        problems.add("",
+                     "Dimension",
+                     std::to_string(dimension),
+                     "must be 2 or 3");
+        return;
+      }
+    check_shape(*this, problems);
+    check_volumetric_strain(*this, problems);
+    check_singular_functions(*this, problems);
+    check_matrix_free(*this, problems);
+    check_crack_tip(*this, problems);
+    check_components(*this, problems);
+    check_tensors(*this, problems);
+    if (dimension == 2)
+      check_points<2>(*this, problems);
+    else
+      check_points<3>(*this, problems);
+    check_instants(*this, problems);
+    check_fixed_steps(*this, problems);
+    check_secular_split(*this, problems);
+    check_readaptation(*this, problems);
+    check_recorded_steps(*this, problems);
+  }
+} // namespace Crevasse

@@ -1,0 +1,89 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/text.h>
+#include <crevasse/parameters/catalogue.h>
+#include <crevasse/parameters/scene_file.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** A bar would end the cell of a table. */
+    std::string
+    in_cell(const std::string &text)
+    {
+      std::string result;
+      for (const char character : text)
+        result += character == '|' ? "\\|" : std::string(1, character);
+      return result;
+    }
+
+
+
+    void
+    print_table(std::ostream &out, const Catalogue::Section &section)
+    {
+      out << "\n## " << (section.name.empty() ? "Top level" : section.name)
+          << "\n\n| name | default | meaning | allowed |\n"
+          << "|---|---|---|---|\n";
+      for (const Catalogue::Parameter &parameter : section.parameters)
+        {
+          const std::string &value = parameter.default_value;
+          out << "| " << in_cell(parameter.name) << " | "
+              << (value.empty() ? "" : "`" + in_cell(value) + "`") << " | "
+              << in_cell(parameter.meaning) << " | "
+              << in_cell(parameter.allowed) << " |\n";
+        }
+    }
+
+
+
+    void
+    print_markdown(std::ostream &out, const ParameterHandler &prm)
+    {
+      out << "# Parameters\n\n"
+             "Written by `crevasse --print-parameters markdown`. All "
+             "quantities are in the user's own\nconsistent units of length, "
+             "stress, time and temperature; what names no unit is a pure\n"
+             "number, a choice or a text. [Your first scene](scenes.md) tells "
+             "how scenes are written.\n";
+      for (const Catalogue::Section &section : Catalogue(prm).sections)
+        print_table(out, section);
+    }
+  } // namespace
+
+
+
+  void
+  print_parameters(std::ostream &out, const std::string &format)
+  {
+    Scene            scene;
+    ParameterHandler prm;
+    scene.add_parameters(prm);
+
+    if (format == "prm")
+      prm.print_parameters(out,
+                           ParameterHandler::PRM |
+                             ParameterHandler::KeepDeclarationOrder);
+    else if (format == "json")
+      prm.print_parameters(out,
+                           ParameterHandler::ShortJSON |
+                             ParameterHandler::KeepDeclarationOrder);
+    else if (format == "markdown")
+      print_markdown(out, prm);
+    else
+      throw SceneError("--print-parameters " + Text::shorten(format) +
+                       ": must be prm, json or markdown");
+  }
+} // namespace Crevasse

@@ -1,0 +1,176 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/harmonic_balance/fourier_problem.h>
+#include <crevasse/model/secular_problem.h>
+#include <crevasse/periodic/periodic_choice.h>
+
+namespace Crevasse
+{
+  namespace
+  {
+    constexpr const char *section = PeriodicStateParameters::section;
+
+
+
+    /** What a scene without viscosity needs. */
+    PeriodicChoice
+    one_period()
+    {
+      return {"march", false, false, "without viscosity one period tells all"};
+    }
+
+
+
+    template <int dim>
+    PeriodicChoice
+    choose_automatically(const Scene     &scene,
+                         const Body<dim> &body,
+                         const StepList  &steps,
+                         const double     largest_relaxation_time)
+    {
+      // Of the period: then stress falls by 1e-4 within it.
+      constexpr double  short_time = 0.1;
+      const std::string automatic  = "automatic: ";
+      const bool        forgets =
+        largest_relaxation_time <= short_time * scene.loads.period;
+      const std::vector<std::string> obstacles =
+        fourier_obstacles(scene, body, steps);
+      if (scene.periodic_state.secular_split == "off")
+        return {"march",
+                false,
+                true,
+                automatic +
+                  "Secular split = off leaves what flows in the "
+                  "viscous strain"};
+      const std::string &scheme = scene.time_integration.scheme;
+      if (!flows_by_mean_load(scheme))
+        return {"march",
+                false,
+                true,
+                automatic + "the steps of Scheme = " + scheme +
+                  " flow steadily in their own way"};
+      if (obstacles.empty() && scheme == "trapezoid" &&
+          !scene.time_integration.locate_contact_events)
+        return {"fourier",
+                false,
+                true,
+                automatic + "nothing but the loads depends on time"};
+      if (const std::string flow = secular_obstacle(body);
+          !flow.empty() && !body.law.has_spring())
+        return {"march",
+                false,
+                true,
+                automatic +
+                  "whether the viscous strain is periodic is not "
+                  "known, for " +
+                  flow};
+      if (forgets)
+        return {"anderson",
+                false,
+                true,
+                automatic + "the stress is forgotten within a period"};
+      if (obstacles.empty())
+        return {"anderson",
+                true,
+                true,
+                automatic +
+                  "nothing but the loads depends on time; the last "
+                  "periods bring in what is the scheme's own"};
+      // Without what to use instead.
+      return {"anderson",
+              false,
+              true,
+              automatic + "no direct method, for " +
+                obstacles.front().substr(0, obstacles.front().find(';'))};
+    }
+  } // namespace
+
+
+
+  bool
+  PeriodicChoice::uses_fourier() const
+  {
+    return starts_from_fourier || method == "fourier";
+  }
+
+
+
+  bool
+  PeriodicChoice::needs_periodic_strain() const
+  {
+    return method != "march";
+  }
+
+
+
+  bool
+  PeriodicChoice::periods_are_iterates() const
+  {
+    return method == "anderson";
+  }
+
+
+
+  std::string
+  PeriodicChoice::describe() const
+  {
+    return method + (starts_from_fourier ? ", started from fourier" : "") +
+           " (" + why + ')';
+  }
+
+
+
+  template <int dim>
+  PeriodicChoice
+  choose_periodic_method(const Scene     &scene,
+                         const Body<dim> &body,
+                         const StepList  &steps,
+                         const double     largest_relaxation_time)
+  {
+    if (!body.effects.viscosity.on)
+      return one_period();
+    const PeriodicStateParameters &parameters = scene.periodic_state;
+    if (parameters.method == "automatic")
+      return choose_automatically(scene, body, steps, largest_relaxation_time);
+
+    PeriodicChoice choice;
+    choice.method              = parameters.method;
+    choice.starts_from_fourier = parameters.method != "fourier" && //
+                                 parameters.start_from == "fourier";
+    choice.why = Text::parameter(section, "Method") + " = " + parameters.method;
+    if (choice.uses_fourier())
+      require_fourier(scene, body, steps);
+    if (const std::string flow = secular_obstacle(body);
+        choice.method == "anderson" && !flow.empty() && !body.law.has_spring())
+      throw SceneError(choice.why +
+                       ": whether there is a periodic viscous strain is not "
+                       "known, for " +
+                       flow + ". Use Method = march.");
+    return choice;
+  }
+
+
+
+  template PeriodicChoice
+  choose_periodic_method<2>(const Scene &,
+                            const Body<2> &,
+                            const StepList &,
+                            const double);
+  template PeriodicChoice
+  choose_periodic_method<3>(const Scene &,
+                            const Body<3> &,
+                            const StepList &,
+                            const double);
+} // namespace Crevasse

@@ -1,0 +1,418 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/crack_tip/interaction_integral.h>
+#include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/model/elastic_displacement.h>
+#include <crevasse/model/elastic_estimate.h>
+#include <crevasse/model/largest_load.h>
+#include <crevasse/model/secular.h>
+#include <crevasse/model/tip_functions.h>
+#include <crevasse/postprocess/crack_tip_analysis.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  CrackTipAnalysis::CrackTipAnalysis(const Scene        &scene,
+                                     const Body<2>      &body,
+                                     const SecularSplit &split,
+                                     const StepList     &steps)
+    : scene(scene)
+    , body(body)
+    , points(body.space, body.points)
+    , choice(choose_crack_tip_method(scene, body))
+    , region(body.space, points, *body.material.at(0.).stiffness, "stiffness")
+    , radius(choose_radius())
+    , fit(points,
+          body.lip,
+          region,
+          choose_fit_radius(),
+          body.space.communicator())
+    , energy(body.material, points)
+    , growth_law(make_growth_law(scene.crack_tip))
+    , no_c_star(find_viscous_region(split))
+    , mean_load_vanishes(split.mean_load.size() > 0 && !split.effect.on)
+  {
+    if (needs_c_star(scene.crack_tip) && !no_c_star.empty() &&
+        !mean_load_vanishes)
+      throw SceneError(
+        "[Crack tip] Creep growth parameter = C star: there is no C*, for " +
+        no_c_star + ". Set it to stress intensity.");
+    require_no_force_at_tip(steps);
+  }
+
+
+
+  double
+  CrackTipAnalysis::choose_radius() const
+  {
+    const double wish = scene.crack_tip.radius;
+    if (wish == 0.)
+      return region.aligned_radius(region.largest_radius());
+    constexpr double rounding = 1e-10;
+    if (wish > region.largest_radius() * (1. + rounding) ||
+        wish < region.cell_radius() * (1. - rounding))
+      {
+        std::ostringstream message;
+        message << "[Crack tip] Radius = " << wish << ": must be at most "
+                << region.largest_radius()
+                << ", where another boundary or another stiffness begins, and "
+                   "at least "
+                << region.cell_radius()
+                << ", where the cells at the tip end; or 0.";
+        throw SceneError(message.str());
+      }
+    return wish;
+  }
+
+
+
+  double
+  CrackTipAnalysis::choose_fit_radius() const
+  {
+    if (scene.crack_tip.radius > 0.)
+      return scene.crack_tip.radius;
+    // The smaller disc, of half this radius, needs data.
+    const double least =
+      2. * WilliamsFit::least_radius(points, region, body.space.communicator());
+    constexpr double part = 0.5;
+    return std::min(region.largest_radius(),
+                    std::max({least,
+                              2. * region.cell_radius(),
+                              part * homogeneous_radius()}));
+  }
+
+
+
+  double
+  CrackTipAnalysis::homogeneous_radius() const
+  {
+    double radius = region.largest_radius();
+    for (const auto &fluidity : body.material.at(0.).fluidity)
+      try
+        {
+          if (!fluidity->is_uniform())
+            radius =
+              std::min(radius,
+                       TipRegion(body.space,
+                                 points,
+                                 transform(*fluidity,
+                                           body.points.n_local_points(),
+                                           PlaneElasticity::like_stiffness),
+                                 "fluidity")
+                         .largest_radius());
+        }
+      catch (const SceneError &)
+        {
+          return 0.; // It varies from the tip on.
+        }
+    return radius;
+  }
+
+
+
+  std::string
+  CrackTipAnalysis::find_viscous_region(const SecularSplit &split)
+  {
+    if (!split.effect.on)
+      return split.effect.why;
+    if (body.effects.body_force.on)
+      return "there is a body force, which the integral does not know";
+    const MaterialState<2>      material = body.material.at(0.);
+    std::optional<Viscosity<2>> viscosity;
+    collectively(body.space.communicator(), [&]() {
+      viscosity = viscosity_of<2>(material, body.points.n_local_points());
+    });
+    try
+      {
+        viscous_region = std::make_unique<const TipRegion>(body.space,
+                                                           points,
+                                                           viscosity->sum,
+                                                           "viscosity");
+      }
+    catch (const SceneError &)
+      {
+        return "the viscosity is not isotropic and the same in all cells at "
+               "the crack tip";
+      }
+    return "";
+  }
+
+
+
+  std::string
+  CrackTipAnalysis::describe() const
+  {
+    std::string text =
+      "  crack tip: " + Text::from_point(region.tip().position) + ", K_I by " +
+      choice.name() + " (" + choice.why + ")";
+    if (growth_law != nullptr)
+      text += "; " + growth_law->description();
+    return text;
+  }
+
+
+
+  double
+  CrackTipAnalysis::modulus(const double t) const
+  {
+    const double k = body.law.stiffness_factor().value(Point<2>(), t);
+    if (!body.material.stiffness_varies())
+      return k * region.elasticity().modulus();
+    return k * elasticity_at(region.tip(),
+                             body.space.mesh(),
+                             body.law,
+                             body.temperature,
+                             t,
+                             "[Crack tip] Stress intensity = true")
+                 .modulus();
+  }
+
+
+
+  double
+  CrackTipAnalysis::relative_energy_error(Solvers<2>     &solvers,
+                                          const StepList &steps) const
+  {
+    StressEstimator<2> estimator(body.space,
+                                 body.points,
+                                 body.lip,
+                                 scene.loads);
+    look_at_elastic_states(body,
+                           solvers,
+                           instants_of_extreme_loads(body, steps),
+                           estimator);
+    const double error = estimator.relative_error();
+    return error * error;
+  }
+
+
+
+  void
+  CrackTipAnalysis::require_no_force_at_tip(const StepList &steps) const
+  {
+    const CrackTip &tip                 = region.tip();
+    bool            is_held_along_crack = false;
+    for (const FixedPoint<2> &fixed : fixed_points<2>(scene))
+      for (unsigned int d = 0; d < 2; ++d)
+        is_held_along_crack =
+          is_held_along_crack ||
+          (fixed.components[d] && std::abs(tip.ahead[d]) > 0.5 &&
+           fixed.point.distance(tip.position) < 1e-6 * region.cell_radius());
+    if (!is_held_along_crack)
+      return;
+    const unsigned int axis       = std::abs(tip.ahead[0]) > 0.5 ? 0 : 1;
+    const Vector       along      = rigid_modes(body.space)[axis];
+    constexpr double   negligible = 1e-6;
+    for (const double t : instants_of_extreme_loads(body, steps))
+      {
+        const Vector loads = loads_at(body, t);
+        double       force = 0.;
+        for (std::size_t i = 0; i < along.locally_owned_size(); ++i)
+          force += along.local_element(i) * loads.local_element(i);
+        force = Utilities::MPI::sum(force, body.space.communicator());
+        if (std::abs(force) > negligible * loads.l1_norm())
+          throw SceneError(
+            "[Crack tip] Stress intensity = true: at t = " +
+            Text::from_number(t) +
+            " the loads push the body along the crack "
+            "with the force " +
+            Text::from_number(force) + ", which the support at the crack tip " +
+            Text::from_point(tip.position) +
+            " would bear: its stress has a singularity of its own there. Hold "
+            "the body elsewhere ([Boundary] Clamped or Fixed points).");
+      }
+  }
+
+
+
+  std::unique_ptr<CrackTipTable>
+  CrackTipAnalysis::make_table(Solvers<2>        &solvers,
+                               const StepList    &steps,
+                               const std::string &file_name,
+                               const bool         goes_on) const
+  {
+    std::optional<CrackTipTable::Integrals> integrals;
+    if (choice.integral)
+      {
+        solvers.at(0.); // makes it the current system
+        const UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
+        const auto             influence_on = [&](const Vector &functional) {
+          return elastic_displacement<2>(
+            scene, body, solvers, functional, false);
+        };
+        const auto weight_function = [&](const double size) {
+          const InteractionIntegral integral(
+            body.space, body.strain_operator, body.lip, region, size);
+          return WeightFunction(influence_on(integral.of_displacement()),
+                                bounds,
+                                integral.of_contact_forces());
+        };
+        const double small =
+          std::max(region.aligned_radius(0.5 * radius), region.cell_radius());
+        integrals.emplace(CrackTipTable::Integrals{weight_function(radius),
+                                                   weight_function(small),
+                                                   {}});
+        if (const SingularShapes *shapes = body.space.singular_shapes())
+          {
+            const auto first = body.space.singular_unknown(0);
+            Vector     coefficient;
+            body.strain_operator.initialize(coefficient);
+            if (coefficient.in_local_range(first))
+              coefficient(first) = shapes->functions().unit_stress_intensity;
+            integrals->singular.emplace(influence_on(coefficient),
+                                        bounds,
+                                        std::vector<double>());
+          }
+      }
+    return std::make_unique<CrackTipTable>(
+      std::move(integrals),
+      fit,
+      energy,
+      [this](const double t) { return modulus(t); },
+      body.loads,
+      steps,
+      file_name,
+      goes_on,
+      relative_energy_error(solvers, steps));
+  }
+
+
+
+  std::optional<double>
+  CrackTipAnalysis::c_star(const SecularFlow *flow) const
+  {
+    if (mean_load_vanishes)
+      return 0.;
+    if (viscous_region == nullptr || flow == nullptr)
+      return {};
+    const InteractionIntegral integral(body.space,
+                                       body.strain_operator,
+                                       body.lip,
+                                       *viscous_region,
+                                       viscous_region->aligned_radius(
+                                         viscous_region->largest_radius()));
+    const double K = integral.value(flow->velocity, flow->contact_forces);
+    return K * K / viscous_region->elasticity().modulus();
+  }
+
+
+
+  void
+  CrackTipAnalysis::summarise(const CrackTipTable &table,
+                              const SecularFlow   *flow,
+                              Summary             &summary,
+                              Log                 &log) const
+  {
+    TipHistory history = table.last_period();
+    history.c_star     = c_star(flow);
+    if (history.instants.empty())
+      return;
+    double least_release = table.values().front().release_rate;
+    double most_release = least_release, error = 0., energy = 0.;
+    for (const CrackTipTable::Values &values : table.values())
+      {
+        least_release = std::min(least_release, values.release_rate);
+        most_release  = std::max(most_release, values.release_rate);
+        error         = std::max(error, values.error);
+        energy        = std::max(energy, values.energy);
+      }
+
+    auto &tip        = summary["crack_tip"];
+    tip["method"]    = choice.name();
+    tip["why"]       = choice.why;
+    tip["position"]  = {region.tip().position[0], region.tip().position[1]};
+    tip["radius"]    = choice.integral ? radius : choose_fit_radius();
+    tip["K_I"]       = {{"largest", history.largest()},
+                        {"smallest", history.least()}};
+    tip["K_I_error"] = error;
+    tip["energy_release_rate"] = {{"largest", most_release},
+                                  {"smallest", least_release}};
+    tip["strain_energy"]       = {{"largest", energy}};
+    tip["C_star"] = history.c_star ? Summary(*history.c_star) : Summary();
+    if (!history.c_star)
+      tip["no_C_star"] =
+        no_c_star.empty() ? "the flow was not found" : no_c_star;
+    char text[160];
+    std::snprintf(text,
+                  sizeof(text),
+                  "  crack tip: K_I from %.6g to %.6g in the last period, "
+                  "estimated error %.1e",
+                  history.least(),
+                  history.largest(),
+                  error);
+    log.line(text);
+    warn_of_uncertainty(history, error, energy, summary, log);
+    if (history.c_star && *history.c_star > 0.)
+      log.line("  crack tip: C* = " + Text::from_number(*history.c_star));
+    if (growth_law != nullptr)
+      summarise_growth(history, tip, log);
+  }
+
+
+
+  void
+  CrackTipAnalysis::warn_of_uncertainty(const TipHistory &history,
+                                        const double      error,
+                                        const double      energy,
+                                        Summary          &summary,
+                                        Log              &log) const
+  {
+    // A crack that stays closed has an intensity of rounding: the density of
+    // the energy tells of which size others of its length would be.
+    constexpr double large = 0.1, negligible = 1e-3;
+    const double     density =
+      energy / GridTools::volume(
+                 static_cast<const Triangulation<2> &>(body.space.mesh()));
+    const double usual =
+      std::sqrt(modulus(0.) * density * region.largest_radius());
+    if (const double size =
+          std::max(std::abs(history.largest()), std::abs(history.least()));
+        error > large * size && size > negligible * usual)
+      {
+        const std::string warning =
+          "[Crack tip] Stress intensity: K_I is uncertain by about " +
+          Text::from_number(std::round(100. * error / size)) +
+          " %; refine the mesh ([Refinement]) or use [Discretisation] "
+          "Singular functions";
+        summary["warnings"].push_back(warning);
+        log.line("  warning: " + warning);
+      }
+  }
+
+
+
+  void
+  CrackTipAnalysis::summarise_growth(const TipHistory &history,
+                                     Summary          &tip,
+                                     Log              &log) const
+  {
+    const double growth = growth_law->per_cycle(history);
+    tip["growth_law"]   = growth_law->description();
+    tip["da_dN"]        = growth; // null if it is not finite
+    if (!std::isfinite(growth))
+      tip["no_da_dN"] = "the law gives no finite growth";
+    tip["da_dt"] = growth / history.period();
+    log.line("  crack tip: grows by " + Text::from_number(growth) +
+             " a period (" + growth_law->description() + ")");
+  }
+} // namespace Crevasse

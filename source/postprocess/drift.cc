@@ -1,0 +1,54 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/state_archive.h>
+#include <crevasse/postprocess/drift.h>
+
+namespace Crevasse
+{
+  Drift::Drift(const StepList &steps)
+    : steps(steps)
+  {
+  }
+
+
+
+  void
+  Drift::observe(const Sample &sample)
+  {
+    if (sample.step == 0)
+      start = sample.state.displacement;
+    else if (sample.step == steps.n_steps())
+      {
+        drift = sample.state.displacement;
+        drift -= start;
+        if (sample.secular_flow != nullptr)
+          drift.add(steps.period(), sample.secular_flow->velocity);
+      }
+  }
+
+
+
+  void
+  Drift::serialize(StateArchive &archive)
+  {
+    archive.section("drift");
+    archive.nodal(start);
+  }
+
+
+
+  const Vector &
+  Drift::last_period() const
+  {
+    return drift;
+  }
+} // namespace Crevasse

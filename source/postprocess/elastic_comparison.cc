@@ -1,0 +1,87 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/state_archive.h>
+#include <crevasse/postprocess/elastic_comparison.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Crevasse
+{
+  ElasticComparison::ElasticComparison(Reference &&reference)
+    : reference(std::move(reference))
+  {
+  }
+
+
+
+  void
+  ElasticComparison::observe(const Sample &sample)
+  {
+    if (sample.step == reference.factor.size())
+      return; // the end of the run is no sample of the last period
+    difference = sample.state.stress;
+    difference.add(-reference.factor[sample.step], reference.stress);
+    largest_difference = std::max(largest_difference, difference.linfty_norm());
+    largest_stress =
+      std::max(largest_stress, sample.state.stress.linfty_norm());
+  }
+
+
+
+  void
+  ElasticComparison::end_of_period(const PeriodReport &)
+  {
+    last_period =
+      largest_stress > 0. ? largest_difference / largest_stress : 0.;
+    largest_difference = 0.;
+    largest_stress     = 0.;
+  }
+
+
+
+  void
+  ElasticComparison::serialize(StateArchive &archive)
+  {
+    archive.section("elastic comparison");
+    archive.common(largest_difference);
+    archive.common(largest_stress);
+    archive.common(last_period);
+  }
+
+
+
+  double
+  ElasticComparison::stress_difference() const
+  {
+    return last_period;
+  }
+
+
+
+  double
+  ElasticComparison::drift_difference(const Vector &drift) const
+  {
+    const double factor         = reference.drift_factor;
+    double       largest_factor = 0.;
+    for (const double f : reference.factor)
+      largest_factor = std::max(largest_factor, std::abs(f));
+
+    Vector difference = drift;
+    difference.add(-factor, reference.displacement);
+    const double size =
+      (std::abs(factor) > 1e-10 * largest_factor ? std::abs(factor)
+                                                 : largest_factor) *
+      reference.displacement.linfty_norm();
+    return size > 0. ? difference.linfty_norm() / size : 0.;
+  }
+} // namespace Crevasse

@@ -1,0 +1,48 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/postprocess/load_work.h>
+
+namespace Crevasse
+{
+  template <int dim>
+  LoadWork<dim>::LoadWork(const ExternalLoads<dim> &loads,
+                          const StepList           &steps,
+                          const std::string        &file_name,
+                          const bool                goes_on)
+    : loads(loads)
+    , steps(steps)
+    , table(file_name.empty() ? nullptr
+                              : std::make_unique<CsvTable>(
+                                  file_name,
+                                  std::vector<std::string>{"t", "load_work"},
+                                  goes_on))
+  {
+  }
+
+
+
+  template <int dim>
+  void
+  LoadWork<dim>::observe(const Sample &sample)
+  {
+    nodal_forces.reinit(sample.state.displacement, true);
+    loads.evaluate(steps.within_period(sample.instant), nodal_forces);
+    const double work = nodal_forces * sample.state.displacement;
+    if (table != nullptr)
+      table->add_row({sample.time, work});
+  }
+
+
+
+  template class LoadWork<2>;
+  template class LoadWork<3>;
+} // namespace Crevasse

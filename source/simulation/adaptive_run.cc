@@ -1,0 +1,214 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#include <crevasse/base/state_archive.h>
+#include <crevasse/discretisation/state_transfer.h>
+#include <crevasse/simulation/adaptive_run.h>
+#include <crevasse/simulation/period_estimate.h>
+#include <crevasse/simulation/sizes.h>
+
+#include <deal.II/base/timer.h>
+
+#include <cstdio>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    Summary
+    as_summary(const FieldNorms<dim> &norms)
+    {
+      Summary summary;
+      summary["norm"] = norms.l2;
+      for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+        summary["integral"].push_back(norms.integral[c]);
+      return summary;
+    }
+
+
+
+    void
+    add_seconds(const double seconds, RunState &state)
+    {
+      state.seconds["mesh adaptation"] += seconds;
+      state.seconds["total"] += seconds;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  AdaptiveRun<dim>::AdaptiveRun(const Scene   &scene,
+                                const MPI_Comm communicator,
+                                Log           &log,
+                                Checkpoints   &checkpoints)
+    : scene(scene)
+    , log(log)
+    , checkpoints(checkpoints)
+    , adapted(scene, communicator, log, checkpoints)
+    , simulation(std::make_unique<Simulation<dim>>(scene, adapted.mesh(), log))
+  {
+    if (checkpoints.is_resuming())
+      serialize_summary(checkpoints.resumed());
+    else
+      adapted.add_to(summary);
+    checkpoints.begin_with([this](StateArchive &archive) {
+      adapted.serialize(archive);
+      serialize_summary(archive);
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptiveRun<dim>::describe() const
+  {
+    simulation->describe();
+  }
+
+
+
+  template <int dim>
+  const Body<dim> &
+  AdaptiveRun<dim>::discretised_body() const
+  {
+    return simulation->discretised_body();
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptiveRun<dim>::run(const std::string             &directory,
+                        const std::vector<Observer *> &others)
+  {
+    const unsigned int n = scene.refinement.readapt_every;
+    RunState           state;
+    if (checkpoints.is_resuming())
+      {
+        state.serialize(checkpoints.resumed());
+        state.was_resumed = true;
+      }
+    else if (!adapted.estimates().empty())
+      add_seconds(adapted.seconds(), state);
+    if (n == 0)
+      {
+        Leg all;
+        simulation->run(directory, state, all, others, summary, checkpoints);
+        return;
+      }
+    while (true)
+      {
+        Leg leg;
+        leg.last_period = state.result.periods + n;
+        auto estimate =
+          std::make_unique<PeriodEstimate<dim>>(scene,
+                                                simulation->discretised_body(),
+                                                leg.last_period);
+        std::vector<Observer *> observers = others;
+        observers.push_back(estimate.get());
+        simulation->run(directory, state, leg, observers, summary, checkpoints);
+        if (leg.ends_run)
+          return;
+        const dealii::Vector<float> squares = estimate->estimator().squares();
+        const double error = estimate->estimator().relative_error();
+        estimate.reset(); // before the space that it refers to
+        readapt(squares, error, state);
+        state.methods_left = 0;
+        state.was_resumed  = false;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptiveRun<dim>::serialize_summary(StateArchive &archive)
+  {
+    std::string text = summary.dump();
+    archive.common(text);
+    if (archive.is_loading())
+      summary = Summary::parse(text);
+  }
+
+
+
+  template <int dim>
+  void
+  AdaptiveRun<dim>::readapt(const dealii::Vector<float> &squares,
+                            const double                 error,
+                            RunState                    &state)
+  {
+    Timer              timer;
+    const Body<dim>   &old        = simulation->discretised_body();
+    const unsigned int n_branches = old.law.branches().size();
+
+    const FieldNorms<dim> before =
+      field_norms(old.space, old.points, state.viscous_strain, n_branches);
+    if (scene.refinement.tolerance > 0. && error <= scene.refinement.tolerance)
+      adapted.keep();
+    else
+      adapted.flag(squares);
+    StateTransfer<dim> transfer(*adapted.mesh(),
+                                old.space,
+                                old.points,
+                                state.displacement,
+                                state.viscous_strain,
+                                n_branches);
+    const double       moved_before =
+      old.space.nodal_values(state.displacement).linfty_norm();
+    simulation.reset(); // its mesh is about to change
+    transfer.adapt();
+    simulation = std::make_unique<Simulation<dim>>(scene, adapted.mesh(), log);
+
+    const Body<dim> &body = simulation->discretised_body();
+    body.strain_operator.initialize(state.displacement);
+    body.points.initialize(state.viscous_strain, n_branches);
+    transfer.take(body.space,
+                  body.points,
+                  state.displacement,
+                  state.viscous_strain);
+    const FieldNorms<dim> after =
+      field_norms(body.space, body.points, state.viscous_strain, n_branches);
+
+    const Sizes sizes(body);
+    char        text[200];
+    std::snprintf(text,
+                  sizeof(text),
+                  "  mesh adapted: %lu cells, %lu unknowns; estimated error "
+                  "before %.2e; viscous strain: norm %.6e before, %.6e after",
+                  static_cast<unsigned long>(sizes.cells),
+                  static_cast<unsigned long>(sizes.unknowns),
+                  error,
+                  before.l2,
+                  after.l2);
+    log.line(text);
+    summary["refinement"]["readaptations"].push_back(
+      {{"after_period", state.result.periods},
+       {"cells", sizes.cells},
+       {"unknowns", sizes.unknowns},
+       {"estimated_error", error},
+       {"viscous_strain_before", as_summary(before)},
+       {"viscous_strain_after", as_summary(after)},
+       {"largest_displacement_before", moved_before},
+       {"largest_displacement_after",
+        body.space.nodal_values(state.displacement).linfty_norm()}});
+    add_seconds(timer.wall_time(), state);
+  }
+
+
+
+  template class AdaptiveRun<2>;
+  template class AdaptiveRun<3>;
+} // namespace Crevasse

@@ -1,0 +1,101 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/simulation/memory_prediction.h>
+#include <crevasse/simulation/sizes.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <cstdio>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  template <int dim>
+  Sizes::Sizes(const Body<dim> &body)
+    : cells(body.space.mesh().n_global_active_cells())
+    , unknowns(body.space.n_unknowns())
+    , quadrature_points(body.points.n_points())
+    , contact_nodes(
+        Utilities::MPI::sum(body.lip.nodes().size(), body.space.communicator()))
+    , cells_of_ranks(Utilities::MPI::gather(
+        body.space.communicator(),
+        body.space.mesh().n_locally_owned_active_cells()))
+    , levels(body.space.mesh().n_global_levels())
+    , smallest_cell(GridTools::minimal_cell_diameter(body.space.mesh()))
+    , largest_cell(GridTools::maximal_cell_diameter(body.space.mesh()))
+  {
+  }
+
+
+
+  void
+  Sizes::add_to(Summary &summary) const
+  {
+    summary["cells"]             = cells;
+    summary["unknowns"]          = unknowns;
+    summary["quadrature_points"] = quadrature_points;
+    summary["contact_nodes"]     = contact_nodes;
+    summary["cells_of_ranks"]    = cells_of_ranks;
+    summary["levels"]            = levels;
+    summary["smallest_cell"]     = smallest_cell;
+    summary["largest_cell"]      = largest_cell;
+  }
+
+
+
+  template <int dim>
+  void
+  describe_sizes(const Body<dim>      &body,
+                 const StepList       &steps,
+                 const Scene          &scene,
+                 const PeriodicChoice &choice,
+                 Log                  &log)
+  {
+    const Sizes sizes(body);
+    log.line("  mesh: " + std::to_string(sizes.cells) + " cells, " +
+             std::to_string(sizes.unknowns) + " unknowns, " +
+             std::to_string(sizes.quadrature_points) + " quadrature points, " +
+             std::to_string(sizes.contact_nodes) + " contact nodes");
+    char text[120];
+    if (scene.refinement.strategy != "none")
+      {
+        std::snprintf(text,
+                      sizeof(text),
+                      "  refinement: %s, %u levels, cells from %.3g to %.3g",
+                      scene.refinement.strategy.c_str(),
+                      sizes.levels,
+                      sizes.smallest_cell,
+                      sizes.largest_cell);
+        log.line(text);
+      }
+    describe_memory(body, steps, scene, choice, log);
+  }
+
+
+
+  template Sizes::Sizes(const Body<2> &);
+  template Sizes::Sizes(const Body<3> &);
+  template void
+  describe_sizes<2>(const Body<2> &,
+                    const StepList &,
+                    const Scene &,
+                    const PeriodicChoice &,
+                    Log &);
+  template void
+  describe_sizes<3>(const Body<3> &,
+                    const StepList &,
+                    const Scene &,
+                    const PeriodicChoice &,
+                    Log &);
+} // namespace Crevasse

@@ -1,0 +1,95 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/text.h>
+#include <crevasse/temperature/temperature.h>
+#include <crevasse/temperature/temperature_series.h>
+#include <crevasse/temperature/temperature_table.h>
+
+namespace Crevasse
+{
+  template <int dim>
+  Temperature<dim>::Temperature(const std::string &source, const double period)
+  {
+    if (Text::suffix(source) == ".csv")
+      file = std::make_unique<TemperatureTable<dim>>(source, period);
+    else if (is_file(source))
+      file = std::make_unique<TemperatureSeries<dim>>(source, period);
+    else
+      formula =
+        std::make_unique<Expression>(source,
+                                     Expression::Variables::space_and_time,
+                                     "[Loads] Temperature");
+  }
+
+
+
+  template <int dim>
+  Temperature<dim>::Temperature(Temperature &&) noexcept = default;
+
+
+
+  template <int dim>
+  Temperature<dim>::~Temperature() = default;
+
+
+
+  template <int dim>
+  bool
+  Temperature<dim>::is_file(const std::string &source)
+  {
+    const std::string suffix = Text::suffix(source);
+    return suffix == ".csv" || suffix == ".vtu" || suffix == ".pvtu" ||
+           suffix == ".pvd";
+  }
+
+
+
+  template <int dim>
+  double
+  Temperature<dim>::value(const dealii::Point<dim> &point, const double t) const
+  {
+    return file != nullptr ? file->value(point, t) : formula->value(point, t);
+  }
+
+
+
+  template <int dim>
+  bool
+  Temperature<dim>::is_zero() const
+  {
+    return formula != nullptr && formula->is_zero();
+  }
+
+
+
+  template <int dim>
+  bool
+  Temperature<dim>::depends_on_time() const
+  {
+    return file != nullptr ? file->n_instants() > 1
+                           : formula->depends_on_time();
+  }
+
+
+
+  template <int dim>
+  bool
+  Temperature<dim>::depends_on_space() const
+  {
+    return file != nullptr || formula->depends_on_space();
+  }
+
+
+
+  template class Temperature<2>;
+  template class Temperature<3>;
+} // namespace Crevasse

@@ -1,0 +1,86 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/temperature/temperature_file.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  template <int dim>
+  TemperatureFile<dim>::TemperatureFile(const std::string &file_name,
+                                        const double       period)
+    : file_name(file_name)
+    , period(period)
+  {
+  }
+
+
+
+  template <int dim>
+  void
+  TemperatureFile<dim>::refuse(const std::string &reason) const
+  {
+    throw SceneError("[Loads] Temperature = " + file_name + ": " + reason);
+  }
+
+
+
+  template <int dim>
+  void
+  TemperatureFile<dim>::set_instants(std::vector<double> new_instants)
+  {
+    instants = std::move(new_instants);
+    if (instants.front() < 0. || instants.back() > period)
+      refuse("its instants go from " + Text::from_number(instants.front()) +
+             " to " + Text::from_number(instants.back()) +
+             "; they must be within the period, from 0 to [Loads] Period = " +
+             Text::from_number(period) + ".");
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  TemperatureFile<dim>::n_instants() const
+  {
+    return instants.size();
+  }
+
+
+
+  template <int dim>
+  double
+  TemperatureFile<dim>::value(const Point<dim> &point, const double t) const
+  {
+    // The last instant is followed by the first of the next period.
+    const std::size_t next =
+      std::upper_bound(instants.begin(), instants.end(), t) - instants.begin();
+    const std::size_t n      = instants.size();
+    const std::size_t before = (next + n - 1) % n, after = next % n;
+    const double      begin  = instants[before] - (next == 0 ? period : 0.);
+    const double      end    = instants[after] + (next == n ? period : 0.);
+    const double      weight = end > begin ? (t - begin) / (end - begin) : 0.;
+    if (before == after || weight == 0.)
+      return value_at_instant(point, before);
+    return (1. - weight) * value_at_instant(point, before) +
+           weight * value_at_instant(point, after);
+  }
+
+
+
+  template class TemperatureFile<2>;
+  template class TemperatureFile<3>;
+} // namespace Crevasse

@@ -1,0 +1,186 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/base/text_file.h>
+#include <crevasse/temperature/temperature_table.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** t, the coordinates, θ. */
+    template <int dim>
+    using Row = std::array<double, dim + 2>;
+
+
+
+    template <int dim>
+    std::string
+    header()
+    {
+      return dim == 2 ? "t,x,y,theta" : "t,x,y,z,theta";
+    }
+
+
+
+    [[noreturn]] void
+    refuse_table(const std::string &file_name, const std::string &reason)
+    {
+      throw SceneError("[Loads] Temperature = " + file_name + ": " + reason);
+    }
+
+
+
+    template <int dim>
+    std::vector<Row<dim>>
+    read_rows(const std::string &file_name)
+    {
+      std::istringstream file(read_text_file(file_name));
+      std::string        line;
+      if (!std::getline(file, line))
+        refuse_table(file_name, "is empty.");
+      line.erase(std::remove_if(line.begin(), line.end(), ::isspace),
+                 line.end());
+      if (line != header<dim>())
+        refuse_table(file_name,
+                     "line 1 must be \"" + header<dim>() + "\", not \"" +
+                       Text::shorten(line) + "\".");
+
+      std::vector<Row<dim>> rows;
+      for (unsigned int number = 2; std::getline(file, line); ++number)
+        {
+          if (Text::squeeze(line).empty())
+            continue;
+          const auto values = Text::to_numbers(line);
+          if (!values || values->size() != dim + 2)
+            refuse_table(file_name,
+                         "line " + std::to_string(number) + " must be " +
+                           std::to_string(dim + 2) +
+                           " numbers separated by commas, not \"" +
+                           Text::shorten(line) + "\".");
+          rows.emplace_back();
+          std::copy(values->begin(), values->end(), rows.back().begin());
+        }
+      if (rows.empty())
+        refuse_table(file_name, "has no rows below its header.");
+      return rows;
+    }
+
+
+
+    /** The different values of a column, in ascending order. */
+    template <int dim>
+    std::vector<double>
+    values_of(const std::vector<Row<dim>> &rows, const unsigned int column)
+    {
+      std::set<double> values;
+      for (const Row<dim> &row : rows)
+        values.insert(row[column]);
+      return {values.begin(), values.end()};
+    }
+
+
+
+    std::size_t
+    index_of(const std::vector<double> &values, const double value)
+    {
+      return std::lower_bound(values.begin(), values.end(), value) -
+             values.begin();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  TemperatureTable<dim>::TemperatureTable(const std::string &file_name,
+                                          const double       period)
+    : TemperatureFile<dim>(file_name, period)
+  {
+    const std::vector<Row<dim>> rows     = read_rows<dim>(file_name);
+    const std::vector<double>   instants = values_of<dim>(rows, 0);
+    this->set_instants(instants);
+
+    std::array<std::vector<double>, dim> coordinates;
+    TableIndices<dim>                    size;
+    std::size_t                          n_points = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        coordinates[d] = values_of<dim>(rows, d + 1);
+        if (coordinates[d].size() < 2)
+          this->refuse("its points do not differ in coordinate " +
+                       std::to_string(d + 1) + "; a grid needs two at least.");
+        size[d] = coordinates[d].size();
+        n_points *= coordinates[d].size();
+        lower[d] = coordinates[d].front();
+        upper[d] = coordinates[d].back();
+      }
+    if (rows.size() != n_points * instants.size())
+      this->refuse("has " + std::to_string(rows.size()) + " rows; " +
+                   std::to_string(instants.size()) + " instants of a grid of " +
+                   std::to_string(n_points) + " points make " +
+                   std::to_string(instants.size() * n_points) + ".");
+
+    std::vector<Table<dim, double>> tables(instants.size());
+    for (Table<dim, double> &table : tables)
+      table.reinit(size);
+    std::set<std::pair<std::size_t, std::size_t>> filled;
+    for (const Row<dim> &row : rows)
+      {
+        TableIndices<dim> place;
+        std::size_t       number = 0;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            place[d] = index_of(coordinates[d], row[d + 1]);
+            number   = number * size[d] + place[d];
+          }
+        const std::size_t instant = index_of(instants, row[0]);
+        if (!filled.emplace(instant, number).second)
+          this->refuse("has two rows for t = " + Text::from_number(row[0]) +
+                       " at the same point.");
+        tables[instant](place) = row[dim + 1];
+      }
+    for (Table<dim, double> &table : tables)
+      grids.push_back(std::make_unique<const Grid>(coordinates, table));
+  }
+
+
+
+  template <int dim>
+  double
+  TemperatureTable<dim>::value_at_instant(const Point<dim> &point,
+                                          const std::size_t instant) const
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      if (const double margin = 1e-10 * (upper[d] - lower[d]);
+          point[d] < lower[d] - margin || point[d] > upper[d] + margin)
+        this->refuse("the body has the point " + Text::from_point(point) +
+                     ", which lies outside of the grid from " +
+                     Text::from_point(lower) + " to " +
+                     Text::from_point(upper) + ".");
+    return grids[instant]->value(point);
+  }
+
+
+
+  template class TemperatureTable<2>;
+  template class TemperatureTable<3>;
+} // namespace Crevasse

@@ -1,0 +1,110 @@
+// ---------------------------------------------------------------------
+//
+// Copyright (C) 2026 by the Crevasse authors
+//
+// This file is part of Crevasse. It is free software; you can use it,
+// redistribute it and/or modify it under the terms of the GNU Lesser
+// General Public License as published by the Free Software Foundation;
+// either version 2.1 of the License, or (at your option) any later version.
+//
+// ---------------------------------------------------------------------
+#include <crevasse/time/adaptive_steps.h>
+#include <crevasse/time/arkode.h>
+#include <crevasse/time/contact_events.h>
+#include <crevasse/time/exponential_heun.h>
+#include <crevasse/time/integrator_choice.h>
+#include <crevasse/time/predictor_corrector.h>
+#include <crevasse/time/runge_kutta.h>
+#include <crevasse/time/sdirk.h>
+#include <crevasse/time/trapezoid.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** Whether the integrator has an adaptive control of its own. */
+    bool
+    controls_itself(const TimeIntegrationParameters &parameters)
+    {
+      return uses_arkode(parameters) && parameters.step_control == "adaptive";
+    }
+
+
+
+    std::unique_ptr<Integrator>
+    make_method(const TimeIntegrationParameters &parameters,
+                const double                     period)
+    {
+      if (parameters.scheme == "euler")
+        return std::make_unique<RungeKutta>(euler_tableau());
+      if (parameters.scheme == "rk4")
+        return std::make_unique<RungeKutta>(rk4_tableau());
+      if (parameters.scheme == "predictor corrector")
+        return std::make_unique<PredictorCorrector>();
+      if (parameters.scheme == "exponential")
+        return std::make_unique<ExponentialHeun>();
+      if (parameters.scheme == "sdirk2")
+        return std::make_unique<Sdirk2>();
+      if (parameters.scheme == "trapezoid")
+        return std::make_unique<Trapezoid>();
+      if (uses_arkode(parameters))
+        return std::make_unique<Arkode>(parameters, period);
+      AssertThrow(parameters.scheme == "heun", dealii::ExcInternalError());
+      return std::make_unique<RungeKutta>(heun_tableau(parameters.heun_weight));
+    }
+  } // namespace
+
+
+
+  std::unique_ptr<Integrator>
+  make_integrator(TimeIntegrationParameters parameters,
+                  const double              period,
+                  const bool                has_contact)
+  {
+    parameters.locate_contact_events &= has_contact;
+    std::unique_ptr<Integrator> method = make_method(parameters, period);
+    if (parameters.locate_contact_events && !controls_itself(parameters))
+      return std::make_unique<ContactEvents>(std::move(method));
+    return method;
+  }
+
+
+
+  std::unique_ptr<StepControl>
+  make_step_control(const TimeIntegrationParameters &parameters,
+                    const StepList                  &steps,
+                    const Integrator                &integrator,
+                    const double                     smallest_relaxation_time)
+  {
+    const double limit = integrator.stability_limit();
+    if (parameters.step_control != "adaptive")
+      {
+        if (parameters.check_stability)
+          steps.require_stability(limit, smallest_relaxation_time);
+        return std::make_unique<FixedSteps>();
+      }
+    if (controls_itself(parameters))
+      {
+        if (parameters.check_stability)
+          steps.require_possible(limit * smallest_relaxation_time);
+        return std::make_unique<FixedSteps>(); // from sample to sample
+      }
+    // Close to the limit errors hardly decay.
+    constexpr double well_below = 0.9;
+    double largest_step         = steps.period() / parameters.steps_per_period;
+    if (parameters.check_stability)
+      largest_step =
+        std::min(largest_step, well_below * limit * smallest_relaxation_time);
+    steps.require_possible(largest_step);
+    const std::vector<double> nodes = integrator.quadrature().nodes;
+    return std::make_unique<AdaptiveSteps>(
+      AdaptiveSteps::Settings{parameters.relative_tolerance,
+                              parameters.absolute_tolerance,
+                              largest_step,
+                              steps.fixed_instants(),
+                              std::find(nodes.begin(), nodes.end(), 1.) !=
+                                nodes.end()});
+  }
+} // namespace Crevasse
