@@ -14,6 +14,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -185,5 +186,15 @@ namespace Crevasse
   {
     return Utilities::MPI::gather(
       communicator, kibibyte * number_in("/proc/self/status", "VmHWM:", 0.));
+  }
+
+
+
+  std::string
+  gigabytes(const double bytes)
+  {
+    char text[40];
+    std::snprintf(text, sizeof(text), "%.3g GB", 1e-9 * bytes);
+    return text;
   }
 } // namespace Crevasse

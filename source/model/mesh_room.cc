@@ -14,7 +14,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/model/linear_choice.h>
 #include <crevasse/model/mesh_room.h>
-#include <crevasse/simulation/memory_prediction.h>
+#include <crevasse/model/solver_memory.h>
 
 #include <deal.II/base/utilities.h>
 

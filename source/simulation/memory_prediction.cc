@@ -11,6 +11,7 @@
 
 #include <crevasse/linear/point_moduli.h>
 #include <crevasse/model/linear_choice.h>
+#include <crevasse/model/solver_memory.h>
 #include <crevasse/simulation/memory_prediction.h>
 
 #include <deal.II/base/mpi.h>
@@ -80,46 +81,6 @@ namespace Crevasse
 
 
 
-    constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
-
-
-
-    /** CHOLMOD's factor on one rank and what its making takes for a moment:
-     * fitted to runs with 29 250 and 115 842 unknowns in two dimensions, 12 675
-     * and 28 611 in three, where the laws are those of nested dissection. */
-    template <int dim>
-    double
-    bytes_of_cholesky(const double n, const unsigned int degree)
-    {
-      if (dim == 2)
-        return 127. * n * std::log2(std::max(n, 2.));
-      return (degree == 1 ? 152. : 228.) * std::pow(n, 4. / 3.);
-    }
-
-
-
-    /** Of what solves with a matrix: a factor, or multigrid's coarser matrices
-     * and smoothers, as much as the matrix again. */
-    template <int dim>
-    double
-    bytes_of_matrix_solver(const LinearSolverChoice::Type type,
-                           const double                   unknowns,
-                           const double                   own_unknowns,
-                           const unsigned int             degree,
-                           const unsigned int             n_ranks)
-    {
-      if (type == LinearSolverChoice::amg)
-        return bytes_per_entry * n_matrix_entries<dim>(own_unknowns, degree);
-      const double cholesky = bytes_of_cholesky<dim>(unknowns, degree);
-      if (type == LinearSolverChoice::cholesky)
-        return cholesky;
-      // Fitted to the same runs on two ranks.
-      constexpr double relative_size = dim == 2 ? 1.3 : 2.1;
-      return relative_size * cholesky / n_ranks;
-    }
-
-
-
     /** Of geometric multigrid's coarsest mesh: its matrix and what solves with
      * it. */
     template <int dim>
@@ -132,15 +93,6 @@ namespace Crevasse
       return bytes_per_entry * n_matrix_entries<dim>(own, scale.degree) +
              bytes_of_matrix_solver<dim>(
                solver.type, scale.coarsest, own, scale.degree, scale.n_ranks);
-    }
-
-
-
-    /** Vectors, and indices and weights of the loops over cells; measured. */
-    double
-    bytes_of_gmg_vectors(const double unknowns, const unsigned int degree)
-    {
-      return sizeof(double) * (degree == 1 ? 60. : 25.) * unknowns;
     }
 
 
@@ -250,23 +202,6 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  double
-  least_bytes_of_solver(const LinearSolverChoice::Type type,
-                        const double                   n_unknowns,
-                        const unsigned int             degree,
-                        const unsigned int             n_ranks)
-  {
-    if (type == LinearSolverChoice::gmg)
-      return bytes_of_gmg_vectors(n_unknowns, degree);
-    const double own = n_unknowns / n_ranks;
-    return n_ranks * (bytes_per_entry * n_matrix_entries<dim>(own, degree) +
-                      bytes_of_matrix_solver<dim>(
-                        type, n_unknowns, own, degree, n_ranks));
-  }
-
-
-
   double
   MemoryPrediction::total() const
   {
@@ -304,14 +239,10 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                     \
-  template double least_bytes_of_solver<dim>(const LinearSolverChoice::Type, \
-                                             const double,                   \
-                                             const unsigned int,             \
-                                             const unsigned int);            \
-  template MemoryPrediction predict_memory<dim>(const Body<dim> &,           \
-                                                const StepList &,            \
-                                                const Scene &,               \
+#define INSTANTIATE(dim)                                           \
+  template MemoryPrediction predict_memory<dim>(const Body<dim> &, \
+                                                const StepList &,  \
+                                                const Scene &,     \
                                                 const PeriodicChoice &)
 
   INSTANTIATE(2);

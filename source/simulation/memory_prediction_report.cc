@@ -13,13 +13,13 @@
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/model/linear_choice.h>
+#include <crevasse/model/solver_memory.h>
 #include <crevasse/simulation/memory_prediction.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -175,16 +175,6 @@ namespace Crevasse
       return list;
     }
   } // namespace
-
-
-
-  std::string
-  gigabytes(const double bytes)
-  {
-    char text[40];
-    std::snprintf(text, sizeof(text), "%.3g GB", 1e-9 * bytes);
-    return text;
-  }
 
 
 

@@ -14,6 +14,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <string>
 #include <vector>
 
 namespace Crevasse
@@ -31,6 +32,10 @@ namespace Crevasse
    * rank. Collective. */
   std::vector<double>
   peak_memory_of_ranks(const MPI_Comm communicator);
+
+  /** "1.23 GB" */
+  std::string
+  gigabytes(const double bytes);
 } // namespace Crevasse
 
 #endif

@@ -36,9 +36,6 @@ namespace Crevasse
     total() const;
   };
 
-  /** By which factor predictions may be wrong. */
-  constexpr double memory_uncertainty = 1.25;
-
   /** Of this rank. Formulas with constants that were measured. Collective. */
   template <int dim>
   MemoryPrediction
@@ -46,19 +43,6 @@ namespace Crevasse
                  const StepList       &steps,
                  const Scene          &scene,
                  const PeriodicChoice &choice);
-
-  /** Of all ranks: what solves with one stiffness takes at least, whatever
-   * the body is made of. */
-  template <int dim>
-  double
-  least_bytes_of_solver(const LinearSolverChoice::Type type,
-                        const double                   n_unknowns,
-                        const unsigned int             degree,
-                        const unsigned int             n_ranks);
-
-  /** "1.23 GB" */
-  std::string
-  gigabytes(const double bytes);
 
   /** Prints what the largest rank is going to need. Collective.
    * @throw SceneError if the ranks on a machine need more than it has left,
