@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """What accuracy costs in seconds of the processor: meshes, contact solvers, time
 schemes and linear solvers, by one sweep each over scenes of prm/studies. Draws the

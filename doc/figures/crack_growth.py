@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """How a crack grows: sweeps the scene prm/crack_growth.prm over the crack length,
 interpolates the growth a period between lengths, integrates dN = da / (da/dN), and

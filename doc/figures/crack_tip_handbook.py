@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """K_I against handbooks, on the scene prm/studies/crack_tip_handbook.prm: edge and
 centre cracks in a long strip, and the geometry SSLP101 of Code_Aster's validation

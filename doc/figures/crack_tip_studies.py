@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """What the accuracy of K_I costs, on the scene prm/studies/crack_tip_elastic.prm:
 errors of K_I and of the energy against unknowns and seconds for uniform, graded and

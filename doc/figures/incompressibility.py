@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """The study of prm/studies/incompressibility.prm: what linear elements with the
 full and with the mean volumetric strain and quadratic elements cost and give as

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """Draws figures 1 to 6 of Raous (1980), section 7, from a results directory:
 the mesh; stress and opening at a probe over one period; level curves of the

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """The studies of the methods that find the periodic state, on the scenes
 prm/studies/periodic_*.prm: periods and seconds to a true error of the stress of

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """The convergence study of prm/studies/signorini_rates.prm: energy error and end
 of the closed part of the lip on finer and finer meshes, Q1 and Q2, against the

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """The studies of the time schemes, by sweeps over the scenes of prm/studies:
 the paper's comparison at equal numbers of contact problems, relaxation times

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """The figures of the paper, as far as the files of a run allow, and what would
 give the others."""

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """Makes report.html of the results of a run or of a sweep: one file with the
 scene in words, the paper's figures, histories, convergence, costs, and above

@@ -1,5 +1,5 @@
 # Copyright (C) 2026 by the Crevasse authors
-# Part of Crevasse, under the GNU Lesser General Public License 2.1 or later.
+# SPDX-License-Identifier: LGPL-2.1-or-later
 
 """Reads summary.json. What has not the shape that the pages rely on is left out,
 and told: a file may be damaged, or edited, and still be JSON."""

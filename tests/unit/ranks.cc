@@ -1,13 +1,5 @@
-// ---------------------------------------------------------------------
-//
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
-//
-// This file is part of Crevasse. It is free software; you can use it,
-// redistribute it and/or modify it under the terms of the GNU Lesser
-// General Public License as published by the Free Software Foundation;
-// either version 2.1 of the License, or (at your option) any later version.
-//
-// ---------------------------------------------------------------------
 
 // One, two and four ranks give the same solution: the one that this rank finds
 // for itself, with everything on it.
