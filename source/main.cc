@@ -129,7 +129,7 @@ namespace
       {
         log.line("  output directory: " + output.directory());
         output.require_usable();
-        log.line(scene.refinement.strategy == "adaptive"
+        log.line(scene.refinement.strategy == RefinementStrategy::adaptive
                    ? "The scene is in order; nothing was computed but elastic "
                      "states, for the mesh."
                    : "The scene is in order; nothing was computed.");

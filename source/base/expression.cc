@@ -122,9 +122,9 @@ namespace Crevasse
   Expression::Expression(const std::string &formula,
                          const Variables    allowed,
                          const std::string &parameter)
-    : parser(std::make_unique<Parser>())
+    : parser(std::make_shared<Parser>())
     , text(dealii::Utilities::trim(formula))
-    , parameter(parameter)
+    , name(parameter)
   {
     if (text.empty())
       refuse_formula(text, "it is empty.");
@@ -168,19 +168,6 @@ namespace Crevasse
 
 
 
-  Expression::~Expression() = default;
-
-
-
-  Expression::Expression(Expression &&) noexcept = default;
-
-
-
-  Expression &
-  Expression::operator=(Expression &&) noexcept = default;
-
-
-
   template <int dim>
   double
   Expression::value(const Place<dim> &place) const
@@ -197,7 +184,7 @@ namespace Crevasse
       return value;
 
     throw SceneError(
-      (parameter.empty() ? "The" : parameter + ": the") + " formula \"" +
+      (name.empty() ? "The" : name + ": the") + " formula \"" +
       Text::shorten(text) + "\" has no finite value at " +
       (depends_on_space() ? Text::from_point(place.point) + ", " : "") +
       "t = " + Text::from_number(place.t) +
@@ -267,6 +254,14 @@ namespace Crevasse
   Expression::formula() const
   {
     return text;
+  }
+
+
+
+  const std::string &
+  Expression::parameter() const
+  {
+    return name;
   }
 
 

@@ -161,18 +161,24 @@ namespace Crevasse
                                               parameters.paris_threshold);
     };
     const auto creep = [&]() -> std::unique_ptr<const GrowthLaw> {
-      if (parameters.creep_parameter == "C star")
+      if (parameters.creep_parameter == CreepParameter::C_star)
         return std::make_unique<const CreepLaw>(parameters.creep_factor,
                                                 parameters.creep_exponent);
       return std::make_unique<const IntensityCreepLaw>(
         parameters.creep_factor, parameters.creep_exponent);
     };
-    if (parameters.has_paris_part() && parameters.has_creep_part())
-      return std::make_unique<const SumOfLaws>(paris(), creep());
-    if (parameters.has_paris_part())
-      return paris();
-    if (parameters.has_creep_part())
-      return creep();
+    switch (parameters.growth_law)
+      {
+        case GrowthLawType::none:
+          return nullptr;
+        case GrowthLawType::paris:
+          return paris();
+        case GrowthLawType::creep:
+          return creep();
+        case GrowthLawType::sum:
+          return std::make_unique<const SumOfLaws>(paris(), creep());
+      }
+    AssertThrow(false, dealii::ExcInternalError());
     return nullptr;
   }
 
@@ -181,7 +187,7 @@ namespace Crevasse
   bool
   needs_c_star(const CrackTipParameters &parameters)
   {
-    return parameters.has_creep_part() &&
-           parameters.creep_parameter == "C star";
+    return traits(parameters.growth_law).has_creep_part &&
+           parameters.creep_parameter == CreepParameter::C_star;
   }
 } // namespace Crevasse

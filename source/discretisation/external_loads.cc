@@ -149,14 +149,8 @@ namespace Crevasse
                                     const LoadParameters      &parameters)
   {
     strain_operator.initialize(constant);
-    const auto parse = [](const char *name, const std::string &formulas) {
-      return Expression::parse_list(formulas,
-                                    Text::parameter(LoadParameters::section,
-                                                    name));
-    };
-    std::vector<Expression> traction = parse("Traction", parameters.traction);
-    std::vector<Expression> body_force =
-      parse("Body force", parameters.body_force);
+    std::vector<Expression> traction   = *parameters.traction;
+    std::vector<Expression> body_force = *parameters.body_force;
     for (unsigned int d = 0; d < traction.size(); ++d)
       add(std::move(traction[d]),
           d,

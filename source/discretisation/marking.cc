@@ -35,15 +35,18 @@ namespace Crevasse
             const RefinementParameters  &parameters,
             const double                 share)
   {
-    namespace Marking    = parallel::distributed::GridRefinement;
+    namespace Refinement = parallel::distributed::GridRefinement;
     const double refine  = share * parameters.refine_fraction;
     const double coarsen = parameters.coarsen_fraction;
-    if (parameters.marking == "bulk")
+    if (parameters.marking == Marking::bulk)
       // The squares as they are: those are what adds up.
-      Marking::refine_and_coarsen_fixed_fraction(
+      Refinement::refine_and_coarsen_fixed_fraction(
         mesh, squares, refine, coarsen, VectorTools::L1_norm);
     else
-      Marking::refine_and_coarsen_fixed_number(mesh, squares, refine, coarsen);
+      Refinement::refine_and_coarsen_fixed_number(mesh,
+                                                  squares,
+                                                  refine,
+                                                  coarsen);
     for (const auto &cell : mesh.active_cell_iterators())
       if (cell->is_locally_owned() &&
           static_cast<unsigned int>(cell->level()) >= finest_level<dim>)

@@ -6,7 +6,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/material_field.h>
-#include <crevasse/parameters/coefficients.h>
+#include <crevasse/parameters/formulas.h>
 
 #include <algorithm>
 #include <map>
@@ -35,6 +35,22 @@ namespace Crevasse
 
 
 
+    /** Those that are not 0. */
+    template <int dim>
+    std::vector<const typename MaxwellLaw<dim>::FreeStrain *>
+    free_strains_of(const MaxwellLaw<dim>  &law,
+                    const Temperature<dim> &temperature)
+    {
+      std::vector<const typename MaxwellLaw<dim>::FreeStrain *> strains;
+      for (const auto &strain : law.free_strains())
+        if (!are_zero(strain.value.formulas) &&
+            !(strain.is_thermal && temperature.is_zero()))
+          strains.push_back(&strain);
+      return strains;
+    }
+
+
+
     void
     require_positive(const double      value,
                      const Expression &factor,
@@ -59,20 +75,22 @@ namespace Crevasse
     : communicator(space.communicator())
     , law(law)
     , temperature(temperature)
-    , expands(!are_zero(law.thermal_expansion().formulas) &&
-              !temperature.is_zero())
+    , free_strains(free_strains_of(law, temperature))
     , stiffness_is_free(varies_in_time(law.stiffness()))
-    , thermal_strain_is_free(expands &&
-                             (temperature.depends_on_time() ||
-                              varies_in_time(law.thermal_expansion())))
+    , thermal_strain_is_free(
+        std::any_of(free_strains.begin(),
+                    free_strains.end(),
+                    [&](const FreeStrain *strain) {
+                      return varies_in_time(strain->value) ||
+                             (strain->is_thermal &&
+                              temperature.depends_on_time());
+                    }))
     , n_points(points.n_local_points())
   {
     for (const auto &branch : law.branches())
       fluidity_is_free.push_back(varies_in_time(branch.fluidity));
     bool of_importance =
-      varies_in_space(law.stiffness()) ||
-      (has_thermal_strain() && (temperature.depends_on_space() ||
-                                varies_in_space(law.thermal_expansion())));
+      varies_in_space(law.stiffness()) || thermal_strain_varies_in_space();
     for (const auto &branch : law.branches())
       of_importance = of_importance || varies_in_space(branch.fluidity);
     if (of_importance)
@@ -137,6 +155,21 @@ namespace Crevasse
   {
     return property.depends_on("t") ||
            (property.depends_on("theta") && temperature.depends_on_time());
+  }
+
+
+
+  template <int dim>
+  bool
+  MaterialField<dim>::thermal_strain_varies_in_space() const
+  {
+    return std::any_of(free_strains.begin(),
+                       free_strains.end(),
+                       [this](const FreeStrain *strain) {
+                         return varies_in_space(strain->value) ||
+                                (strain->is_thermal &&
+                                 temperature.depends_on_space());
+                       });
   }
 
 
@@ -212,19 +245,19 @@ namespace Crevasse
   std::shared_ptr<const typename MaterialField<dim>::Vectors>
   MaterialField<dim>::evaluate_thermal_strain(const double t) const
   {
-    const Property<VoigtVector<dim>> &expansion = law.thermal_expansion();
-    if (!temperature.depends_on_space() && !varies_in_space(expansion))
-      {
-        const Place<dim> anywhere = place(0, t, true);
-        return std::make_shared<const Vectors>(expansion.at(anywhere) *
-                                               anywhere.temperature);
-      }
+    const auto strain_at = [&](const std::size_t point) {
+      const Place<dim> here = place(point, t, true);
+      VoigtVector<dim> sum;
+      for (const FreeStrain *strain : free_strains)
+        sum += strain->is_thermal ? strain->value.at(here) * here.temperature
+                                  : strain->value.at(here);
+      return sum;
+    };
+    if (!thermal_strain_varies_in_space())
+      return std::make_shared<const Vectors>(strain_at(0));
     std::vector<VoigtVector<dim>> strains(n_points);
     for (std::size_t p = 0; p < n_points; ++p)
-      {
-        const Place<dim> here = place(p, t, true);
-        strains[p]            = expansion.at(here) * here.temperature;
-      }
+      strains[p] = strain_at(p);
     return std::make_shared<const Vectors>(std::move(strains));
   }
 
@@ -253,7 +286,7 @@ namespace Crevasse
   bool
   MaterialField<dim>::has_thermal_strain() const
   {
-    return expands;
+    return !free_strains.empty();
   }
 
 

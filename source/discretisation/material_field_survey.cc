@@ -32,6 +32,24 @@ namespace Crevasse
 
 
 
+    /** The parameters that free strains come from. */
+    template <typename FreeStrains>
+    std::string
+    names_of(const FreeStrains &strains)
+    {
+      std::string names;
+      bool        are_thermal = false;
+      for (const auto *strain : strains)
+        {
+          names += (names.empty() ? "" : ", ") +
+                   strain->value.formulas.front().parameter();
+          are_thermal = are_thermal || strain->is_thermal;
+        }
+      return names + (are_thermal ? " and [Loads] Temperature" : "");
+    }
+
+
+
     /** No more than the mean over the period of what has these values at these
      * instants: of each interval the lesser of its ends, beside a jump too. */
     double
@@ -237,8 +255,7 @@ namespace Crevasse
                 largest = std::max(largest, std::abs((*strains)[p][i]));
               if (!(largest <= Ranges::largest))
                 throw SceneError(
-                  "[Material] Thermal expansion and [Loads] Temperature: the "
-                  "thermal strain is " +
+                  names_of(free_strains) + ": the thermal strain is " +
                   Text::from_number(largest) + ' ' +
                   describe(place(p, t, true)) +
                   "; it must be at most 1e70, and the theory of small strains "

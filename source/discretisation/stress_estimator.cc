@@ -107,9 +107,7 @@ namespace Crevasse
                                         const LoadParameters       &loads)
     : space(space)
     , points(points)
-    , body_force(Expression::parse_list(loads.body_force,
-                                        Text::parameter(LoadParameters::section,
-                                                        "Body force")))
+    , body_force(*loads.body_force)
     , traction_residual(space, lip, loads)
     , polynomials(space.mesh(), space.finite_element().degree)
     , largest(space.mesh().n_active_cells())

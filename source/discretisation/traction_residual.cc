@@ -29,9 +29,7 @@ namespace Crevasse
                                           const LoadParameters       &loads)
     : space(space)
     , lip(lip)
-    , loads(Expression::parse_list(loads.traction,
-                                   Text::parameter(LoadParameters::section,
-                                                   "Traction")))
+    , loads(*loads.traction)
     , pressure(space.ghosted_vector())
     , displacement(space.mapping(),
                    space.finite_element(),

@@ -72,9 +72,10 @@ namespace Crevasse
             if (id == 4 || id == 5)
               face->set_boundary_id(id == 4 ? BoundaryIds::front
                                             : BoundaryIds::back);
-            else if (has_crack(parameters) && id == BoundaryIds::ligament &&
+            else if (traits(parameters.shape).has_crack &&
+                     id == BoundaryIds::ligament &&
                      (face->center()[0] > tip) ==
-                       (parameters.shape == "edge crack"))
+                       (parameters.shape == Shape::edge_crack))
               face->set_boundary_id(BoundaryIds::lip);
           }
     }
@@ -86,7 +87,7 @@ namespace Crevasse
     make_plate(const GeometryParameters &parameters, Triangulation<dim> &mesh)
     {
       std::vector<std::vector<double>> steps(dim);
-      steps[0] = has_crack(parameters)
+      steps[0] = traits(parameters.shape).has_crack
                    ? steps_through_tip(parameters)
                    : equal_steps(parameters.width, parameters.subdivisions[0]);
       steps[1] = equal_steps(parameters.height, parameters.subdivisions[1]);
@@ -220,7 +221,7 @@ namespace Crevasse
             Triangulation<dim>                            &mesh,
             const std::function<void(const CellCounts &)> &look)
   {
-    const bool         is_file = parameters.shape == "mesh file";
+    const bool         is_file = parameters.shape == Shape::mesh_file;
     Triangulation<dim> from_file;
     if (is_file)
       read_mesh(parameters.mesh_file, from_file);

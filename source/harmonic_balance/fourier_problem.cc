@@ -187,7 +187,7 @@ namespace Crevasse
                     const StepList  &steps)
   {
     std::vector<std::string> all = material_obstacles(body);
-    if (scene.time_integration.step_control != "uniform")
+    if (scene.time_integration.step_control != StepControlType::uniform)
       all.push_back(
         "harmonics need equal steps; set [Time integration] Step "
         "control = uniform, or use [Periodic state] Method = "
@@ -230,9 +230,9 @@ namespace Crevasse
                         const double     smallest_relaxation_time)
   {
     FourierResult result;
-    result.rule                 = scene.periodic_state.harmonics == "exact"
-                                    ? TimeRule::exact
-                                    : TimeRule::trapezoid;
+    result.rule = scene.periodic_state.harmonics == HarmonicRule::exact
+                    ? TimeRule::exact
+                    : TimeRule::trapezoid;
     dealii::TimerOutput &phases = solvers.settings().phases;
     const Harmonics harmonics(steps.period(), steps.n_steps(), result.rule);
     const UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);

@@ -47,9 +47,9 @@ namespace Crevasse
                              space.n_unknowns(),
                              Utilities::MPI::n_mpi_processes(
                                space.communicator()));
-      if (choice.type == LinearSolverChoice::cholesky)
+      if (choice.type == LinearSolverType::cholesky)
         return std::make_unique<Cholesky>(matrix);
-      if (choice.type == LinearSolverChoice::mumps)
+      if (choice.type == LinearSolverType::mumps)
         return std::make_unique<Mumps>(matrix);
       return std::make_unique<AmgCg>(matrix,
                                      rigid_modes(space),

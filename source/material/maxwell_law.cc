@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/text.h>
 #include <crevasse/material/maxwell_law.h>
 #include <crevasse/material/properties.h>
-#include <crevasse/parameters/chain.h>
 
 namespace Crevasse
 {
@@ -16,33 +14,33 @@ namespace Crevasse
     {
       using Branch = typename MaxwellLaw<dim>::Branch;
       std::vector<Branch> branches;
-      if (parameters.viscosity == "relaxation time")
-        branches.push_back(
-          {1.,
-           proportional_fluidity<dim>(
-             parameters, "Relaxation time", parameters.relaxation_time, 1.)});
-      else if (parameters.viscosity == "isotropic")
-        branches.push_back({1., isotropic_fluidity<dim>(parameters)});
-      else if (parameters.viscosity == "matrix")
-        branches.push_back({1., fluidity_of_matrix<dim>(parameters)});
-      else if (parameters.viscosity == "chain")
-        for (const ChainBranch &branch : parse_chain(parameters.chain))
-          branches.push_back({branch.fraction,
-                              proportional_fluidity<dim>(parameters,
-                                                         "Chain",
-                                                         branch.relaxation_time,
-                                                         branch.fraction)});
+      switch (parameters.viscosity)
+        {
+          case ViscosityType::relaxation_time:
+            branches.push_back(
+              {1.,
+               proportional_fluidity<dim>(parameters,
+                                          *parameters.relaxation_time,
+                                          1.)});
+            break;
+          case ViscosityType::isotropic:
+            branches.push_back({1., isotropic_fluidity<dim>(parameters)});
+            break;
+          case ViscosityType::matrix:
+            branches.push_back({1., fluidity_of_matrix<dim>(parameters)});
+            break;
+          case ViscosityType::chain:
+            for (const ChainBranch &branch : *parameters.chain)
+              branches.push_back(
+                {branch.fraction,
+                 proportional_fluidity<dim>(parameters,
+                                            branch.relaxation_time,
+                                            branch.fraction)});
+            break;
+          case ViscosityType::none:
+            break;
+        }
       return branches;
-    }
-
-
-
-    Expression
-    time_factor(const char *name, const std::string &formula)
-    {
-      return Expression(formula,
-                        Expression::Variables::space_and_time,
-                        Text::parameter(MaterialParameters::section, name));
     }
   } // namespace
 
@@ -52,16 +50,17 @@ namespace Crevasse
   MaxwellLaw<dim>::MaxwellLaw(const MaterialParameters &parameters)
     : K(stiffness_property<dim>(parameters))
     , maxwell_branches(make_branches<dim>(parameters))
-    , expansion(thermal_expansion_property<dim>(parameters))
-    , plane_stress(dim == 2 && parameters.plane_state == "plane stress")
-    , k(time_factor("Stiffness time factor", parameters.stiffness_time_factor))
-    , eta_0(
-        time_factor("Viscosity time factor", parameters.viscosity_time_factor))
+    , plane_stress(dim == 2 &&
+                   parameters.plane_state == PlaneState::plane_stress)
+    , k(*parameters.stiffness_time_factor)
+    , eta_0(*parameters.viscosity_time_factor)
   {
-    if (parameters.viscosity != "relaxation time")
+    for (const auto &strain : parameters.free_strains())
+      strains.push_back(
+        {strain_property<dim>(strain.components), strain.is_thermal});
+    if (parameters.viscosity != ViscosityType::relaxation_time)
       return;
-    const Expression tau(parameters.relaxation_time,
-                         Expression::Variables::space_time_and_material);
+    const Expression &tau  = *parameters.relaxation_time;
     const bool has_factors = !k.is_constant() || k.value(Place<dim>()) != 1. ||
                              !eta_0.is_constant() ||
                              eta_0.value(Place<dim>()) != 1.;
@@ -90,10 +89,10 @@ namespace Crevasse
 
 
   template <int dim>
-  const Property<VoigtVector<dim>> &
-  MaxwellLaw<dim>::thermal_expansion() const
+  const std::vector<typename MaxwellLaw<dim>::FreeStrain> &
+  MaxwellLaw<dim>::free_strains() const
   {
-    return expansion;
+    return strains;
   }
 
 

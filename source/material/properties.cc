@@ -2,11 +2,9 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/range.h>
-#include <crevasse/base/text.h>
 #include <crevasse/material/isotropic.h>
 #include <crevasse/material/properties.h>
 #include <crevasse/material/voigt_matrix.h>
-#include <crevasse/parameters/tensor_formulas.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +19,16 @@ namespace Crevasse
     bool
     is_plane_stress(const MaterialParameters &parameters)
     {
-      return dim == 2 && parameters.plane_state == "plane stress";
+      return dim == 2 && parameters.plane_state == PlaneState::plane_stress;
     }
 
 
 
+    /** "[Material] Poisson ratio = 0.3". */
     std::string
-    parameter(const std::string &name)
+    describe(const Expression &formula)
     {
-      return Text::parameter(MaterialParameters::section, name);
+      return formula.parameter() + " = " + formula.formula();
     }
 
 
@@ -46,18 +45,14 @@ namespace Crevasse
     /** A formula whose value, number @p i of all, must lie in a range. */
     template <typename Value>
     void
-    add_formula(Property<Value>   &property,
-                const std::string &name,
-                const std::string &formula,
-                const Range       &range)
+    add_formula(Property<Value>  &property,
+                const Expression &formula,
+                const Range      &range)
     {
       const std::size_t i = property.formulas.size();
-      property.formulas.emplace_back(
-        formula,
-        Expression::Variables::space_time_and_material,
-        parameter(name));
+      property.formulas.push_back(formula);
       property.requirements.push_back(
-        {parameter(name) + " = " + formula,
+        {describe(formula),
          "is",
          range.text,
          [=](const Values &values) { return excess(values[i], range); },
@@ -99,12 +94,10 @@ namespace Crevasse
     template <int dim>
     void
     require_symmetric_positive_definite(Property<VoigtMatrix<dim>> &property,
-                                        const std::string          &name,
-                                        const std::string          &text,
+                                        const std::string          &what,
                                         const std::vector<unsigned int> &places)
     {
-      const std::string what    = parameter(name) + " = " + text;
-      const auto        largest = [n = places.size()](const Values &values) {
+      const auto largest = [n = places.size()](const Values &values) {
         double magnitude = 0.;
         for (std::size_t i = 0; i < n * n; ++i)
           magnitude = std::max(magnitude, std::abs(values[i]));
@@ -159,13 +152,13 @@ namespace Crevasse
     {
       Property<VoigtMatrix<dim>> K = stiffness_property<dim>(parameters);
       property.formulas            = std::move(K.formulas);
-      if (parameters.stiffness_matrix.empty())
+      if (parameters.stiffness_matrix.text().empty())
         return [](const Values &values) {
           return isotropic_compliance<dim>(values[0], values[1]);
         };
-      const auto places = places_of_rows<dim>(
-        Text::split(parameters.stiffness_matrix, ';').size(),
-        is_plane_stress<dim>(parameters));
+      const auto places =
+        places_of_rows<dim>(parameters.stiffness_matrix->size(),
+                            is_plane_stress<dim>(parameters));
       return [places](const Values &values) {
         return inverse<dim>(matrix_of<dim>(values, places));
       };
@@ -180,36 +173,28 @@ namespace Crevasse
   {
     Property<VoigtMatrix<dim>> property;
     const bool                 plane_stress = is_plane_stress<dim>(parameters);
-    if (parameters.stiffness_matrix.empty())
+    if (parameters.stiffness_matrix.text().empty())
       {
-        add_formula(property,
-                    "Young modulus",
-                    parameters.young_modulus,
-                    Ranges::positive);
-        add_formula(property,
-                    "Poisson ratio",
-                    parameters.poisson_ratio,
-                    Ranges::elastic_ratio);
+        add_formula(property, *parameters.young_modulus, Ranges::positive);
+        add_formula(property, *parameters.poisson_ratio, Ranges::elastic_ratio);
         property.from_values = [plane_stress](const Values &values) {
           return isotropic_stiffness<dim>(values[0], values[1], plane_stress);
         };
         return property;
       }
 
-    const std::string &text = parameters.stiffness_matrix;
-    property.formulas =
-      parse_matrix(text, dim, plane_stress, parameter("Stiffness matrix"));
-    const std::size_t n         = Text::split(text, ';').size();
+    const FormulaMatrix &K = parameters.stiffness_matrix;
+    require_size(K, dim, plane_stress);
+    property.formulas           = entries(K);
+    const std::size_t n         = K->size();
     const auto        places    = places_of_rows<dim>(n, plane_stress);
     const bool        condensed = plane_stress && n == n_stress_components<dim>;
     property.from_values        = [places, condensed](const Values &values) {
       const VoigtMatrix<dim> matrix = matrix_of<dim>(values, places);
       return condensed ? condense_thickness<dim>(matrix) : matrix;
     };
-    require_symmetric_positive_definite<dim>(property,
-                                             "Stiffness matrix",
-                                             text,
-                                             places);
+    require_symmetric_positive_definite<dim>(
+      property, "[Material] Stiffness matrix = " + K.text(), places);
     return property;
   }
 
@@ -218,13 +203,12 @@ namespace Crevasse
   template <int dim>
   Property<VoigtMatrix<dim>>
   proportional_fluidity(const MaterialParameters &parameters,
-                        const std::string        &name,
-                        const std::string        &relaxation_time,
+                        const Expression         &relaxation_time,
                         const double              fraction)
   {
     Property<VoigtMatrix<dim>> property;
     const auto compliance = add_compliance<dim>(parameters, property);
-    add_formula(property, name, relaxation_time, Ranges::positive);
+    add_formula(property, relaxation_time, Ranges::positive);
     property.from_values = [=](const Values &values) {
       return compliance(values) / (fraction * values.back());
     };
@@ -238,13 +222,9 @@ namespace Crevasse
   isotropic_fluidity(const MaterialParameters &parameters)
   {
     Property<VoigtMatrix<dim>> property;
+    add_formula(property, *parameters.viscous_modulus, Ranges::positive);
     add_formula(property,
-                "Viscous modulus",
-                parameters.viscous_modulus,
-                Ranges::positive);
-    add_formula(property,
-                "Viscous Poisson ratio",
-                parameters.viscous_poisson_ratio,
+                *parameters.viscous_poisson_ratio,
                 Ranges::viscous_ratio);
     property.from_values = [](const Values &values) {
       return isotropic_compliance<dim>(values[0], values[1]);
@@ -260,18 +240,15 @@ namespace Crevasse
   {
     Property<VoigtMatrix<dim>> property;
     const bool                 plane_stress = is_plane_stress<dim>(parameters);
-    const std::string         &text         = parameters.viscosity_matrix;
-    property.formulas =
-      parse_matrix(text, dim, plane_stress, parameter("Viscosity matrix"));
-    const auto places =
-      places_of_rows<dim>(Text::split(text, ';').size(), plane_stress);
+    const FormulaMatrix       &eta          = parameters.viscosity_matrix;
+    require_size(eta, dim, plane_stress);
+    property.formulas    = entries(eta);
+    const auto places    = places_of_rows<dim>(eta->size(), plane_stress);
     property.from_values = [places](const Values &values) {
       return inverse<dim>(matrix_of<dim>(values, places));
     };
-    require_symmetric_positive_definite<dim>(property,
-                                             "Viscosity matrix",
-                                             text,
-                                             places);
+    require_symmetric_positive_definite<dim>(
+      property, "[Material] Viscosity matrix = " + eta.text(), places);
     return property;
   }
 
@@ -279,12 +256,11 @@ namespace Crevasse
 
   template <int dim>
   Property<VoigtVector<dim>>
-  thermal_expansion_property(const MaterialParameters &parameters)
+  strain_property(const Formulas &components)
   {
     Property<VoigtVector<dim>> property;
-    property.formulas   = parse_tensor(parameters.thermal_expansion,
-                                     dim,
-                                     parameter("Thermal expansion"));
+    require_size(components, dim);
+    property.formulas   = *components;
     const std::size_t n = property.formulas.size();
     if (n == 1)
       property.from_values = [](const Values &values) {
@@ -308,20 +284,16 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                               \
-  template Property<VoigtMatrix<dim>> stiffness_property<dim>(         \
-    const MaterialParameters &);                                       \
-  template Property<VoigtMatrix<dim>> proportional_fluidity<dim>(      \
-    const MaterialParameters &,                                        \
-    const std::string &,                                               \
-    const std::string &,                                               \
-    const double);                                                     \
-  template Property<VoigtMatrix<dim>> isotropic_fluidity<dim>(         \
-    const MaterialParameters &);                                       \
-  template Property<VoigtMatrix<dim>> fluidity_of_matrix<dim>(         \
-    const MaterialParameters &);                                       \
-  template Property<VoigtVector<dim>> thermal_expansion_property<dim>( \
-    const MaterialParameters &)
+#define INSTANTIATE(dim)                                           \
+  template Property<VoigtMatrix<dim>> stiffness_property<dim>(     \
+    const MaterialParameters &);                                   \
+  template Property<VoigtMatrix<dim>> proportional_fluidity<dim>(  \
+    const MaterialParameters &, const Expression &, const double); \
+  template Property<VoigtMatrix<dim>> isotropic_fluidity<dim>(     \
+    const MaterialParameters &);                                   \
+  template Property<VoigtMatrix<dim>> fluidity_of_matrix<dim>(     \
+    const MaterialParameters &);                                   \
+  template Property<VoigtVector<dim>> strain_property<dim>(const Formulas &)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -102,7 +102,7 @@ namespace Crevasse
     {
       std::optional<Temperature<dim>> temperature;
       collectively(communicator, [&]() {
-        temperature.emplace(loads.temperature, loads.period);
+        temperature.emplace(loads.temperature.text(), loads.period);
       });
       return std::move(*temperature);
     }
@@ -115,13 +115,11 @@ namespace Crevasse
   {
     const BoundaryRoles roles =
       resolve_roles(scene.boundary, built_in_roles(scene.geometry));
-    for (const Expression &component :
-         Expression::parse_list(scene.loads.traction))
-      if (!component.is_zero() && roles.loaded.empty())
-        throw SceneError("[Loads] Traction = " + scene.loads.traction +
-                         ": no boundary has the role Loaded that could bear "
-                         "it; set [Boundary] Loaded, or the traction to 0." +
-                         who_took_the_loaded_boundary(scene));
+    if (roles.loaded.empty() && !are_zero(*scene.loads.traction))
+      throw SceneError("[Loads] Traction = " + scene.loads.traction.text() +
+                       ": no boundary has the role Loaded that could bear "
+                       "it; set [Boundary] Loaded, or the traction to 0." +
+                       who_took_the_loaded_boundary(scene));
     return roles;
   }
 
@@ -170,7 +168,7 @@ namespace Crevasse
       });
       return mesh;
     };
-    return scene.refinement.strategy == "tip"
+    return scene.refinement.strategy == RefinementStrategy::tip
              ? graded_mesh<dim>(unrefined,
                                 boundary_roles(scene),
                                 scene.refinement,
@@ -198,21 +196,16 @@ namespace Crevasse
         scene.discretisation.degree,
         boundary_roles(scene),
         fixed_points<dim>(scene),
-        scene.discretisation.volumetric_strain == "mean"
-          ? VolumetricStrain::mean
-          : VolumetricStrain::full,
+        scene.discretisation.volumetric_strain,
         tip_functions(scene, *mesh, boundary_roles(scene), law, temperature))
     , points(held(space))
     , material(space, points, law, temperature)
     , strain_operator(space, points)
-    , lip(space,
-          Expression(scene.boundary.gap,
-                     Expression::Variables::space_and_time,
-                     Text::parameter(BoundaryParameters::section, "Gap")))
+    , lip(space, Expression(*scene.boundary.gap))
     , loads(space, strain_operator, scene.loads)
   {
     // What the tables say must be what is computed.
-    Assert(effects.thermal_strain.on == material.has_thermal_strain(),
+    Assert(effects.has_free_strain() == material.has_thermal_strain(),
            ExcInternalError());
     Assert(effects.varying_stiffness.on || !material.stiffness_varies(),
            ExcInternalError());

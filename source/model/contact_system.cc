@@ -32,7 +32,7 @@ namespace Crevasse
     , analysis(similar != nullptr ? similar->analysis : nullptr)
     , levels(similar != nullptr ? similar->levels : nullptr)
   {
-    if (settings.linear_choice.type == LinearSolverChoice::gmg)
+    if (settings.linear_choice.type == LinearSolverType::gmg)
       set_up_multigrid(points, stiffness);
     else
       assemble(points, stiffness, similar);
@@ -92,24 +92,30 @@ namespace Crevasse
       return std::make_unique<Unconstrained>(problem,
                                              linear_solver(),
                                              parameters.tolerance);
-    if (settings.contact_choice.name == "projected sor")
-      return std::make_unique<ProjectedSor>(problem,
-                                            make_sweep(problem,
-                                                       settings.unknown_blocks),
-                                            settings.relaxation_factor(matrix),
-                                            parameters.tolerance,
-                                            parameters.maximum_iterations);
-    if (settings.contact_choice.name == "active set")
-      return std::make_unique<ActiveSet>(problem,
-                                         linear_solver(),
-                                         parameters.tolerance,
-                                         settings.linear_solver.tolerance,
-                                         parameters.maximum_iterations);
-    AssertThrow(settings.contact_choice.name == "condensed active set",
-                ExcInternalError());
-    return std::make_unique<CondensedActiveSet>(problem,
-                                                linear_solver(),
-                                                parameters.tolerance);
+    switch (settings.contact_choice.type)
+      {
+        case ContactSolverType::projected_sor:
+          return std::make_unique<ProjectedSor>(
+            problem,
+            make_sweep(problem, settings.unknown_blocks),
+            settings.relaxation_factor(matrix),
+            parameters.tolerance,
+            parameters.maximum_iterations);
+        case ContactSolverType::active_set:
+          return std::make_unique<ActiveSet>(problem,
+                                             linear_solver(),
+                                             parameters.tolerance,
+                                             settings.linear_solver.tolerance,
+                                             parameters.maximum_iterations);
+        case ContactSolverType::condensed_active_set:
+          return std::make_unique<CondensedActiveSet>(problem,
+                                                      linear_solver(),
+                                                      parameters.tolerance);
+        case ContactSolverType::automatic:
+          break; // chosen before
+      }
+    AssertThrow(false, ExcInternalError());
+    return nullptr;
   }
 
 
@@ -118,7 +124,7 @@ namespace Crevasse
   std::unique_ptr<LinearSolver>
   ContactSystem<dim>::make_linear_solver()
   {
-    if (settings.linear_choice.type == LinearSolverChoice::amg)
+    if (settings.linear_choice.type == LinearSolverType::amg)
       {
         TimerOutput::Scope phase(settings.phases, "multigrid set-up");
         ++setups.multigrid_setups;
@@ -129,7 +135,7 @@ namespace Crevasse
       }
     TimerOutput::Scope phase(settings.phases, "factorisation");
     ++setups.factorisations;
-    if (settings.linear_choice.type == LinearSolverChoice::mumps)
+    if (settings.linear_choice.type == LinearSolverType::mumps)
       return std::make_unique<Mumps>(matrix);
     auto cholesky = std::make_unique<Cholesky>(matrix, analysis);
     analysis      = cholesky->analysis();
@@ -180,13 +186,12 @@ namespace Crevasse
   void
   ContactSystem<dim>::describe(Summary &summary) const
   {
-    const ContactSolverChoice choice =
-      signorini_problem->n_bounds() > 0
-        ? settings.contact_choice
-        : ContactSolverChoice{"none", "there is no contact"};
-    summary["contact_solver"] = {{"name", choice.name},
-                                 {"why", choice.why},
-                                 {"description", contact->description()}};
+    const bool                 has_bounds = signorini_problem->n_bounds() > 0;
+    const ContactSolverChoice &choice     = settings.contact_choice;
+    summary["contact_solver"]             = {
+                  {"name", has_bounds ? name_of(choice.type) : "none"},
+                  {"why", has_bounds ? choice.why : "there is no contact"},
+                  {"description", contact->description()}};
     if (open_solver != nullptr)
       summary["linear_solver"] = {{"why", settings.linear_choice.why},
                                   {"description", open_solver->description()}};

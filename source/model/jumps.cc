@@ -3,12 +3,12 @@
 
 #include <crevasse/model/jumps.h>
 #include <crevasse/model/largest_load.h>
+#include <crevasse/parameters/formulas_of_scene.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace Crevasse
 {
@@ -18,27 +18,6 @@ namespace Crevasse
     // from its end to its begin by more, where a formula has a rounded π.
     constexpr double negligible_within    = 1e-6;
     constexpr double negligible_at_border = 1e-4;
-
-
-
-    bool
-    can_jump(const std::string &formula)
-    {
-      for (const char *word : {"<",
-                               ">",
-                               "=",
-                               "?",
-                               "if",
-                               "sign",
-                               "rint",
-                               "floor",
-                               "ceil",
-                               "int",
-                               "%"})
-        if (formula.find(word) != std::string::npos)
-          return true;
-      return false;
-    }
 
 
 
@@ -101,32 +80,6 @@ namespace Crevasse
                                          body.space.communicator()) == 1;
     }
   } // namespace
-
-
-
-  bool
-  formulas_can_jump(const Scene &scene)
-  {
-    const LoadParameters     &loads    = scene.loads;
-    const MaterialParameters &material = scene.material;
-    for (const std::string *formula : {&loads.traction,
-                                       &loads.body_force,
-                                       &loads.temperature,
-                                       &material.young_modulus,
-                                       &material.poisson_ratio,
-                                       &material.stiffness_matrix,
-                                       &material.stiffness_time_factor,
-                                       &material.relaxation_time,
-                                       &material.viscous_modulus,
-                                       &material.viscous_poisson_ratio,
-                                       &material.viscosity_matrix,
-                                       &material.viscosity_time_factor,
-                                       &material.chain,
-                                       &material.thermal_expansion})
-      if (can_jump(*formula))
-        return true;
-    return false;
-  }
 
 
 

@@ -73,7 +73,7 @@ namespace Crevasse
   may_use_gmg(const Scene &scene, const Body<dim> &body)
   {
     return scene.discretisation.singular_functions == 0 &&
-           scene.contact.solver != "projected sor" &&
+           !traits(scene.contact.solver).relaxes &&
            scene.contact.relaxation_table.empty() &&
            body.space.mesh().n_global_levels() > 1 &&
            n_unknowns_of_first_mesh(body) <= largest_factorised(dim);
@@ -93,9 +93,9 @@ namespace Crevasse
                            body.space.n_unknowns(),
                            Utilities::MPI::n_mpi_processes(communicator),
                            may_use_gmg(scene, body));
-    if (choice.type == LinearSolverChoice::cholesky)
+    if (choice.type == LinearSolverType::cholesky)
       Cholesky::require_one_process(communicator);
-    if (choice.type == LinearSolverChoice::amg)
+    if (choice.type == LinearSolverType::amg)
       require_work_for_ml<dim>(
         Utilities::MPI::max(double(
                               body.space.locally_owned_unknowns().n_elements()),

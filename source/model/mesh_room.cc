@@ -43,7 +43,7 @@ namespace Crevasse
                              per_cell * cells.first <= largest_factorised(dim);
     const LinearSolverChoice solver = choose_linear_solver(
       scene.linear_solver, dim, degree, unknowns, n_ranks, has_coarser);
-    if (solver.type == LinearSolverChoice::amg)
+    if (solver.type == LinearSolverType::amg)
       require_work_for_ml<dim>(unknowns / n_ranks, unknowns, degree, n_ranks);
 
     const double needed =
@@ -63,7 +63,7 @@ namespace Crevasse
       ", on a machine that has " +
       gigabytes(Utilities::MPI::min(there, communicator)) +
       " left. Take fewer Subdivisions or Refinements" +
-      (solver.type == LinearSolverChoice::gmg || dim == 2
+      (solver.type == LinearSolverType::gmg || dim == 2
          ? ""
          : ", or fewer Subdivisions and more Refinements with [Linear solver] "
            "Type = gmg") +

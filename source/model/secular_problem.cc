@@ -175,14 +175,6 @@ namespace Crevasse
 
 
 
-  bool
-  flows_by_mean_load(const std::string &scheme)
-  {
-    return scheme != "exponential" && scheme != "predictor corrector";
-  }
-
-
-
   template <int dim>
   std::string
   secular_obstacle(const Body<dim> &body)
@@ -214,11 +206,12 @@ namespace Crevasse
                        const bool        needs_periodic_strain)
   {
     SecularSplit split;
-    split.effect               = body.effects.secular_flow;
-    Effects::Effect   &effect  = split.effect;
-    const std::string &wish    = scene.periodic_state.secular_split;
-    const std::string  setting = "[Periodic state] Secular split = " + wish;
-    if (wish == "off")
+    split.effect                  = body.effects.secular_flow;
+    Effects::Effect       &effect = split.effect;
+    const SecularSplitType wish   = scene.periodic_state.secular_split;
+    const std::string      setting =
+      "[Periodic state] Secular split = " + name_of(wish);
+    if (wish == SecularSplitType::off)
       {
         effect.why = setting + ": what flows is in the displacement";
         return split;
@@ -226,7 +219,7 @@ namespace Crevasse
     const std::string reason = secular_obstacle(body);
     if (!reason.empty())
       {
-        if (wish == "on")
+        if (wish == SecularSplitType::on)
           throw SceneError(setting + ": " + reason +
                            ". Set it to automatic or off.");
         effect.why = reason;
@@ -238,23 +231,26 @@ namespace Crevasse
                     split.mean_load);
     const double largest = largest_weighted_load(body, scene.loads.period);
     effect.on = split.mean_load.linfty_norm() > rounding_of_means * largest;
-    split.is_split = effect.on && (wish == "on" || needs_periodic_strain);
+    split.is_split =
+      effect.on && (wish == SecularSplitType::on || needs_periodic_strain);
     effect.why =
       !effect.on ? "the mean load vanishes"
       : split.is_split
         ? "the mean load does not vanish: its flow is split off"
         : "the mean load does not vanish: beta is found, not split off";
-    const std::string &scheme = scene.time_integration.scheme;
-    if (split.is_split && !flows_by_mean_load(scheme))
+    const auto &scheme = traits(scene.time_integration.scheme);
+    if (split.is_split && !scheme.flows_by_mean_load)
       throw SceneError(
-        "[Time integration] Scheme = " + scheme + " with [Periodic state] " +
-        std::string(wish == "on" ? "Secular split = on"
-                                 : "Method = " + scene.periodic_state.method) +
+        std::string("[Time integration] Scheme = ") + scheme.name +
+        " with [Periodic state] " +
+        std::string(wish == SecularSplitType::on
+                      ? "Secular split = on"
+                      : "Method = " + name_of(scene.periodic_state.method)) +
         ": its steps flow steadily otherwise than the secular problem says, "
         "and contact would depend on the difference. Use Method = march with "
         "Secular split = automatic, or another scheme, such as sdirk2.");
     // Adaptive steps are found where the loads are.
-    if (scene.time_integration.step_control == "adaptive")
+    if (scene.time_integration.step_control == StepControlType::adaptive)
       return split;
     const Vector seen        = mean_load_of_steps(body, steps, *integrator);
     Vector       missed_part = seen;
@@ -277,7 +273,7 @@ namespace Crevasse
     if (!missed.empty())
       split.warning = "[Periodic state] Secular split: " + missed;
     else if (split.is_split && body.effects.contact.on)
-      split.warning = warning_of_negative_weights(scheme, *integrator);
+      split.warning = warning_of_negative_weights(scheme.name, *integrator);
     // What is marched must not flow on by the error of the steps.
     if (split.is_split && !integrator->quadrature().weights.empty())
       split.mean_load = seen;

@@ -28,16 +28,16 @@ namespace Crevasse
 
   template <int dim>
   double
-  bytes_of_matrix_solver(const LinearSolverChoice::Type type,
-                         const double                   unknowns,
-                         const double                   own_unknowns,
-                         const unsigned int             degree,
-                         const unsigned int             n_ranks)
+  bytes_of_matrix_solver(const LinearSolverType type,
+                         const double           unknowns,
+                         const double           own_unknowns,
+                         const unsigned int     degree,
+                         const unsigned int     n_ranks)
   {
-    if (type == LinearSolverChoice::amg)
+    if (type == LinearSolverType::amg)
       return bytes_per_entry * n_matrix_entries<dim>(own_unknowns, degree);
     const double cholesky = bytes_of_cholesky<dim>(unknowns, degree);
-    if (type == LinearSolverChoice::cholesky)
+    if (type == LinearSolverType::cholesky)
       return cholesky;
     // Fitted to the same runs on two ranks.
     constexpr double relative_size = dim == 2 ? 1.3 : 2.1;
@@ -56,12 +56,12 @@ namespace Crevasse
 
   template <int dim>
   double
-  least_bytes_of_solver(const LinearSolverChoice::Type type,
-                        const double                   n_unknowns,
-                        const unsigned int             degree,
-                        const unsigned int             n_ranks)
+  least_bytes_of_solver(const LinearSolverType type,
+                        const double           n_unknowns,
+                        const unsigned int     degree,
+                        const unsigned int     n_ranks)
   {
-    if (type == LinearSolverChoice::gmg)
+    if (type == LinearSolverType::gmg)
       return bytes_of_gmg_vectors(n_unknowns, degree);
     const double own = n_unknowns / n_ranks;
     return n_ranks * (bytes_per_entry * n_matrix_entries<dim>(own, degree) +
@@ -71,15 +71,15 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                      \
-  template double bytes_of_matrix_solver<dim>(const LinearSolverChoice::Type, \
-                                              const double,                   \
-                                              const double,                   \
-                                              const unsigned int,             \
-                                              const unsigned int);            \
-  template double least_bytes_of_solver<dim>(const LinearSolverChoice::Type,  \
-                                             const double,                    \
-                                             const unsigned int,              \
+#define INSTANTIATE(dim)                                              \
+  template double bytes_of_matrix_solver<dim>(const LinearSolverType, \
+                                              const double,           \
+                                              const double,           \
+                                              const unsigned int,     \
+                                              const unsigned int);    \
+  template double least_bytes_of_solver<dim>(const LinearSolverType,  \
+                                             const double,            \
+                                             const unsigned int,      \
                                              const unsigned int)
 
   INSTANTIATE(2);

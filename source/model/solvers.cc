@@ -34,7 +34,7 @@ namespace Crevasse
                               phases,
                               {},
                               {}};
-      const bool sweeps = settings.contact_choice.name == "projected sor" ||
+      const bool sweeps = traits(settings.contact_choice.type).relaxes ||
                           !scene.contact.relaxation_table.empty();
       if (sweeps && scene.contact.relaxed_together == "node")
         settings.unknown_blocks = node_blocks(body.space);
@@ -327,8 +327,8 @@ namespace Crevasse
   Solvers<dim>::relaxation_factor(const SparseMatrix &matrix,
                                   const Vector       &loads) const
   {
-    if (scene.contact.relaxation_factor != "automatic")
-      return Utilities::string_to_double(scene.contact.relaxation_factor);
+    if (const std::optional<double> factor = *scene.contact.relaxation_factor)
+      return *factor;
     // It is a property of A: what is loaded only by thermal strain, or by
     // nothing, has the same.
     Vector forces = loads;

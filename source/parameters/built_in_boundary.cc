@@ -24,19 +24,10 @@ namespace Crevasse
 
 
 
-  bool
-  has_crack(const GeometryParameters &parameters)
-  {
-    return parameters.shape == "edge crack" ||
-           parameters.shape == "centre crack";
-  }
-
-
-
   double
   tip_abscissa(const GeometryParameters &parameters)
   {
-    return parameters.shape == "edge crack"
+    return parameters.shape == Shape::edge_crack
              ? parameters.width - parameters.crack_length
              : parameters.crack_length;
   }
@@ -47,14 +38,14 @@ namespace Crevasse
   built_in_roles(const GeometryParameters &parameters)
   {
     BoundaryRoles roles;
-    if (parameters.shape == "mesh file")
+    if (parameters.shape == Shape::mesh_file)
       return roles;
 
     roles.symmetry = {BoundaryIds::ligament};
     roles.loaded   = {BoundaryIds::top};
-    if (has_crack(parameters))
+    if (traits(parameters.shape).has_crack)
       roles.contact = {BoundaryIds::lip};
-    if (parameters.shape == "centre crack")
+    if (parameters.shape == Shape::centre_crack)
       roles.symmetry.insert(BoundaryIds::left);
     return roles;
   }
@@ -66,7 +57,7 @@ namespace Crevasse
   built_in_fixed_points(const GeometryParameters &parameters,
                         const BoundaryRoles      &roles)
   {
-    if (parameters.shape == "mesh file" || !roles.clamped.empty())
+    if (parameters.shape == Shape::mesh_file || !roles.clamped.empty())
       return {};
 
     // A plane of symmetry holds the translation along its normal, and every
@@ -80,7 +71,8 @@ namespace Crevasse
       return {};
 
     // The paper holds the tip.
-    const double    x = has_crack(parameters) ? tip_abscissa(parameters) : 0.;
+    const double x =
+      traits(parameters.shape).has_crack ? tip_abscissa(parameters) : 0.;
     FixedPoint<dim> first = free_point<dim>(x, 0.);
     first.components[0]   = slides_along;
     if (dim == 3)

@@ -18,27 +18,14 @@ namespace Crevasse
                       stress_intensity,
                       "Whether crack_tip.csv tells the stress intensity "
                       "factor K_I of each step.");
-    prm.add_parameter(
-      "Method",
-      method,
-      "How K_I is found: by an integral over a square around the tip, where "
-      "the stress is that of an elastic body, or by fitting Williams' series "
-      "to the stress around the tip. \"automatic\" takes the integral "
-      "wherever it is right.",
-      Patterns::Selection("automatic|interaction integral|williams fit"));
+    add_selection("Method", method, prm);
     prm.add_parameter("Radius",
                       radius,
                       "Half the side of that square, or the larger radius of "
                       "the fit, in units of length; 0: automatic. Allowed: a "
                       "number of at least 0",
                       number);
-    prm.add_parameter(
-      "Crack growth law",
-      growth_law,
-      "Law of the crack's growth. \"paris\": da/dN = C (dK - dK_th)^m; "
-      "\"creep\": da/dt = D P^phi, P being the Creep growth parameter; "
-      "\"sum\": both.",
-      Patterns::Selection("none|paris|creep|sum"));
+    add_selection("Crack growth law", growth_law, prm);
     prm.add_parameter(
       "Paris factor",
       paris_factor,
@@ -55,12 +42,7 @@ namespace Crevasse
                       "dK_th, in units of stress sqrt(length): the crack does "
                       "not grow below it. Allowed: a number of at least 0",
                       number);
-    prm.add_parameter(
-      "Creep growth parameter",
-      creep_parameter,
-      "What drives the creep law: the integral C* of the secular flow, or K_I "
-      "at each instant of the period.",
-      Patterns::Selection("C star|stress intensity"));
+    add_selection("Creep growth parameter", creep_parameter, prm);
     prm.add_parameter("Creep factor",
                       creep_factor,
                       "D, the speed where P is 1, in units of length / time / "
@@ -76,34 +58,18 @@ namespace Crevasse
 
 
 
-  bool
-  CrackTipParameters::has_paris_part() const
-  {
-    return growth_law == "paris" || growth_law == "sum";
-  }
-
-
-
-  bool
-  CrackTipParameters::has_creep_part() const
-  {
-    return growth_law == "creep" || growth_law == "sum";
-  }
-
-
-
   void
   CrackTipParameters::check(Problems &problems) const
   {
     const Checker checker(section, problems);
     checker.demand(radius >= 0., "Radius", radius, "must be at least 0");
-    checker.demand(growth_law == "none" || stress_intensity,
+    checker.demand(growth_law == GrowthLawType::none || stress_intensity,
                    "Crack growth law",
-                   growth_law,
+                   name_of(growth_law),
                    "needs Stress intensity = true");
-    if (has_paris_part())
+    if (traits(growth_law).has_paris_part)
       checker.demand_positive("Paris factor", paris_factor);
-    if (has_creep_part())
+    if (traits(growth_law).has_creep_part)
       checker.demand_positive("Creep factor", creep_factor);
     checker.demand_positive("Paris exponent", paris_exponent);
     checker.demand_positive("Creep exponent", creep_exponent);

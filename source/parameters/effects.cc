@@ -1,66 +1,49 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/expression.h>
 #include <crevasse/base/text.h>
-#include <crevasse/parameters/coefficients.h>
 #include <crevasse/parameters/effects.h>
+#include <crevasse/parameters/formulas_of_scene.h>
+
+#include <algorithm>
 
 namespace Crevasse
 {
   namespace
   {
-    /** On what a parameter depends that changes in time; nothing if it does
-     * not change. */
-    std::string
-    cause_of_variation(const std::string &formulas,
-                       const bool         temperature_varies)
+    Effects::Effect
+    variation(const std::string             &property,
+              const std::vector<Expression> &formulas,
+              const Expression              &factor,
+              const bool                     temperature_varies)
     {
-      bool depends_on_t = false, depends_on_theta = false;
-      for (const Expression &formula : parse_coefficients(formulas))
-        {
-          depends_on_t     = depends_on_t || formula.depends_on_time();
-          depends_on_theta = depends_on_theta || (formula.depends_on("theta") &&
-                                                  temperature_varies);
-        }
-      return depends_on_t ? "t" : (depends_on_theta ? "theta" : "");
-    }
-
-
-
-    /** Which of some parameters depend on time, and how; nothing if none does.
-     */
-    std::string
-    those_that_vary(const Formulas &parameters, const bool temperature_varies)
-    {
-      std::vector<std::string> all;
-      for (const auto &[name, formulas] : parameters)
-        if (const std::string cause =
-              cause_of_variation(formulas, temperature_varies);
-            !cause.empty())
-          all.push_back(Text::parameter(MaterialParameters::section, name) +
-                        " depends on " + cause);
-      return Text::join(all, ", ");
+      const std::string name = "varying " + property;
+      const std::string reason =
+        describe_variation(formulas, temperature_varies);
+      if (!reason.empty())
+        return {name, true, "freely: " + reason};
+      const std::string varying_factor =
+        describe_variation({factor}, temperature_varies);
+      if (!varying_factor.empty())
+        return {name, true, "by a factor: " + varying_factor};
+      return {name, false, "nothing of the " + property + " depends on time"};
     }
 
 
 
     Effects::Effect
-    variation(const std::string &property,
-              const Formulas    &formulas,
-              const char        *factor_name,
-              const std::string &factor,
-              const bool         temperature_varies)
+    free_strain(const MaterialParameters::FreeStrain &strain,
+                const LoadParameters                 &loads)
     {
-      const std::string name   = "varying " + property;
-      const std::string reason = those_that_vary(formulas, temperature_varies);
-      if (!reason.empty())
-        return {name, true, "freely: " + reason};
-      const std::string varying_factor =
-        those_that_vary({{factor_name, factor}}, temperature_varies);
-      if (!varying_factor.empty())
-        return {name, true, "by a factor: " + varying_factor};
-      return {name, false, "nothing of the " + property + " depends on time"};
+      const std::string name =
+        Text::parameter(MaterialParameters::section, strain.parameter);
+      if (are_zero(*strain.components))
+        return {strain.effect, false, name + " is 0"};
+      if (strain.is_thermal)
+        return {strain.effect,
+                has_temperature(loads),
+                "[Loads] Temperature = " + loads.temperature.text()};
+      return {strain.effect, true, name + " = " + strain.components.text()};
     }
   } // namespace
 
@@ -78,39 +61,35 @@ namespace Crevasse
                               : "no boundary has the role Contact";
 
     viscosity.name = "viscosity";
-    viscosity.on   = material.viscosity != "none";
-    viscosity.why  = "[Material] Viscosity = " + material.viscosity;
+    viscosity.on   = material.viscosity != ViscosityType::none;
+    viscosity.why  = "[Material] Viscosity = " + name_of(material.viscosity);
 
-    chain = {"chain",
-             material.viscosity == "chain",
-             material.viscosity == "chain"
-               ? "[Material] Chain = " + material.chain
-               : "at most one Maxwell body"};
+    const bool is_chain = material.viscosity == ViscosityType::chain;
+    chain               = {"chain",
+                           is_chain,
+             is_chain ? "[Material] Chain = " + material.chain.text()
+                                    : "at most one Maxwell body"};
 
-    thermal_strain = {"thermal strain",
-                      expands(material) && is_warm(scene.loads),
-                      !expands(material)
-                        ? "[Material] Thermal expansion is 0"
-                        : "[Loads] Temperature = " + scene.loads.temperature};
+    for (const auto &strain : material.free_strains())
+      free_strains.push_back(free_strain(strain, scene.loads));
 
     varying_stiffness = variation("stiffness",
                                   stiffness_formulas(material),
-                                  "Stiffness time factor",
-                                  material.stiffness_time_factor,
+                                  *material.stiffness_time_factor,
                                   temperature_varies);
     varying_viscosity = viscosity.on
                           ? variation("viscosity",
                                       viscosity_formulas(material),
-                                      "Viscosity time factor",
-                                      material.viscosity_time_factor,
+                                      *material.viscosity_time_factor,
                                       temperature_varies)
                           : Effect{"varying viscosity", false, "no viscosity"};
 
     body_force = {"body force",
-                  !are_zero(Expression::parse_list(scene.loads.body_force)),
-                  "[Loads] Body force " + (scene.loads.body_force.empty()
-                                             ? "is not set"
-                                             : "= " + scene.loads.body_force)};
+                  !are_zero(*scene.loads.body_force),
+                  "[Loads] Body force " +
+                    (scene.loads.body_force->empty()
+                       ? "is not set"
+                       : "= " + scene.loads.body_force.text())};
 
     const unsigned int n_singular = scene.discretisation.singular_functions;
     singular_functions            = {"singular functions",
@@ -127,8 +106,18 @@ namespace Crevasse
     secular_flow = {"secular flow", false, "not looked for"};
 
     field_output.name = "field output";
-    field_output.on   = scene.output.fields != "none";
-    field_output.why  = "[Output] Fields = " + scene.output.fields;
+    field_output.on   = scene.output.fields != FieldFormat::none;
+    field_output.why  = "[Output] Fields = " + name_of(scene.output.fields);
+  }
+
+
+
+  bool
+  Effects::has_free_strain() const
+  {
+    return std::any_of(free_strains.begin(),
+                       free_strains.end(),
+                       [](const Effect &effect) { return effect.on; });
   }
 
 
@@ -136,16 +125,15 @@ namespace Crevasse
   std::vector<Effects::Effect>
   Effects::list() const
   {
-    return {contact,
-            viscosity,
-            secular_flow,
-            chain,
-            thermal_strain,
-            varying_stiffness,
-            varying_viscosity,
-            body_force,
-            singular_functions,
-            stress_intensity,
-            field_output};
+    std::vector<Effect> all = {contact, viscosity, secular_flow, chain};
+    all.insert(all.end(), free_strains.begin(), free_strains.end());
+    for (const Effect &effect : {varying_stiffness,
+                                 varying_viscosity,
+                                 body_force,
+                                 singular_functions,
+                                 stress_intensity,
+                                 field_output})
+      all.push_back(effect);
+    return all;
   }
 } // namespace Crevasse

@@ -24,17 +24,7 @@ namespace Crevasse
   void
   GeometryParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter(
-      "Shape",
-      shape,
-      "The body. The built-in shapes are the half above the crack plane y = 0 "
-      "of a plate: \"edge crack\" has its crack on the right, with the tip at "
-      "x = Width - Crack length; \"centre crack\" is a quarter of the plate, "
-      "with the crack from x = 0 to x = Crack length; in three dimensions both "
-      "go through the plate, with a straight front along z. \"rectangle\" "
-      "(in two dimensions) and \"box\" (in three) have no crack; \"mesh "
-      "file\" reads a mesh.",
-      Patterns::Selection("edge crack|centre crack|rectangle|box|mesh file"));
+    add_selection("Shape", shape, prm);
     prm.add_parameter("Width",
                       width,
                       "Extent in x of a built-in shape, in units of length. "
@@ -125,12 +115,12 @@ namespace Crevasse
       "at z = 0 and component 1 of both ends, each only as far as needed; in a "
       "mesh file nothing. Allowed: automatic, none, or a list such as "
       "0, 0; 1, 0: 2");
-    prm.add_parameter("Gap",
-                      gap,
+    gap.add_parameter("Gap",
                       "The least normal displacement of the lip, in units of "
                       "length: 0 for a crack that is closed when nothing is "
                       "loaded, negative for one that stands open. Allowed: a "
-                      "formula of x, y, z with values of at most 0");
+                      "formula of x, y, z with values of at most 0",
+                      prm);
   }
 
 
@@ -143,30 +133,33 @@ namespace Crevasse
                       "Period of everything that depends on time, in units of "
                       "time. In all formulas t is the time within the period. "
                       "Allowed: a number greater than 0");
-    prm.add_parameter("Traction",
-                      traction,
-                      "Force per area on the boundaries that Boundary/Loaded "
-                      "names, in units of stress; nothing: none. Allowed: one "
-                      "formula of x, y, z, t for each dimension, separated by "
-                      "semicolons");
-    prm.add_parameter("Temperature",
-                      temperature,
-                      "Change of the temperature theta against that at which "
-                      "nothing is strained, in units of temperature. It "
-                      "strains the body by Thermal "
-                      "expansion, and the formulas of the material may depend "
-                      "on it. Allowed: a formula of x, y, z, t; a .csv file "
-                      "with the columns t, x, y, theta (t, x, y, z, theta in "
-                      "three dimensions): a rectangular grid of points, the "
-                      "same at each instant, between which is interpolated; "
-                      "or fields on meshes of their own with a scalar theta, "
-                      "temperature or T at their points: a .vtu or .pvtu "
-                      "file, or a .pvd file for several instants");
-    prm.add_parameter("Body force",
-                      body_force,
-                      "Force per volume, in units of stress / length; nothing: "
-                      "none. Allowed: one formula of x, y, z, t for each "
-                      "dimension, separated by semicolons");
+    traction.add_parameter(
+      "Traction",
+      "Force per area on the boundaries that Boundary/Loaded "
+      "names, in units of stress; nothing: none. Allowed: one "
+      "formula of x, y, z, t for each dimension, separated by "
+      "semicolons",
+      prm);
+    temperature.add_parameter(
+      "Temperature",
+      "Change of the temperature theta against that at which "
+      "nothing is strained, in units of temperature. It "
+      "strains the body by Thermal "
+      "expansion, and the formulas of the material may depend "
+      "on it. Allowed: a formula of x, y, z, t; a .csv file "
+      "with the columns t, x, y, theta (t, x, y, z, theta in "
+      "three dimensions): a rectangular grid of points, the "
+      "same at each instant, between which is interpolated; "
+      "or fields on meshes of their own with a scalar theta, "
+      "temperature or T at their points: a .vtu or .pvtu "
+      "file, or a .pvd file for several instants",
+      prm);
+    body_force.add_parameter(
+      "Body force",
+      "Force per volume, in units of stress / length; nothing: "
+      "none. Allowed: one formula of x, y, z, t for each "
+      "dimension, separated by semicolons",
+      prm);
   }
 
 
@@ -179,14 +172,7 @@ namespace Crevasse
                       "Polynomial degree of the finite elements. Allowed: 1 or "
                       "2",
                       any_count);
-    prm.add_parameter("Volumetric strain",
-                      volumetric_strain,
-                      "The change of volume that the strain has at a point: "
-                      "\"full\" is that of the displacement there, \"mean\" "
-                      "its mean over the cell (B-bar), which linear elements "
-                      "need where the volume hardly changes, in plane strain "
-                      "or three dimensions with a Poisson ratio near 0.5.",
-                      Patterns::Selection("full|mean"));
+    add_selection("Volumetric strain", volumetric_strain, prm);
     prm.add_parameter(
       "Singular functions",
       singular_functions,
@@ -203,21 +189,13 @@ namespace Crevasse
   void
   ContactParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Solver",
-                      solver,
-                      "Method for the contact inequality. \"condensed active "
-                      "set\" reduces it to the lip, \"active set\" works on "
-                      "all unknowns, \"projected sor\" is the method of the "
-                      "paper, by the first process if there are several; "
-                      "\"automatic\" takes the condensed one, or \"active "
-                      "set\" if the lip or the mesh is very large.",
-                      Patterns::Selection("automatic|projected sor|active set|"
-                                          "condensed active set"));
-    prm.add_parameter("Relaxation factor",
-                      relaxation_factor,
-                      "Over-relaxation factor of the projected SOR method; "
-                      "\"automatic\" searches for the best one. Allowed: "
-                      "automatic, or a number greater than 0 and less than 2");
+    add_selection("Solver", solver, prm);
+    relaxation_factor.add_parameter(
+      "Relaxation factor",
+      "Over-relaxation factor of the projected SOR method; "
+      "\"automatic\" searches for the best one. Allowed: "
+      "automatic, or a number greater than 0 and less than 2",
+      prm);
     prm.add_parameter("Relaxed together",
                       relaxed_together,
                       "What the projected SOR method relaxes at once.",
@@ -249,15 +227,7 @@ namespace Crevasse
   void
   LinearSolverParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Type",
-                      type,
-                      "Solver of the linear systems: factorisation by "
-                      "CHOLMOD on one process or by MUMPS on several, or "
-                      "conjugate gradients with algebraic multigrid (ML) or, "
-                      "without a matrix, geometric multigrid. "
-                      "\"automatic\" chooses by dimension, size and number of "
-                      "processes.",
-                      Patterns::Selection("automatic|cholesky|mumps|amg|gmg"));
+    add_selection("Type", type, prm);
     prm.add_parameter("Tolerance",
                       tolerance,
                       "Factor by which conjugate gradients reduce the residual "
@@ -278,21 +248,7 @@ namespace Crevasse
   void
   TimeIntegrationParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Scheme",
-                      scheme,
-                      "Method for the viscous strain. Explicit, with a limit "
-                      "of the step: \"euler\", \"heun\" and \"rk4\" of "
-                      "order 1, 2 and 4, and \"predictor corrector\" of order "
-                      "2, implicit in the material alone. Without limit: "
-                      "\"exponential\" of order 2, exact where the strain is "
-                      "held, \"sdirk2\" of order 2, implicit, and "
-                      "\"trapezoid\" of order 2, implicit, in which what is "
-                      "fast swings on. \"arkode explicit\" and \"arkode "
-                      "implicit\" are methods of the "
-                      "library ARKODE, of the Order given.",
-                      Patterns::Selection("euler|heun|rk4|predictor corrector|"
-                                          "exponential|sdirk2|trapezoid|"
-                                          "arkode explicit|arkode implicit"));
+    add_selection("Scheme", scheme, prm);
     prm.add_parameter("Heun weight",
                       heun_weight,
                       "Weight w of the second stage of the scheme \"heun\", "
@@ -305,15 +261,7 @@ namespace Crevasse
                       "schemes of arkode that of samples. Allowed: an "
                       "integer from 1 to 1000000",
                       any_count);
-    prm.add_parameter(
-      "Step control",
-      step_control,
-      "Where the steps end: \"uniform\" divides the period "
-      "equally, \"list\" takes the instants of Steps, "
-      "\"adaptive\" chooses steps by their error, with schemes "
-      "that can tell it: heun, exponential, sdirk2 and those of "
-      "arkode.",
-      Patterns::Selection("uniform|list|adaptive"));
+    add_selection("Step control", step_control, prm);
     prm.add_parameter("Steps",
                       steps,
                       "Instants of the step control \"list\", in units of "
@@ -354,34 +302,9 @@ namespace Crevasse
   void
   PeriodicStateParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter(
-      "Method",
-      method,
-      "How the periodic state is found. \"march\" computes one period after "
-      "the other until the stress repeats, as the body itself would; "
-      "\"anderson\" starts each from the combination of the last ones that "
-      "comes closest to repeating; \"fourier\" solves for all instants at "
-      "once, where nothing but the loads depends on time and the steps are "
-      "equal; \"automatic\" takes the fastest that the scene allows, and "
-      "another one where that fails.",
-      Patterns::Selection("march|anderson|fourier|automatic"));
-    prm.add_parameter(
-      "Start from",
-      start_from,
-      "Viscous strain with which \"march\" and \"anderson\" begin: \"rest\" "
-      "is none, \"fourier\" that of the direct method.",
-      Patterns::Selection("rest|fourier"));
-    prm.add_parameter(
-      "Secular split",
-      secular_split,
-      "The flow beta that a mean load causes is the solution of a stationary "
-      "contact problem. \"automatic\" finds it so if there is a mean load and "
-      "the viscosity is a function of place times one of time, and integrates "
-      "the whole motion from rest; \"on\" integrates only the periodic part "
-      "q of u = beta t + q, which has a contact condition of its own: the "
-      "periodic state is the same, the way to it is not; \"off\" only "
-      "measures what the displacement gains over a period.",
-      Patterns::Selection("automatic|on|off"));
+    add_selection("Method", method, prm);
+    add_selection("Start from", start_from, prm);
+    add_selection("Secular split", secular_split, prm);
     prm.add_parameter("Maximum periods",
                       maximum_periods,
                       "Number of periods after which the search ends even if "
@@ -408,13 +331,7 @@ namespace Crevasse
                       "Periods that are marched before the first combination. "
                       "Allowed: an integer of at least 0",
                       any_count);
-    prm.add_parameter(
-      "Harmonics",
-      harmonics,
-      "How \"fourier\" integrates each harmonic over the steps: "
-      "\"trapezoid\" by the trapezoidal rule, as the scheme of that name "
-      "would; \"exact\" as if it went on between the instants.",
-      Patterns::Selection("trapezoid|exact"));
+    add_selection("Harmonics", harmonics, prm);
   }
 
 
@@ -422,33 +339,22 @@ namespace Crevasse
   void
   OutputParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Probes",
-                      probes,
-                      "Points whose displacement and stress are recorded at "
-                      "every step, in files named after them; coordinates are "
-                      "in units of length. Allowed: a list "
-                      "such as tip: 0.5, 0; corner: 1, 1, with as many "
-                      "coordinates as dimensions");
+    probes.add_parameter(
+      "Probes",
+      "Points whose displacement and stress are recorded at "
+      "every step, in files named after them; coordinates are "
+      "in units of length. Allowed: a list "
+      "such as tip: 0.5, 0; corner: 1, 1, with as many "
+      "coordinates as dimensions",
+      prm);
     prm.add_parameter("Field times",
                       field_times,
                       "Instants within the last period at which the fields are "
                       "written, in units of time. Allowed: numbers from 0 to "
                       "the period, separated by commas",
                       list_of_numbers);
-    prm.add_parameter("Fields",
-                      fields,
-                      "File format of the fields.",
-                      Patterns::Selection("vtu|none"));
-    prm.add_parameter(
-      "Elastic comparison",
-      elastic_comparison,
-      "Whether the stress of the last period is compared with "
-      "that of an elastic body whose crack is always open, or "
-      "always closed. For loads F(t) p(x), no gap, and a "
-      "viscosity in proportion to the stiffness or none; closed "
-      "needs an F of one sign, and so does either without "
-      "viscosity.",
-      Patterns::Selection("none|open|closed"));
+    add_selection("Fields", fields, prm);
+    add_selection("Elastic comparison", elastic_comparison, prm);
     prm.add_parameter("Load work",
                       load_work,
                       "Whether the work of the loads in the displacement is "

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/expression.h>
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/parameters.h>
@@ -38,18 +37,17 @@ namespace Crevasse
     check_ids("Loaded", loaded);
     check_ids("Contact", contact);
 
-    checker.demand_readable("Gap", gap, [&]() {
-      const Expression expression(gap);
-      checker.demand(!expression.depends_on_time(),
-                     "Gap",
-                     gap,
-                     "must not depend on t");
-      if (expression.is_constant())
-        checker.demand(expression.value(dealii::Point<2>()) <= 0.,
-                       "Gap",
-                       gap,
-                       "must be at most 0: the lip moves away from the "
-                       "crack plane only");
-    });
+    checker.demand_valid("Gap", gap);
+    if (!gap.is_valid())
+      return;
+    checker.demand(!gap->depends_on_time(),
+                   "Gap",
+                   gap.text(),
+                   "must not depend on t");
+    checker.demand(!gap->is_constant() || gap->value(dealii::Point<2>()) <= 0.,
+                   "Gap",
+                   gap.text(),
+                   "must be at most 0: the lip moves away from the crack plane "
+                   "only");
   }
 } // namespace Crevasse

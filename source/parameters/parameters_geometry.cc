@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
-#include <crevasse/parameters/built_in_boundary.h>
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/parameters.h>
 
@@ -78,7 +77,7 @@ namespace Crevasse
     checker.demand_positive("Width", width);
     checker.demand_positive("Height", height);
     checker.demand_positive("Thickness", thickness);
-    const bool cracked = has_crack(*this);
+    const bool cracked = traits(shape).has_crack;
     if (cracked)
       {
         checker.demand_positive("Crack length", crack_length);
@@ -99,10 +98,10 @@ namespace Crevasse
                    refinements,
                    "must be at most 12");
 
-    if (shape != "mesh file" && !problems.concern(section, "Refinements"))
+    if (shape != Shape::mesh_file && !problems.concern(section, "Refinements"))
       check_number_of_cells(*this, checker);
 
-    if (shape == "mesh file")
+    if (shape == Shape::mesh_file)
       {
         if (mesh_file.empty())
           checker.demand(false,
@@ -118,6 +117,6 @@ namespace Crevasse
                      mesh_file,
                      "is allowed only for the shape \"mesh file\"; the shape "
                      "is \"" +
-                       shape + "\"");
+                       name_of(shape) + "\"");
   }
 } // namespace Crevasse

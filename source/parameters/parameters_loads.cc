@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/expression.h>
-#include <crevasse/base/text.h>
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/parameters.h>
-#include <crevasse/temperature/temperature.h>
 
 namespace Crevasse
 {
@@ -15,30 +12,10 @@ namespace Crevasse
     const Checker checker(section, problems);
     checker.demand_positive("Period", period);
 
-    const auto check_formulas = [&](const char        *name,
-                                    const std::string &formulas) {
-      for (const std::string &formula : Text::split(formulas, ';'))
-        checker.demand_readable(name, formulas, [&]() {
-          Expression expression(formula);
-        });
-    };
-    check_formulas("Traction", traction);
-    check_formulas("Body force", body_force);
-
-    if (Temperature<2>::is_file(temperature))
-      checker.demand_file("Temperature", temperature);
-    else
-      checker.demand_readable("Temperature", temperature, [&]() {
-        try
-          {
-            Expression expression(temperature);
-          }
-        catch (const SceneError &error)
-          {
-            throw SceneError(std::string(error.what()) +
-                             " (names of files end in .csv, .vtu, .pvtu or "
-                             ".pvd)");
-          }
-      });
+    checker.demand_valid("Traction", traction);
+    checker.demand_valid("Body force", body_force);
+    checker.demand_valid("Temperature", temperature);
+    if (temperature.is_valid() && !*temperature)
+      checker.demand_file("Temperature", temperature.text());
   }
 } // namespace Crevasse

@@ -20,6 +20,20 @@ namespace Crevasse
 
 
 
+  std::optional<double>
+  parse_relaxation_factor(const std::string &text)
+  {
+    if (text == "automatic")
+      return {};
+    const auto factor = Text::to_number(text);
+    if (!factor || !is_relaxation_factor(*factor))
+      throw SceneError(
+        "must be \"automatic\" or a number greater than 0 and less than 2");
+    return factor;
+  }
+
+
+
   void
   DiscretisationParameters::check(Problems &problems) const
   {
@@ -28,9 +42,9 @@ namespace Crevasse
                    "Degree",
                    degree,
                    "must be 1 or 2");
-    checker.demand(volumetric_strain != "mean" || degree == 1,
+    checker.demand(volumetric_strain != VolumetricStrain::mean || degree == 1,
                    "Volumetric strain",
-                   volumetric_strain,
+                   name_of(volumetric_strain),
                    "is for linear elements only; with Degree = " +
                      std::to_string(degree) + " it must be full");
     checker.demand(singular_functions <= 3,
@@ -46,13 +60,7 @@ namespace Crevasse
   {
     const Checker checker(section, problems);
 
-    if (relaxation_factor != "automatic")
-      checker.demand(is_relaxation_factor(
-                       Text::to_number(relaxation_factor).value_or(0.)),
-                     "Relaxation factor",
-                     relaxation_factor,
-                     "must be \"automatic\" or a number greater than 0 and "
-                     "less than 2");
+    checker.demand_valid("Relaxation factor", relaxation_factor);
     checker.demand(tolerance > 0. && tolerance <= 1e-2,
                    "Tolerance",
                    tolerance,
@@ -86,19 +94,11 @@ namespace Crevasse
 
 
 
-  bool
-  uses_arkode(const TimeIntegrationParameters &parameters)
-  {
-    return parameters.scheme.rfind("arkode", 0) == 0;
-  }
-
-
-
   void
   TimeIntegrationParameters::check(Problems &problems) const
   {
     const Checker checker(section, problems);
-    if (scheme == "heun")
+    if (scheme == Scheme::heun)
       checker.demand(heun_weight >= 0.5 && heun_weight <= 1.,
                      "Heun weight",
                      heun_weight,
@@ -117,25 +117,24 @@ namespace Crevasse
                    "Absolute tolerance",
                    absolute_tolerance,
                    "must be at least 0");
-    if (step_control == "adaptive")
+    if (step_control == StepControlType::adaptive)
       checker.demand(relative_tolerance > 0. || absolute_tolerance > 0.,
                      "Relative tolerance",
                      relative_tolerance,
                      "must be greater than 0, or Absolute tolerance, for the "
                      "step control \"adaptive\"");
-    if (step_control == "adaptive")
+    if (step_control == StepControlType::adaptive)
       checker.demand(
-        scheme == "heun" || scheme == "exponential" || scheme == "sdirk2" ||
-          uses_arkode(*this),
+        traits(scheme).estimates_error,
         "Scheme",
-        scheme,
+        name_of(scheme),
         "cannot tell the error of its steps, which the step "
         "control \"adaptive\" needs; heun, exponential, sdirk2 and "
         "those of arkode can");
 
-    if (step_control == "uniform")
+    if (step_control == StepControlType::uniform)
       return;
-    checker.demand(step_control != "list" || !steps.empty(),
+    checker.demand(step_control != StepControlType::list || !steps.empty(),
                    "Steps",
                    "",
                    "must be given, for the step control is \"list\"");

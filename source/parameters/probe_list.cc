@@ -28,39 +28,34 @@ namespace Crevasse
 
 
 
-    template <int dim>
-    Probe<dim>
+    NamedPoint
     parse_probe(const std::string &entry)
     {
       const std::size_t colon       = entry.find(':');
       const auto        coordinates = colon == std::string::npos
                                         ? std::nullopt
                                         : Text::to_numbers(entry.substr(colon + 1));
-      if (!coordinates || coordinates->size() != dim)
-        throw SceneError("\"" + Text::shorten(entry) + "\" must be \"name: " +
-                         (dim == 2 ? "x, y" : "x, y, z") +
-                         "\"; probes are separated by semicolons");
-
-      Probe<dim> probe;
-      probe.name = dealii::Utilities::trim(entry.substr(0, colon));
-      check_name(probe.name);
-      for (unsigned int d = 0; d < dim; ++d)
-        probe.point[d] = (*coordinates)[d];
-      return probe;
+      if (!coordinates)
+        throw SceneError("\"" + Text::shorten(entry) +
+                         "\" must be \"name: x, y\", in three dimensions "
+                         "\"name: x, y, z\"; probes are separated by "
+                         "semicolons");
+      const std::string name = dealii::Utilities::trim(entry.substr(0, colon));
+      check_name(name);
+      return {name, *coordinates};
     }
   } // namespace
 
 
 
-  template <int dim>
-  std::vector<Probe<dim>>
+  std::vector<NamedPoint>
   parse_probes(const std::string &text)
   {
-    std::vector<Probe<dim>> probes;
+    std::vector<NamedPoint> probes;
     std::set<std::string>   names;
     for (const std::string &entry : Text::split(text, ';'))
       {
-        probes.push_back(parse_probe<dim>(entry));
+        probes.push_back(parse_probe(entry));
         if (!names.insert(probes.back().name).second)
           throw SceneError("the name \"" + probes.back().name +
                            "\" must stand for one probe only");
@@ -70,8 +65,30 @@ namespace Crevasse
 
 
 
+  template <int dim>
+  std::vector<Probe<dim>>
+  to_probes(const std::vector<NamedPoint> &points)
+  {
+    std::vector<Probe<dim>> probes;
+    for (const NamedPoint &point : points)
+      {
+        if (point.coordinates.size() != dim)
+          throw SceneError("the probe \"" + point.name + "\" must be \"name: " +
+                           (dim == 2 ? "x, y" : "x, y, z") + "\"; it has " +
+                           std::to_string(point.coordinates.size()) +
+                           " coordinates");
+        Probe<dim> probe{point.name, {}};
+        for (unsigned int d = 0; d < dim; ++d)
+          probe.point[d] = point.coordinates[d];
+        probes.push_back(probe);
+      }
+    return probes;
+  }
+
+
+
   template std::vector<Probe<2>>
-  parse_probes<2>(const std::string &);
+  to_probes<2>(const std::vector<NamedPoint> &);
   template std::vector<Probe<3>>
-  parse_probes<3>(const std::string &);
+  to_probes<3>(const std::vector<NamedPoint> &);
 } // namespace Crevasse

@@ -13,13 +13,7 @@ namespace Crevasse
   void
   RefinementParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter(
-      "Strategy",
-      strategy,
-      "How the mesh is refined after [Geometry] Refinements: \"tip\" divides "
-      "the cells around the crack tip again and again, \"adaptive\" those "
-      "with the largest estimated error.",
-      Patterns::Selection("none|tip|adaptive"));
+    add_selection("Strategy", strategy, prm);
     prm.add_parameter("Target unknowns",
                       target_unknowns,
                       "Refinement ends before the mesh has more unknowns; 0: "
@@ -32,13 +26,7 @@ namespace Crevasse
       "follow on the first one; 0: until Target unknowns or Tolerance. "
       "Allowed: an integer, at least 0",
       Patterns::Integer(0));
-    prm.add_parameter(
-      "Marking",
-      marking,
-      "What Refine fraction and Coarsen fraction are parts of: of the "
-      "estimated error (\"bulk\", Doerfler's marking) or of the number of "
-      "cells (\"fixed fraction\").",
-      Patterns::Selection("bulk|fixed fraction"));
+    add_selection("Marking", marking, prm);
     prm.add_parameter("Refine fraction",
                       refine_fraction,
                       "The cells of the largest errors with this part of the "
@@ -94,23 +82,25 @@ namespace Crevasse
     for (const double instant : instants)
       checker.demand(instant >= 0., "Instants", instant, "must be at least 0");
     // Each level halves the cells: 2^-40 is at the rounding of coordinates.
-    checker.demand(strategy != "tip" || cycles <= 40,
+    checker.demand(strategy != RefinementStrategy::tip || cycles <= 40,
                    "Cycles",
                    cycles,
                    "must be at most 40 with Strategy = tip: each divides the "
                    "size of the cells at the tip by 2");
-    checker.demand(strategy != "tip" || cycles > 0 || target_unknowns > 0,
+    checker.demand(strategy != RefinementStrategy::tip || cycles > 0 ||
+                     target_unknowns > 0,
                    "Strategy",
-                   strategy,
+                   name_of(strategy),
                    "needs Cycles or Target unknowns to be greater than 0: "
                    "otherwise it would not end");
-    checker.demand(strategy != "adaptive" || cycles > 0 ||
+    checker.demand(strategy != RefinementStrategy::adaptive || cycles > 0 ||
                      target_unknowns > 0 || tolerance > 0.,
                    "Strategy",
-                   strategy,
+                   name_of(strategy),
                    "needs Cycles, Target unknowns or Tolerance to be greater "
                    "than 0: otherwise it would not end");
-    checker.demand(readapt_every == 0 || strategy == "adaptive",
+    checker.demand(readapt_every == 0 ||
+                     strategy == RefinementStrategy::adaptive,
                    "Readapt every",
                    readapt_every,
                    "is for Strategy = adaptive; otherwise it must be 0");

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/expression.h>
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/checker.h>
-#include <crevasse/parameters/probe_list.h>
 #include <crevasse/parameters/recorded_steps.h>
 #include <crevasse/parameters/scene.h>
-#include <crevasse/parameters/tensor_formulas.h>
 
 namespace Crevasse
 {
@@ -18,16 +15,17 @@ namespace Crevasse
     void
     check_shape(const Scene &scene, Problems &problems)
     {
-      const bool        plane    = scene.dimension == 2;
-      const std::string excluded = plane ? "box" : "rectangle";
+      const bool  plane    = scene.dimension == 2;
+      const Shape allowed  = plane ? Shape::rectangle : Shape::box;
+      const Shape excluded = plane ? Shape::box : Shape::rectangle;
       if (scene.geometry.shape == excluded)
         problems.add(GeometryParameters::section,
                      "Shape",
-                     excluded,
+                     name_of(excluded),
                      "is not allowed with Dimension = " +
                        std::to_string(scene.dimension) +
-                       ": the body without a crack is \"" +
-                       (plane ? "rectangle" : "box") + "\" there");
+                       ": the body without a crack is \"" + name_of(allowed) +
+                       "\" there");
     }
 
 
@@ -36,29 +34,15 @@ namespace Crevasse
     void
     check_volumetric_strain(const Scene &scene, Problems &problems)
     {
-      if (scene.discretisation.volumetric_strain == "mean" &&
-          scene.dimension == 2 && scene.material.plane_state == "plane stress")
+      if (scene.discretisation.volumetric_strain == VolumetricStrain::mean &&
+          scene.dimension == 2 &&
+          scene.material.plane_state == PlaneState::plane_stress)
         problems.add(DiscretisationParameters::section,
                      "Volumetric strain",
                      "mean",
                      "is not allowed in plane stress, where no volume is kept "
                      "and nothing locks; it must be full, or [Material] Plane "
                      "state = plane strain");
-    }
-
-
-
-    bool
-    has_no_gap(const BoundaryParameters &boundary)
-    {
-      try
-        {
-          return Expression(boundary.gap).is_zero();
-        }
-      catch (const SceneError &)
-        {
-          return true; // The section itself complains.
-        }
     }
 
 
@@ -77,24 +61,27 @@ namespace Crevasse
                      "must be 0 with Dimension = 3: they are those of a crack "
                      "tip in the plane; use [Refinement] Strategy = tip");
       checker.demand(discretisation.singular_functions == 0 ||
-                       discretisation.volumetric_strain == "full",
+                       discretisation.volumetric_strain ==
+                         VolumetricStrain::full,
                      "Singular functions",
                      discretisation.singular_functions,
                      "must be 0 with Volumetric strain = mean; use Degree = 2 "
                      "instead of mean dilatations");
       checker.demand(
         discretisation.singular_functions == 0 ||
-          (scene.linear_solver.type != "amg" &&
-           scene.linear_solver.type != "gmg"),
+          !traits(scene.linear_solver.type).is_multigrid,
         "Singular functions",
         discretisation.singular_functions,
-        "must be 0 with [Linear solver] Type = " + scene.linear_solver.type +
+        "must be 0 with [Linear solver] Type = " +
+          name_of(scene.linear_solver.type) +
           ": they couple all unknowns; use automatic, cholesky or mumps");
       checker.demand(discretisation.singular_functions == 0 ||
-                       has_no_gap(scene.boundary),
+                       !scene.boundary.gap.is_valid() ||
+                       scene.boundary.gap->is_zero(),
                      "Singular functions",
                      discretisation.singular_functions,
-                     "must be 0 with [Boundary] Gap = " + scene.boundary.gap +
+                     "must be 0 with [Boundary] Gap = " +
+                       scene.boundary.gap.text() +
                        ": a crack that is open without load may close at its "
                        "tip, which the bound of the singular function forbids");
     }
@@ -105,12 +92,12 @@ namespace Crevasse
     void
     check_matrix_free(const Scene &scene, Problems &problems)
     {
-      const bool relaxes = scene.contact.solver == "projected sor" ||
+      const bool relaxes = traits(scene.contact.solver).relaxes ||
                            !scene.contact.relaxation_table.empty();
       Checker(LinearSolverParameters::section, problems)
-        .demand(scene.linear_solver.type != "gmg" || !relaxes,
+        .demand(scene.linear_solver.type != LinearSolverType::gmg || !relaxes,
                 "Type",
-                scene.linear_solver.type,
+                name_of(scene.linear_solver.type),
                 "has no matrix, which [Contact] Solver = projected sor and "
                 "Relaxation table need; use automatic, cholesky or amg");
     }
@@ -136,7 +123,7 @@ namespace Crevasse
       const std::string dimension = std::to_string(scene.dimension);
 
       const auto &subdivisions = scene.geometry.subdivisions;
-      if (scene.geometry.shape != "mesh file" &&
+      if (scene.geometry.shape != Shape::mesh_file &&
           subdivisions.size() != scene.dimension)
         {
           std::vector<std::string> parts;
@@ -149,13 +136,13 @@ namespace Crevasse
                          " integers, one for each dimension");
         }
 
-      const auto check_formulas = [&](const char        *name,
-                                      const std::string &formulas) {
-        const std::size_t n = Text::split(formulas, ';').size();
+      const auto check_formulas = [&](const char     *name,
+                                      const Formulas &formulas) {
+        const std::size_t n = Text::split(formulas.text(), ';').size();
         if (n != 0 && n != scene.dimension)
           problems.add(LoadParameters::section,
                        name,
-                       formulas,
+                       formulas.text(),
                        "must be " + dimension +
                          " formulas, one for each dimension, separated by "
                          "semicolons, or nothing");
@@ -172,26 +159,22 @@ namespace Crevasse
     check_tensors(const Scene &scene, Problems &problems)
     {
       const MaterialParameters &material = scene.material;
-      const bool plane_stress = material.plane_state == "plane stress";
+      const bool                plane_stress =
+        material.plane_state == PlaneState::plane_stress;
       const auto check =
-        [&](const char *name, const std::string &value, const auto &read) {
+        [&](const char *name, const auto &value, const auto &...more) {
           if (!problems.concern(MaterialParameters::section, name))
             Checker(MaterialParameters::section, problems)
-              .demand_readable(name, value, read);
+              .demand_readable(name, value.text(), [&]() {
+                require_size(value, scene.dimension, more...);
+              });
         };
-      const auto check_matrix = [&](const char        *name,
-                                    const std::string &value) {
-        check(name, value, [&]() {
-          parse_matrix(value, scene.dimension, plane_stress, "");
-        });
-      };
-      if (!material.stiffness_matrix.empty())
-        check_matrix("Stiffness matrix", material.stiffness_matrix);
-      if (material.viscosity == "matrix")
-        check_matrix("Viscosity matrix", material.viscosity_matrix);
-      check("Thermal expansion", material.thermal_expansion, [&]() {
-        parse_tensor(material.thermal_expansion, scene.dimension, "");
-      });
+      if (!material.stiffness_matrix.text().empty())
+        check("Stiffness matrix", material.stiffness_matrix, plane_stress);
+      if (material.viscosity == ViscosityType::matrix)
+        check("Viscosity matrix", material.viscosity_matrix, plane_stress);
+      for (const auto &strain : material.free_strains())
+        check(strain.parameter, strain.components);
     }
 
 
@@ -202,14 +185,14 @@ namespace Crevasse
     check_points(const Scene &scene, Problems &problems)
     {
       const std::string &fixed_points = scene.boundary.fixed_points;
-      const std::string &probes       = scene.output.probes;
+      const auto        &probes       = scene.output.probes;
       Checker(BoundaryParameters::section, problems)
         .demand_readable("Fixed points", fixed_points, [&]() {
           parse_fixed_points<dim>(fixed_points);
         });
       Checker(OutputParameters::section, problems)
-        .demand_readable("Probes", probes, [&]() {
-          parse_probes<dim>(probes);
+        .demand_readable("Probes", probes.text(), [&]() {
+          to_probes<dim>(*probes);
         });
     }
 
@@ -219,11 +202,11 @@ namespace Crevasse
     void
     check_fixed_steps(const Scene &scene, Problems &problems)
     {
-      if (scene.time_integration.step_control == "adaptive")
+      if (scene.time_integration.step_control == StepControlType::adaptive)
         Checker(OutputParameters::section, problems)
-          .demand(scene.output.elastic_comparison == "none",
+          .demand(scene.output.elastic_comparison == ComparedLip::none,
                   "Elastic comparison",
-                  scene.output.elastic_comparison,
+                  name_of(scene.output.elastic_comparison),
                   "compares at steps that are known in advance: with [Time "
                   "integration] Step control = adaptive it must be none");
     }
@@ -236,12 +219,12 @@ namespace Crevasse
     {
       const PeriodicStateParameters &periodic = scene.periodic_state;
       Checker(PeriodicStateParameters::section, problems)
-        .demand(periodic.secular_split != "off" ||
-                  (periodic.method != "anderson" &&
-                   periodic.method != "fourier" &&
-                   periodic.start_from != "fourier"),
+        .demand(periodic.secular_split != SecularSplitType::off ||
+                  (periodic.method != PeriodicMethodType::anderson &&
+                   periodic.method != PeriodicMethodType::fourier &&
+                   periodic.start_from != StartFrom::fourier),
                 "Secular split",
-                periodic.secular_split,
+                name_of(periodic.secular_split),
                 "leaves what flows in the viscous strain, which only Method = "
                 "march from rest can do with; set it to automatic");
     }
@@ -263,17 +246,17 @@ namespace Crevasse
                   std::to_string(n),
                   "must be 0 " + reason);
       };
-      demand(scene.periodic_state.method == "march",
+      demand(scene.periodic_state.method == PeriodicMethodType::march,
              "unless [Periodic state] Method = march: other methods compare "
              "states on one mesh");
-      demand(scene.periodic_state.start_from == "rest",
+      demand(scene.periodic_state.start_from == StartFrom::rest,
              "with [Periodic state] Start from = " +
-               scene.periodic_state.start_from +
+               name_of(scene.periodic_state.start_from) +
                ": a march that begins anew goes on from its own state");
-      demand(scene.periodic_state.secular_split != "on",
+      demand(scene.periodic_state.secular_split != SecularSplitType::on,
              "with [Periodic state] Secular split = on: each mesh has its own "
              "flow");
-      demand(scene.material.viscosity != "none",
+      demand(scene.material.viscosity != ViscosityType::none,
              "with [Material] Viscosity = none: there is only one period");
       demand(scene.output.contact_problems.empty(),
              "with [Output] Contact problems, which are those of one mesh");
@@ -305,7 +288,7 @@ namespace Crevasse
                          "must be within the period: Loads/Period = " +
                            Text::from_number(period));
       };
-      if (scene.time_integration.step_control == "list")
+      if (scene.time_integration.step_control == StepControlType::list)
         check(TimeIntegrationParameters::section,
               "Steps",
               scene.time_integration.steps);
@@ -322,7 +305,7 @@ namespace Crevasse
     check_recorded_steps(const Scene &scene, Problems &problems)
     {
       if (problems.concern(OutputParameters::section, "Contact problems") ||
-          scene.time_integration.step_control != "uniform")
+          scene.time_integration.step_control != StepControlType::uniform)
         return;
       const unsigned int n_periods = scene.periodic_state.maximum_periods;
       const unsigned int n_steps   = scene.time_integration.steps_per_period;

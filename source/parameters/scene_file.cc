@@ -82,11 +82,11 @@ namespace Crevasse
                  "Mesh file",
                  scene.geometry.mesh_file,
                  prm);
-    if (Temperature<2>::is_file(scene.loads.temperature))
+    if (Temperature<2>::is_file(scene.loads.temperature.text()))
       resolve_file(file_name,
                    LoadParameters::section,
                    "Temperature",
-                   scene.loads.temperature,
+                   scene.loads.temperature.text(),
                    prm);
     return scene;
   }

@@ -4,7 +4,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/built_in_boundary.h>
-#include <crevasse/parameters/coefficients.h>
+#include <crevasse/parameters/formulas_of_scene.h>
 #include <crevasse/parameters/unused_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -28,25 +28,6 @@ namespace Crevasse
 
 
 
-    /** Whether one of the material's properties, thermal expansion included,
-     * depends on a variable. */
-    bool
-    material_depends_on(const std::string        &variable,
-                        const MaterialParameters &material)
-    {
-      Formulas       formulas  = stiffness_formulas(material);
-      const Formulas viscosity = viscosity_formulas(material);
-      formulas.insert(formulas.end(), viscosity.begin(), viscosity.end());
-      formulas.emplace_back("Thermal expansion", material.thermal_expansion);
-      for (const auto &[name, text] : formulas)
-        for (const Expression &formula : parse_coefficients(text))
-          if (formula.depends_on(variable))
-            return true;
-      return false;
-    }
-
-
-
     bool
     has_contact(const Scene &scene)
     {
@@ -61,21 +42,21 @@ namespace Crevasse
     Rules
     rules_of_body(const Scene &scene)
     {
-      const std::string &shape     = scene.geometry.shape;
-      const std::string  why       = "Shape = " + shape;
-      const char        *here      = GeometryParameters::section;
-      const bool         from_file = shape == "mesh file";
-      const bool         is_plane  = scene.dimension == 2;
+      const Shape       shape     = scene.geometry.shape;
+      const std::string why       = "Shape = " + name_of(shape);
+      const char       *here      = GeometryParameters::section;
+      const bool        from_file = shape == Shape::mesh_file;
+      const bool        is_plane  = scene.dimension == 2;
       return {
         {here, "Width", from_file, why},
         {here, "Height", from_file, why},
         {here, "Thickness", from_file, why},
         {here, "Thickness", is_plane, "Dimension = 2"},
-        {here, "Crack length", !has_crack(scene.geometry), why},
+        {here, "Crack length", !traits(shape).has_crack, why},
         {here, "Subdivisions", from_file, why},
         {BoundaryParameters::section,
          "Loaded",
-         are_zero(Expression::parse_list(scene.loads.traction)),
+         are_zero(*scene.loads.traction),
          "there is no [Loads] Traction"},
         {BoundaryParameters::section, "Gap", !has_contact(scene), no_contact},
         {MaterialParameters::section,
@@ -90,24 +71,24 @@ namespace Crevasse
     Rules
     rules_of_material(const Scene &scene)
     {
-      const MaterialParameters &material   = scene.material;
-      const char               *here       = MaterialParameters::section;
-      const std::string         kind       = material.viscosity;
-      const std::string         why        = "Viscosity = " + kind;
-      const bool                has_matrix = !material.stiffness_matrix.empty();
-      const std::string         matrix     = "Stiffness matrix is given";
+      const MaterialParameters &material = scene.material;
+      const char               *here     = MaterialParameters::section;
+      const ViscosityType       kind     = material.viscosity;
+      const std::string         why      = "Viscosity = " + name_of(kind);
+      const bool        has_matrix = !material.stiffness_matrix.text().empty();
+      const std::string matrix     = "Stiffness matrix is given";
       return {
         {here, "Young modulus", has_matrix, matrix},
         {here, "Poisson ratio", has_matrix, matrix},
-        {here, "Relaxation time", kind != "relaxation time", why},
-        {here, "Viscous modulus", kind != "isotropic", why},
-        {here, "Viscous Poisson ratio", kind != "isotropic", why},
-        {here, "Viscosity matrix", kind != "matrix", why},
-        {here, "Chain", kind != "chain", why},
-        {here, "Viscosity time factor", kind == "none", why},
+        {here, "Relaxation time", kind != ViscosityType::relaxation_time, why},
+        {here, "Viscous modulus", kind != ViscosityType::isotropic, why},
+        {here, "Viscous Poisson ratio", kind != ViscosityType::isotropic, why},
+        {here, "Viscosity matrix", kind != ViscosityType::matrix, why},
+        {here, "Chain", kind != ViscosityType::chain, why},
+        {here, "Viscosity time factor", kind == ViscosityType::none, why},
         {here,
          "Thermal expansion",
-         !is_warm(scene.loads),
+         !has_temperature(scene.loads),
          "[Loads] Temperature = 0"},
         {LoadParameters::section,
          "Temperature",
@@ -124,34 +105,30 @@ namespace Crevasse
     {
       const ContactParameters &contact = scene.contact;
       const char              *here    = ContactParameters::section;
-      const std::string        why     = "Solver = " + contact.solver;
-      const bool               sor     = contact.solver == "projected sor";
-      const bool        condensed = contact.solver == "condensed active set";
-      const bool        table     = !contact.relaxation_table.empty();
-      const std::string linear    = scene.linear_solver.type;
-      const bool        is_direct = linear == "cholesky" || linear == "mumps";
-      const bool        varies    = material_depends_on("t", scene.material) ||
-                          material_depends_on("theta", scene.material) ||
-                          (expands(scene.material) && is_warm(scene.loads));
-      const std::string &scheme = scene.time_integration.scheme;
-      const bool         implicit =
-        scene.material.viscosity != "none" &&
-        (scheme == "sdirk2" || scheme == "trapezoid" ||
-         scheme == "predictor corrector" || scheme == "exponential" ||
-         scheme == "arkode implicit");
+      const std::string        why     = "Solver = " + name_of(contact.solver);
+      const auto              &solver  = traits(contact.solver);
+      const auto              &linear  = traits(scene.linear_solver.type);
+      const bool               table   = !contact.relaxation_table.empty();
+      const bool               varies =
+        material_depends_on("t", scene.material) ||
+        material_depends_on("theta", scene.material) ||
+        (expands(scene.material) && has_temperature(scene.loads));
+      const bool implicit =
+        scene.material.viscosity != ViscosityType::none &&
+        traits(scene.time_integration.scheme).keeps_matrices;
       return {
         {here, "Solver", !has_contact(scene), no_contact},
         {here, "Relaxation factor", !has_contact(scene), no_contact},
-        {here, "Relaxation factor", !sor, why},
-        {here, "Relaxed together", !sor && !table, why},
-        {here, "Maximum iterations", condensed && !table, why},
+        {here, "Relaxation factor", !solver.relaxes, why},
+        {here, "Relaxed together", !solver.relaxes && !table, why},
+        {here, "Maximum iterations", !solver.counts_iterations && !table, why},
         {LinearSolverParameters::section,
          "Tolerance",
-         is_direct,
-         "Type = " + linear},
+         linear.is_direct,
+         std::string("Type = ") + linear.name},
         {LinearSolverParameters::section,
          "Tolerance",
-         sor || condensed,
+         !solver.stops_early,
          "[Contact] " + why},
         {LinearSolverParameters::section,
          "Memory for instants",
@@ -166,30 +143,35 @@ namespace Crevasse
     rules_of_time(const Scene &scene)
     {
       const TimeIntegrationParameters &time = scene.time_integration;
-      const char       *here     = TimeIntegrationParameters::section;
-      const bool        uniform  = time.step_control == "uniform";
-      const bool        adaptive = time.step_control == "adaptive";
-      const bool        elastic  = scene.material.viscosity == "none";
-      const std::string control  = "Step control = " + time.step_control;
-      const std::string none     = "[Material] Viscosity = none";
+      const char *here     = TimeIntegrationParameters::section;
+      const bool  uniform  = time.step_control == StepControlType::uniform;
+      const bool  adaptive = time.step_control == StepControlType::adaptive;
+      const bool  elastic  = scene.material.viscosity == ViscosityType::none;
+      const std::string control =
+        "Step control = " + name_of(time.step_control);
+      const std::string none   = "[Material] Viscosity = none";
+      const std::string scheme = "Scheme = " + name_of(time.scheme);
       return {
         {here, "Scheme", elastic, none},
         {here, "Heun weight", elastic, none},
-        {here, "Heun weight", time.scheme != "heun", "Scheme = " + time.scheme},
-        {here, "Steps per period", time.step_control == "list", control},
+        {here, "Heun weight", time.scheme != Scheme::heun, scheme},
+        {here,
+         "Steps per period",
+         time.step_control == StepControlType::list,
+         control},
         {here, "Steps", uniform, control},
         {here, "Relative tolerance", elastic, none},
         {here, "Absolute tolerance", elastic, none},
         {here, "Relative tolerance", !adaptive, control},
         {here, "Absolute tolerance", !adaptive, control},
         {here, "Order", elastic, none},
-        {here, "Order", !uses_arkode(time), "Scheme = " + time.scheme},
+        {here, "Order", !traits(time.scheme).is_of_arkode, scheme},
         {here, "Locate contact events", elastic, none},
         {here, "Locate contact events", !has_contact(scene), no_contact},
         {here, "Check stability", elastic, none},
         {OutputParameters::section,
          "Field times",
-         scene.output.fields == "none",
+         scene.output.fields == FieldFormat::none,
          "Fields = none"},
       };
     }
@@ -201,33 +183,34 @@ namespace Crevasse
     {
       const PeriodicStateParameters &periodic = scene.periodic_state;
       const char                    *here = PeriodicStateParameters::section;
-      const bool        elastic           = scene.material.viscosity == "none";
-      const bool        direct            = periodic.method == "fourier";
-      const bool        automatic         = periodic.method == "automatic";
-      const bool        is_started        = periodic.start_from == "fourier";
-      const bool        combines = periodic.method == "anderson" || automatic;
-      const std::string none     = "[Material] Viscosity = none";
-      const std::string method   = "Method = " + periodic.method;
-      Rules             rules    = {
-                       {here, "Secular split", elastic, none},
-                       {here,
-                        "Maximum periods",
-                        elastic && periodic.maximum_periods > 1,
-                        none + ", one period tells all"},
-                       {here, "Method", elastic, none + ", one period tells all"},
-                       {TimeIntegrationParameters::section,
-                        "Locate contact events",
-                        direct,
-                        "[Periodic state] " + method},
-                       {TimeIntegrationParameters::section,
-                        "Scheme",
-                        direct && scene.time_integration.scheme != "trapezoid",
-                        "[Periodic state] " + method + " is the trapezoidal rule"},
-                       {here, "Start from", elastic, none},
-                       {here, "Start from", direct || automatic, method},
-                       {here,
-                        "Harmonics",
-                        elastic || !(direct || automatic || is_started),
+      const bool elastic    = scene.material.viscosity == ViscosityType::none;
+      const bool direct     = periodic.method == PeriodicMethodType::fourier;
+      const bool automatic  = periodic.method == PeriodicMethodType::automatic;
+      const bool is_started = periodic.start_from == StartFrom::fourier;
+      const bool combines =
+        periodic.method == PeriodicMethodType::anderson || automatic;
+      const std::string none   = "[Material] Viscosity = none";
+      const std::string method = "Method = " + name_of(periodic.method);
+      Rules             rules  = {
+                     {here, "Secular split", elastic, none},
+                     {here,
+                      "Maximum periods",
+                      elastic && periodic.maximum_periods > 1,
+                      none + ", one period tells all"},
+                     {here, "Method", elastic, none + ", one period tells all"},
+                     {TimeIntegrationParameters::section,
+                      "Locate contact events",
+                      direct,
+                      "[Periodic state] " + method},
+                     {TimeIntegrationParameters::section,
+                      "Scheme",
+                      direct && scene.time_integration.scheme != Scheme::trapezoid,
+                      "[Periodic state] " + method + " is the trapezoidal rule"},
+                     {here, "Start from", elastic, none},
+                     {here, "Start from", direct || automatic, method},
+                     {here,
+                      "Harmonics",
+                      elastic || !(direct || automatic || is_started),
          elastic ? none : method},
       };
       for (const char *name :
@@ -243,17 +226,18 @@ namespace Crevasse
     {
       const CrackTipParameters &tip  = scene.crack_tip;
       const char               *here = CrackTipParameters::section;
-      const std::string         law  = "Crack growth law = " + tip.growth_law;
+      const std::string law   = "Crack growth law = " + name_of(tip.growth_law);
+      const auto       &parts = traits(tip.growth_law);
 
       const std::string off   = "Stress intensity = false";
       Rules             rules = {{here, "Method", !tip.stress_intensity, off},
                                  {here, "Radius", !tip.stress_intensity, off}};
       for (const char *name :
            {"Paris factor", "Paris exponent", "Paris threshold"})
-        rules.push_back({here, name, !tip.has_paris_part(), law});
+        rules.push_back({here, name, !parts.has_paris_part, law});
       for (const char *name :
            {"Creep growth parameter", "Creep factor", "Creep exponent"})
-        rules.push_back({here, name, !tip.has_creep_part(), law});
+        rules.push_back({here, name, !parts.has_creep_part, law});
       return rules;
     }
 
@@ -264,11 +248,11 @@ namespace Crevasse
     {
       const RefinementParameters &refinement = scene.refinement;
       const char                 *here       = RefinementParameters::section;
-      const bool                  none       = refinement.strategy == "none";
-      const bool                  adaptive = refinement.strategy == "adaptive";
-      const std::string           why   = "Strategy = " + refinement.strategy;
-      Rules                       rules = {{here, "Target unknowns", none, why},
-                                           {here, "Cycles", none, why}};
+      const bool none     = refinement.strategy == RefinementStrategy::none;
+      const bool adaptive = refinement.strategy == RefinementStrategy::adaptive;
+      const std::string why   = "Strategy = " + name_of(refinement.strategy);
+      Rules             rules = {{here, "Target unknowns", none, why},
+                                 {here, "Cycles", none, why}};
       for (const char *name : {"Marking",
                                "Refine fraction",
                                "Coarsen fraction",

@@ -12,6 +12,7 @@ namespace Crevasse
   namespace
   {
     constexpr const char *section = PeriodicStateParameters::section;
+    using Method                  = PeriodicMethodType;
 
 
 
@@ -19,7 +20,10 @@ namespace Crevasse
     PeriodicChoice
     one_period()
     {
-      return {"march", false, false, "without viscosity one period tells all"};
+      return {Method::march,
+              false,
+              false,
+              "without viscosity one period tells all"};
     }
 
 
@@ -38,29 +42,29 @@ namespace Crevasse
         largest_relaxation_time <= short_time * scene.loads.period;
       const std::vector<std::string> obstacles =
         fourier_obstacles(scene, body, steps);
-      if (scene.periodic_state.secular_split == "off")
-        return {"march",
+      if (scene.periodic_state.secular_split == SecularSplitType::off)
+        return {Method::march,
                 false,
                 true,
                 automatic +
                   "Secular split = off leaves what flows in the "
                   "viscous strain"};
-      const std::string &scheme = scene.time_integration.scheme;
-      if (!flows_by_mean_load(scheme))
-        return {"march",
+      const auto &scheme = traits(scene.time_integration.scheme);
+      if (!scheme.flows_by_mean_load)
+        return {Method::march,
                 false,
                 true,
-                automatic + "the steps of Scheme = " + scheme +
+                automatic + "the steps of Scheme = " + scheme.name +
                   " flow steadily in their own way"};
-      if (obstacles.empty() && scheme == "trapezoid" &&
+      if (obstacles.empty() && scheme.value == Scheme::trapezoid &&
           !scene.time_integration.locate_contact_events)
-        return {"fourier",
+        return {Method::fourier,
                 false,
                 true,
                 automatic + "nothing but the loads depends on time"};
       if (const std::string flow = secular_obstacle(body);
           !flow.empty() && !body.law.has_spring())
-        return {"march",
+        return {Method::march,
                 false,
                 true,
                 automatic +
@@ -68,19 +72,19 @@ namespace Crevasse
                   "known, for " +
                   flow};
       if (forgets)
-        return {"anderson",
+        return {Method::anderson,
                 false,
                 true,
                 automatic + "the stress is forgotten within a period"};
       if (obstacles.empty())
-        return {"anderson",
+        return {Method::anderson,
                 true,
                 true,
                 automatic +
                   "nothing but the loads depends on time; the last "
                   "periods bring in what is the scheme's own"};
       // Without what to use instead.
-      return {"anderson",
+      return {Method::anderson,
               false,
               true,
               automatic + "no direct method, for " +
@@ -93,7 +97,7 @@ namespace Crevasse
   bool
   PeriodicChoice::uses_fourier() const
   {
-    return starts_from_fourier || method == "fourier";
+    return starts_from_fourier || method == Method::fourier;
   }
 
 
@@ -101,7 +105,7 @@ namespace Crevasse
   bool
   PeriodicChoice::needs_periodic_strain() const
   {
-    return method != "march";
+    return method != Method::march;
   }
 
 
@@ -109,7 +113,7 @@ namespace Crevasse
   bool
   PeriodicChoice::periods_are_iterates() const
   {
-    return method == "anderson";
+    return method == Method::anderson;
   }
 
 
@@ -117,8 +121,9 @@ namespace Crevasse
   std::string
   PeriodicChoice::describe() const
   {
-    return method + (starts_from_fourier ? ", started from fourier" : "") +
-           " (" + why + ')';
+    return name_of(method) +
+           (starts_from_fourier ? ", started from fourier" : "") + " (" + why +
+           ')';
   }
 
 
@@ -133,18 +138,20 @@ namespace Crevasse
     if (!body.effects.viscosity.on)
       return one_period();
     const PeriodicStateParameters &parameters = scene.periodic_state;
-    if (parameters.method == "automatic")
+    if (parameters.method == Method::automatic)
       return choose_automatically(scene, body, steps, largest_relaxation_time);
 
     PeriodicChoice choice;
     choice.method              = parameters.method;
-    choice.starts_from_fourier = parameters.method != "fourier" && //
-                                 parameters.start_from == "fourier";
-    choice.why = Text::parameter(section, "Method") + " = " + parameters.method;
+    choice.starts_from_fourier = parameters.method != Method::fourier && //
+                                 parameters.start_from == StartFrom::fourier;
+    choice.why =
+      Text::parameter(section, "Method") + " = " + name_of(parameters.method);
     if (choice.uses_fourier())
       require_fourier(scene, body, steps);
     if (const std::string flow = secular_obstacle(body);
-        choice.method == "anderson" && !flow.empty() && !body.law.has_spring())
+        choice.method == Method::anderson && !flow.empty() &&
+        !body.law.has_spring())
       throw SceneError(choice.why +
                        ": whether there is a periodic viscous strain is not "
                        "known, for " +

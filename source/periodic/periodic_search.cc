@@ -53,7 +53,8 @@ namespace Crevasse
   {
     PeriodicResult shown = state.result;
     leg.ends_run         = true;
-    const bool shows     = choice.method == "fourier" && direct != nullptr;
+    const bool shows =
+      choice.method == PeriodicMethodType::fourier && direct != nullptr;
     if (shows && state.methods_left == 0)
       {
         shown =
@@ -83,7 +84,7 @@ namespace Crevasse
                                  !state.has_begun(),
                                  defect ? &*defect : nullptr);
     Ending               ending = Ending::stagnant;
-    if (choice.method == "march")
+    if (choice.method == PeriodicMethodType::march)
       ending = march(periods, viscous_strain);
     else if (state.methods_left < left_at_last)
       ending = accelerate(periods, viscous_strain);
@@ -173,7 +174,8 @@ namespace Crevasse
     const bool returns = body.effects.viscosity.on &&
                          (split.strain_returns || body.law.has_spring());
     // What bears no stress matters to a march where a lip may touch.
-    if (!returns || (choice.method == "march" && !body.effects.contact.on))
+    if (!returns || (choice.method == PeriodicMethodType::march &&
+                     !body.effects.contact.on))
       return {};
     return std::optional<ReturnDefect<dim>>(
       std::in_place,

@@ -136,8 +136,9 @@ namespace Crevasse
     obstacle(const Scene &scene, const Body<2> &body, std::string &reason)
     {
       const MaterialState<2> material = body.material.at(0.);
-      if (body.effects.thermal_strain.on)
-        return "there is thermal strain";
+      for (const Effects::Effect &strain : body.effects.free_strains)
+        if (strain.on)
+          return "there is " + strain.name;
       if (body.effects.body_force.on)
         return "there is a body force";
       if (body.material.stiffness_varies())
@@ -166,7 +167,8 @@ namespace Crevasse
   std::string
   CrackTipChoice::name() const
   {
-    return integral ? "interaction integral" : "williams fit";
+    return name_of(integral ? StressIntensityMethod::interaction_integral
+                            : StressIntensityMethod::williams_fit);
   }
 
 
@@ -174,16 +176,18 @@ namespace Crevasse
   CrackTipChoice
   choose_crack_tip_method(const Scene &scene, const Body<2> &body)
   {
-    const std::string &wish    = scene.crack_tip.method;
-    const std::string  setting = "[Crack tip] Method = " + wish;
-    if (wish == "williams fit")
+    using Method              = StressIntensityMethod;
+    const Method      wish    = scene.crack_tip.method;
+    const std::string setting = "[Crack tip] Method = " + name_of(wish);
+    if (wish == Method::williams_fit)
       return {false, setting};
 
     std::string       reason;
     const std::string why_not = obstacle(scene, body, reason);
     if (why_not.empty())
-      return {true, wish == "automatic" ? "automatic: " + reason : setting};
-    if (wish == "interaction integral")
+      return {true,
+              wish == Method::automatic ? "automatic: " + reason : setting};
+    if (wish == Method::interaction_integral)
       throw SceneError(setting + ": " + why_not +
                        ", so that the stress is not that of an elastic body "
                        "under the loads. Set it to automatic or williams fit.");

@@ -16,10 +16,10 @@ namespace Crevasse
   namespace
   {
     [[noreturn]] void
-    refuse(const std::string &comparison, const std::string &reason)
+    refuse(const ComparedLip comparison, const std::string &reason)
     {
-      throw SceneError("[Output] Elastic comparison = " + comparison + ": " +
-                       reason + " Set it to none.");
+      throw SceneError("[Output] Elastic comparison = " + name_of(comparison) +
+                       ": " + reason + " Set it to none.");
     }
 
 
@@ -29,9 +29,9 @@ namespace Crevasse
     class LoadFactor
     {
     public:
-      LoadFactor(const Body<dim>   &body,
-                 const StepList    &steps,
-                 const std::string &comparison)
+      LoadFactor(const Body<dim>  &body,
+                 const StepList   &steps,
+                 const ComparedLip comparison)
         : body(body)
         , steps(steps)
         , comparison(comparison)
@@ -64,19 +64,19 @@ namespace Crevasse
       }
 
     private:
-      const Body<dim>   &body;
-      const StepList    &steps;
-      const std::string &comparison;
-      const double       reference_time;
-      const Vector       reference;
-      const double       norm;
+      const Body<dim>  &body;
+      const StepList   &steps;
+      const ComparedLip comparison;
+      const double      reference_time;
+      const Vector      reference;
+      const double      norm;
     };
 
 
 
     template <int dim>
     void
-    require_suitable_body(const Body<dim> &body, const std::string &comparison)
+    require_suitable_body(const Body<dim> &body, const ComparedLip comparison)
     {
       bool has_gap = false;
       for (const LipNode<dim> &node : body.lip.nodes())
@@ -105,7 +105,7 @@ namespace Crevasse
     void
     require_suitable_signs(const Body<dim>           &body,
                            const std::vector<double> &factors,
-                           const std::string         &comparison)
+                           const ComparedLip          comparison)
     {
       const auto [least, most] =
         std::minmax_element(factors.begin(), factors.end());
@@ -113,7 +113,7 @@ namespace Crevasse
       if (!body.effects.contact.on || *least >= -negligible ||
           *most <= negligible)
         return;
-      if (comparison == "closed")
+      if (comparison == ComparedLip::closed)
         refuse(comparison,
                "the loads F(t) p(x) change their sign over the period, so that "
                "the lip does not stay closed.");
@@ -128,10 +128,10 @@ namespace Crevasse
 
   template <int dim>
   LoadFactors
-  load_factors(const Body<dim>   &body,
-               const StepList    &steps,
-               const Integrator  *integrator,
-               const std::string &comparison)
+  load_factors(const Body<dim>  &body,
+               const StepList   &steps,
+               const Integrator *integrator,
+               const ComparedLip comparison)
   {
     require_suitable_body(body, comparison);
 
@@ -179,8 +179,13 @@ namespace Crevasse
     if (integrator != nullptr)
       reference.drift_factor =
         factors.integral / *body.law.uniform_relaxation_time();
-    reference.displacement = elastic_displacement(
-      scene, body, solvers, loads, scene.output.elastic_comparison == "closed");
+    reference.displacement =
+      elastic_displacement(scene,
+                           body,
+                           solvers,
+                           loads,
+                           scene.output.elastic_comparison ==
+                             ComparedLip::closed);
     body.points.initialize(reference.stress);
     const MaterialState<dim> material = body.material.at(0.);
     body.strain_operator.for_each_strain(
@@ -200,12 +205,12 @@ namespace Crevasse
   load_factors<2>(const Body<2> &,
                   const StepList &,
                   const Integrator *,
-                  const std::string &);
+                  const ComparedLip);
   template LoadFactors
   load_factors<3>(const Body<3> &,
                   const StepList &,
                   const Integrator *,
-                  const std::string &);
+                  const ComparedLip);
   template ElasticComparison::Reference
   elastic_reference<2>(const Scene &,
                        const Body<2> &,

@@ -122,7 +122,7 @@ namespace Crevasse
       onset = add<ContactOnset<dim>>(body.lip, *flow);
     if (body.effects.viscosity.on)
       drift = add<Drift>(steps);
-    if (scene.output.elastic_comparison != "none")
+    if (scene.output.elastic_comparison != ComparedLip::none)
       {
         ElasticComparison::Reference reference =
           elastic_reference(scene, body, solvers, steps, integrator);

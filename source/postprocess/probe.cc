@@ -322,13 +322,13 @@ namespace Crevasse
 
   template <int dim>
   std::vector<ProbeEvaluator<dim>>
-  make_probes(const std::string          &probes,
-              const Space<dim>           &space,
-              const StressRecovery<dim>  &recovery,
-              const ContactBoundary<dim> &lip)
+  make_probes(const std::vector<NamedPoint> &probes,
+              const Space<dim>              &space,
+              const StressRecovery<dim>     &recovery,
+              const ContactBoundary<dim>    &lip)
   {
     std::vector<ProbeEvaluator<dim>> evaluators;
-    for (const Probe<dim> &probe : parse_probes<dim>(probes))
+    for (const Probe<dim> &probe : to_probes<dim>(probes))
       evaluators.emplace_back(probe, space, recovery, lip);
     return evaluators;
   }
@@ -338,12 +338,12 @@ namespace Crevasse
   template class ProbeEvaluator<2>;
   template class ProbeEvaluator<3>;
   template std::vector<ProbeEvaluator<2>>
-  make_probes<2>(const std::string &,
+  make_probes<2>(const std::vector<NamedPoint> &,
                  const Space<2> &,
                  const StressRecovery<2> &,
                  const ContactBoundary<2> &);
   template std::vector<ProbeEvaluator<3>>
-  make_probes<3>(const std::string &,
+  make_probes<3>(const std::vector<NamedPoint> &,
                  const Space<3> &,
                  const StressRecovery<3> &,
                  const ContactBoundary<3> &);

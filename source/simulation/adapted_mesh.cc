@@ -25,7 +25,7 @@ namespace Crevasse
     Scene
     with_fast_solvers(Scene scene)
     {
-      scene.contact.solver = "automatic";
+      scene.contact.solver = ContactSolverType::automatic;
       scene.contact.relaxation_table.clear();
       return scene;
     }
@@ -57,7 +57,7 @@ namespace Crevasse
       instants.push_back(steps.within_period(t));
     if (!instants.empty())
       return instants;
-    if (body.effects.thermal_strain.on)
+    if (body.effects.has_free_strain())
       return instants_of_scale(body, steps);
     return instants_of_extreme_loads(body, steps);
   }
@@ -82,7 +82,7 @@ namespace Crevasse
       }
     current                                = history.make();
     const RefinementParameters &refinement = scene.refinement;
-    if (refinement.strategy != "adaptive")
+    if (refinement.strategy != RefinementStrategy::adaptive)
       return;
     require_affordable(*current, refinement, scene.discretisation.degree);
     Timer timer;

@@ -27,7 +27,7 @@ namespace Crevasse
                               const LinearSolverChoice &solver)
     {
       const auto stiffness = body.material.at(0.).stiffness;
-      if (solver.type != LinearSolverChoice::gmg || !stiffness->is_individual())
+      if (solver.type != LinearSolverType::gmg || !stiffness->is_individual())
         return 0.;
       const auto &K            = stiffness->distinct();
       const bool  is_isotropic = std::all_of(K.begin(), K.end(), [](auto &of) {
@@ -94,7 +94,7 @@ namespace Crevasse
     double
     bytes_of_solver(const Scale<dim> &scale)
     {
-      if (scale.solver.type != LinearSolverChoice::gmg)
+      if (scale.solver.type != LinearSolverType::gmg)
         return bytes_of_matrix_solver<dim>(scale.solver.type,
                                            scale.unknowns,
                                            scale.own_unknowns,
@@ -155,7 +155,7 @@ namespace Crevasse
       double values = 0.;
       // Images and residuals, and their differences while they are combined;
       // besides start and image, the next start and the best image.
-      if (choice.method == "anderson")
+      if (choice.method == PeriodicMethodType::anderson)
         values +=
           4. * (scene.periodic_state.anderson_depth + 2.) * scale.strain;
       if (choice.uses_fourier())
@@ -216,7 +216,7 @@ namespace Crevasse
                  body.space.dof_handler().memory_consumption();
     bytes.fields = bytes_of_fields(scale, body, steps);
     const double matrix =
-      scale.solver.type == LinearSolverChoice::gmg
+      scale.solver.type == LinearSolverType::gmg
         ? 0.
         : bytes_per_entry *
             n_matrix_entries<dim>(scale.own_unknowns, scale.degree);

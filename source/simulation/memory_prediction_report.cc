@@ -62,8 +62,8 @@ namespace Crevasse
                (are_several ? "lower Memory for instants, " : "") +
                "or make the mesh coarser";
       return "multigrid: " +
-             (solver.type == LinearSolverChoice::amg && has_gmg ? type + ", or "
-                                                                : "") +
+             (solver.type == LinearSolverType::amg && has_gmg ? type + ", or "
+                                                              : "") +
              "make the mesh coarser";
     }
 
@@ -131,7 +131,7 @@ namespace Crevasse
                                     scene,
                                     body.material.stiffness_varies(),
                                     may_use_gmg(scene, body)) +
-                       (solver.type == LinearSolverChoice::cholesky
+                       (solver.type == LinearSolverType::cholesky
                           ? ""
                           : "; or take processes on more machines") +
                        ". With these settings about " + std::to_string(fit) +

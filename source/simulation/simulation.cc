@@ -122,7 +122,7 @@ namespace Crevasse
     , phases(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , body(scene, std::move(mesh))
     , recovery(body.space, body.points)
-    , probes(make_probes(scene.output.probes, body.space, recovery, body.lip))
+    , probes(make_probes(*scene.output.probes, body.space, recovery, body.lip))
     , steps(scene.time_integration,
             scene.loads.period,
             scene.output.field_times)
@@ -151,7 +151,7 @@ namespace Crevasse
     , crack_tip(
         make_crack_tip_analysis<dim>(this->scene, body, secular_split, steps))
   {
-    if (scene.output.elastic_comparison != "none")
+    if (scene.output.elastic_comparison != ComparedLip::none)
       // Throws if there is nothing to compare with.
       load_factors(body,
                    steps,
@@ -189,7 +189,7 @@ namespace Crevasse
     if (any_periods)
       {
         direct = solve_directly(solvers);
-        if (direct && periodic_choice.method == "fourier")
+        if (direct && periodic_choice.method == PeriodicMethodType::fourier)
           take_flow(*direct);
         else if (secular_split.effect.on)
           find_secular_flow(solvers);
@@ -342,14 +342,14 @@ namespace Crevasse
             "the stationary contact problem for beta, with the "
             "viscosity for the stiffness, was not solved: ") +
           error.what();
-        if (scene.periodic_state.secular_split == "on")
+        if (scene.periodic_state.secular_split == SecularSplitType::on)
           throw NumericalError("[Periodic state] Secular split = on: " + what);
         if (secular_split.is_split && !periodic_choice.may_fall_back)
           throw NumericalError(what +
                                " [Periodic state] Method = march does "
                                "without.");
         if (secular_split.is_split)
-          periodic_choice = {"march",
+          periodic_choice = {PeriodicMethodType::march,
                              false,
                              true,
                              "automatic: the flow was not found"};
@@ -403,7 +403,7 @@ namespace Crevasse
         for (const std::string &warning : result.warnings)
           log.line("  warning: " + warning);
         direct_warnings = result.warnings;
-        if (periodic_choice.method != "fourier")
+        if (periodic_choice.method != PeriodicMethodType::fourier)
           result.keep_start();
         return result;
       }
@@ -414,7 +414,7 @@ namespace Crevasse
         end_abandoned_factors();
         log.line("  warning: the direct method failed, anderson takes over: " +
                  std::string(error.what()));
-        periodic_choice.method = "anderson";
+        periodic_choice.method = PeriodicMethodType::anderson;
         return {};
       }
   }
@@ -451,7 +451,7 @@ namespace Crevasse
     if (secular_flow && secular_split.is_split)
       evolution.split_off(*secular_flow);
     if (integrator != nullptr &&
-        scene.time_integration.step_control == "adaptive")
+        scene.time_integration.step_control == StepControlType::adaptive)
       evolution.set_scales(instants_of_scale(body, steps));
     if (state.displacement.size() > 0)
       solvers.current().contact_solver().start_from(

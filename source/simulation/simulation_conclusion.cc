@@ -70,7 +70,7 @@ namespace Crevasse
     const double       tolerance = scene.periodic_state.tolerance;
     const unsigned int early     = end_by_change(result, tolerance);
     if (tolerance == 0. || early == 0 || early == result.periods ||
-        periodic_choice.method != "march")
+        periodic_choice.method != PeriodicMethodType::march)
       return;
     std::ostringstream text;
     text << "  The change of stress alone (the paper's test) would have ended "
@@ -193,8 +193,8 @@ namespace Crevasse
         result.periods == 0)
       return;
 
-    const bool         marches = periodic_choice.method == "march";
-    const double       error   = result.stress_error_estimate.back();
+    const bool   marches = periodic_choice.method == PeriodicMethodType::march;
+    const double error   = result.stress_error_estimate.back();
     std::ostringstream message;
     message << "The stress is not yet periodic: after " << result.periods
             << " period" << (result.periods == 1 ? "" : "s");
@@ -221,13 +221,13 @@ namespace Crevasse
       message << periods_to_go(result,
                                scene.periodic_state.tolerance,
                                body.effects.contact.on &&
-                                 scene.contact.solver == "projected sor");
+                                 traits(scene.contact.solver).relaxes);
     message << " or \"Tolerance\"";
     if (can_resume)
       message << " and go on by --resume";
-    if (scene.periodic_state.method == "march")
+    if (scene.periodic_state.method == PeriodicMethodType::march)
       message << ", set Method = automatic, which mostly needs fewer periods,";
-    else if (periodic_choice.method == "anderson")
+    else if (periodic_choice.method == PeriodicMethodType::anderson)
       message
         << ", set Method = fourier with Scheme = trapezoid if nothing but "
            "the loads depends on time,";

@@ -12,7 +12,7 @@ namespace Crevasse
   Simulation<dim>::n_kept_stresses() const
   {
     const unsigned int of_anderson =
-      periodic_choice.method == "anderson"
+      periodic_choice.method == PeriodicMethodType::anderson
         ? 2 * (scene.periodic_state.anderson_depth + 2)
         : 0;
     const unsigned int n_branches = body.law.branches().size();

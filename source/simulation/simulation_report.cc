@@ -7,6 +7,7 @@
 #include <crevasse/base/version.h>
 #include <crevasse/model/jumps.h>
 #include <crevasse/model/linear_choice.h>
+#include <crevasse/parameters/formulas_of_scene.h>
 #include <crevasse/parameters/unused_parameters.h>
 #include <crevasse/simulation/simulation.h>
 #include <crevasse/simulation/sizes.h>
@@ -39,7 +40,7 @@ namespace Crevasse
         log.line(text.str());
       }
     std::ostringstream time;
-    if (scene.time_integration.step_control == "adaptive")
+    if (scene.time_integration.step_control == StepControlType::adaptive)
       time << "  time: adaptive steps, relative tolerance "
            << scene.time_integration.relative_tolerance
            << ", at first none longer than " << steps.largest_step();
@@ -61,7 +62,7 @@ namespace Crevasse
     const LinearSolverChoice  linear = choose_linear_solver(scene, body);
     const ContactSolverChoice contact =
       choose_contact_solver(scene, body, linear);
-    if (contact.name != "projected sor")
+    if (!traits(contact.type).relaxes)
       log.line("  linear solver: " + linear.describe());
     if (body.effects.contact.on)
       log.line("  contact solver: " + contact.describe());
@@ -81,7 +82,7 @@ namespace Crevasse
     const double tolerance = scene.periodic_state.tolerance;
     if (body.effects.contact.on || integrator == nullptr ||
         body.law.has_spring() || tolerance == 0. || !relaxation_times.all ||
-        periodic_choice.method == "fourier" ||
+        periodic_choice.method == PeriodicMethodType::fourier ||
         body.effects.varying_stiffness.on ||
         body.effects.varying_viscosity.on ||
         steps.largest_step() > 2. * relaxation_times.smallest)
@@ -126,9 +127,9 @@ namespace Crevasse
              << "; the theory is one of small strains, much less than 1";
         all.push_back(text.str());
       }
-    constexpr double   too_much = 0.5;
-    const std::string &control  = scene.time_integration.step_control;
-    if (missed_load > too_much && control != "adaptive")
+    constexpr double      too_much = 0.5;
+    const StepControlType control  = scene.time_integration.step_control;
+    if (missed_load > too_much && control != StepControlType::adaptive)
       {
         std::ostringstream text;
         text << "[Time integration]: within a step the loads differ by "
@@ -138,8 +139,8 @@ namespace Crevasse
              << (integrator == nullptr
                    ? "show another load than the scene's. "
                    : "compute with another load than the scene's. ")
-             << (control == "list" ? "Add instants to Steps"
-                                   : "Raise Steps per period");
+             << (control == StepControlType::list ? "Add instants to Steps"
+                                                  : "Raise Steps per period");
         all.push_back(text.str());
       }
     if (steps.jumps_at(steps.period()) && !formulas_can_jump(scene))
@@ -156,7 +157,7 @@ namespace Crevasse
     if (!secular_split.warning.empty())
       all.push_back(secular_split.warning);
     if (integrator != nullptr && !periodic_choice.uses_fourier() &&
-        scene.time_integration.scheme == "trapezoid" &&
+        scene.time_integration.scheme == Scheme::trapezoid &&
         steps.largest_step() > 2. * relaxation_times.smallest)
       {
         std::ostringstream text;
@@ -167,8 +168,8 @@ namespace Crevasse
         all.push_back(text.str());
       }
     if (integrator != nullptr &&
-        scene.time_integration.scheme == "exponential" &&
-        scene.time_integration.step_control != "adaptive" &&
+        scene.time_integration.scheme == Scheme::exponential &&
+        scene.time_integration.step_control != StepControlType::adaptive &&
         steps.largest_step() > 2. * relaxation_times.smallest)
       {
         std::ostringstream text;

@@ -60,12 +60,12 @@ namespace Crevasse
              std::to_string(sizes.quadrature_points) + " quadrature points, " +
              std::to_string(sizes.contact_nodes) + " contact nodes");
     char text[120];
-    if (scene.refinement.strategy != "none")
+    if (scene.refinement.strategy != RefinementStrategy::none)
       {
         std::snprintf(text,
                       sizeof(text),
                       "  refinement: %s, %u levels, cells from %.3g to %.3g",
-                      scene.refinement.strategy.c_str(),
+                      traits(scene.refinement.strategy).name,
                       sizes.levels,
                       sizes.smallest_cell,
                       sizes.largest_cell);

@@ -177,7 +177,7 @@ namespace Crevasse
     // of the scene's steps is a multiple of a little more, that is kept, for
     // loads may jump at the ends of these.
     constexpr unsigned int fewest = 10;
-    if (scene.time_integration.step_control == "uniform")
+    if (scene.time_integration.step_control == StepControlType::uniform)
       for (unsigned int n = fewest; n < 2 * fewest; ++n)
         if (scene.time_integration.steps_per_period % n == 0)
           return n;

@@ -30,8 +30,9 @@ namespace Crevasse
     Compared
     what_is_compared(const Scene &scene)
     {
-      const bool from_rest = scene.periodic_state.method == "march" &&
-                             scene.periodic_state.start_from == "rest";
+      const bool from_rest =
+        scene.periodic_state.method == PeriodicMethodType::march &&
+        scene.periodic_state.start_from == StartFrom::rest;
       return scene.periodic_state.tolerance > 0. || !from_rest
                ? Compared::periodic_state
                : Compared::whole_run;

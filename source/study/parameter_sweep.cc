@@ -44,8 +44,8 @@ namespace Crevasse
     bool
     marches_from_rest(const Scene &scene)
     {
-      return scene.periodic_state.method == "march" &&
-             scene.periodic_state.start_from == "rest";
+      return scene.periodic_state.method == PeriodicMethodType::march &&
+             scene.periodic_state.start_from == StartFrom::rest;
     }
 
 

@@ -13,11 +13,10 @@ namespace Crevasse
 {
   namespace
   {
-    template <int dim>
     void
     add_probe_names(const Scene &scene, std::vector<std::string> &names)
     {
-      for (const auto &probe : parse_probes<dim>(scene.output.probes))
+      for (const NamedPoint &probe : *scene.output.probes)
         if (std::find(names.begin(), names.end(), probe.name) == names.end())
           names.push_back(probe.name);
     }
@@ -29,10 +28,7 @@ namespace Crevasse
     {
       std::vector<std::string> names;
       for (const Scene *scene : scenes)
-        if (scene->dimension == 2)
-          add_probe_names<2>(*scene, names);
-        else
-          add_probe_names<3>(*scene, names);
+        add_probe_names(*scene, names);
       return names;
     }
 

@@ -44,8 +44,8 @@ namespace Crevasse
                  const double                     period)
     : parameters(parameters)
     , period(period)
-    , is_implicit(parameters.scheme == "arkode implicit")
-    , is_adaptive(parameters.step_control == "adaptive")
+    , is_implicit(parameters.scheme == Scheme::arkode_implicit)
+    , is_adaptive(parameters.step_control == StepControlType::adaptive)
     , table(is_implicit, parameters.order)
   {
     if (is_adaptive && parameters.locate_contact_events)
@@ -308,7 +308,7 @@ namespace Crevasse
   std::string
   Arkode::description() const
   {
-    return parameters.scheme + " with " + table.name() +
+    return name_of(parameters.scheme) + " with " + table.name() +
            (is_adaptive ? ", adaptive steps" : "");
   }
 

@@ -21,32 +21,60 @@ namespace Crevasse
     bool
     controls_itself(const TimeIntegrationParameters &parameters)
     {
-      return uses_arkode(parameters) && parameters.step_control == "adaptive";
+      return traits(parameters.scheme).is_of_arkode &&
+             parameters.step_control == StepControlType::adaptive;
     }
 
 
 
-    std::unique_ptr<Integrator>
-    make_method(const TimeIntegrationParameters &parameters,
-                const double                     period)
+    using Parameters = TimeIntegrationParameters;
+    using Method     = std::unique_ptr<Integrator>;
+
+    struct Factory
     {
-      if (parameters.scheme == "euler")
-        return std::make_unique<RungeKutta>(euler_tableau());
-      if (parameters.scheme == "rk4")
-        return std::make_unique<RungeKutta>(rk4_tableau());
-      if (parameters.scheme == "predictor corrector")
-        return std::make_unique<PredictorCorrector>();
-      if (parameters.scheme == "exponential")
-        return std::make_unique<ExponentialHeun>();
-      if (parameters.scheme == "sdirk2")
-        return std::make_unique<Sdirk2>();
-      if (parameters.scheme == "trapezoid")
-        return std::make_unique<Trapezoid>();
-      if (uses_arkode(parameters))
-        return std::make_unique<Arkode>(parameters, period);
-      AssertThrow(parameters.scheme == "heun", dealii::ExcInternalError());
+      Scheme value;
+      Method (*make)(const Parameters &, const double period);
+    };
+
+    template <typename IntegratorType>
+    Method
+    make(const Parameters &, const double)
+    {
+      return std::make_unique<IntegratorType>();
+    }
+
+    template <ButcherTableau (*tableau)()>
+    Method
+    make(const Parameters &, const double)
+    {
+      return std::make_unique<RungeKutta>(tableau());
+    }
+
+    Method
+    make_heun(const Parameters &parameters, const double)
+    {
       return std::make_unique<RungeKutta>(heun_tableau(parameters.heun_weight));
     }
+
+    Method
+    make_arkode(const Parameters &parameters, const double period)
+    {
+      return std::make_unique<Arkode>(parameters, period);
+    }
+
+    constexpr Factory factories[] = {
+      {Scheme::euler, make<euler_tableau>},
+      {Scheme::heun, make_heun},
+      {Scheme::rk4, make<rk4_tableau>},
+      {Scheme::predictor_corrector, make<PredictorCorrector>},
+      {Scheme::exponential, make<ExponentialHeun>},
+      {Scheme::sdirk2, make<Sdirk2>},
+      {Scheme::trapezoid, make<Trapezoid>},
+      {Scheme::arkode_explicit, make_arkode},
+      {Scheme::arkode_implicit, make_arkode}};
+
+    static_assert(follows_enum<Scheme>(factories),
+                  "one for each scheme, in their order");
   } // namespace
 
 
@@ -57,7 +85,9 @@ namespace Crevasse
                   const bool                has_contact)
   {
     parameters.locate_contact_events &= has_contact;
-    std::unique_ptr<Integrator> method = make_method(parameters, period);
+    std::unique_ptr<Integrator> method =
+      factories[static_cast<std::size_t>(parameters.scheme)].make(parameters,
+                                                                  period);
     if (parameters.locate_contact_events && !controls_itself(parameters))
       return std::make_unique<ContactEvents>(std::move(method));
     return method;
@@ -72,7 +102,7 @@ namespace Crevasse
                     const double                     smallest_relaxation_time)
   {
     const double limit = integrator.stability_limit();
-    if (parameters.step_control != "adaptive")
+    if (parameters.step_control != StepControlType::adaptive)
       {
         if (parameters.check_stability)
           steps.require_stability(limit, smallest_relaxation_time);

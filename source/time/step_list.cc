@@ -46,9 +46,9 @@ namespace Crevasse
   StepList::StepList(const TimeIntegrationParameters &parameters,
                      const double                     period,
                      const std::vector<double>       &more)
-    : uniform(parameters.step_control == "uniform")
+    : uniform(parameters.step_control == StepControlType::uniform)
   {
-    const bool          adaptive = parameters.step_control == "adaptive";
+    const bool adaptive = parameters.step_control == StepControlType::adaptive;
     std::vector<double> asked_for;
     if (!uniform)
       asked_for = parameters.steps;

@@ -25,8 +25,9 @@ namespace Crevasse
 
   /**
    * A formula as the user wrote it, evaluated by muParser. Its used variables
-   * tell whether it depends on space or time, which decides what is recomputed
-   * at each instant.
+   * say whether it depends on space or time, which decides what is recomputed
+   * at each instant. Copies share the parser, and so must not be evaluated in
+   * several threads at once.
    */
   class Expression
   {
@@ -45,10 +46,6 @@ namespace Crevasse
     explicit Expression(const std::string &formula,
                         const Variables variables = Variables::space_and_time,
                         const std::string &parameter = "");
-    ~Expression();
-    Expression(Expression &&) noexcept;
-    Expression &
-    operator=(Expression &&) noexcept;
 
     /** @throw SceneError naming parameter, formula, point and instant when the
      * value is not finite: whoever evaluates a formula during a run looks at
@@ -75,14 +72,24 @@ namespace Crevasse
     bool
     is_zero() const;
 
+    /** Whether the value can jump where the variable passes some value: whether
+     * a condition depends on it, or the argument of sign, rint, floor or ceil.
+     */
+    bool
+    can_jump_with(const std::string &variable) const;
+
     const std::string &
     formula() const;
+
+    /** "[Section] Name", or nothing. */
+    const std::string &
+    parameter() const;
 
     /** Splits "a; b; c" at the semicolons and parses each part. */
     static std::vector<Expression>
     parse_list(const std::string &formulas, const std::string &parameter = "");
 
-    /** The same at commas, but for those within brackets. */
+    /** The same at commas, except those within brackets. */
     static std::vector<Expression>
     parse_row(const std::string &formulas,
               const Variables    variables,
@@ -90,9 +97,9 @@ namespace Crevasse
 
   private:
     struct Parser; // keeps muParser.h out of every includer
-    std::unique_ptr<Parser> parser;
+    std::shared_ptr<Parser> parser;
     std::string             text;
-    std::string             parameter;
+    std::string             name; ///< of the parameter
     std::set<std::string>   variables;
   };
 } // namespace Crevasse

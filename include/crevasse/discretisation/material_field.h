@@ -26,7 +26,8 @@ namespace Crevasse
     std::vector<double>                          fractions;   ///< wᵢ
     double                                       spring = 1.; ///< 1 − Σ wᵢ
     std::vector<std::shared_ptr<const Matrices>> fluidity;    ///< Hᵢ
-    std::shared_ptr<const Vectors> thermal_strain; ///< χθ; null: none
+    std::shared_ptr<const Vectors>
+      thermal_strain; ///< f, such as χθ; null: none
 
     /** Whether stiffness and viscosity have no 33 row. */
     bool plane_stress = false;
@@ -117,8 +118,12 @@ namespace Crevasse
     largest_thermal_strain(const std::vector<double> &instants) const;
 
   private:
-    using Matrices = typename MaterialState<dim>::Matrices;
-    using Vectors  = typename MaterialState<dim>::Vectors;
+    using Matrices   = typename MaterialState<dim>::Matrices;
+    using Vectors    = typename MaterialState<dim>::Vectors;
+    using FreeStrain = typename MaxwellLaw<dim>::FreeStrain;
+
+    bool
+    thermal_strain_varies_in_space() const;
 
     template <typename Value>
     bool
@@ -173,10 +178,10 @@ namespace Crevasse
     RelaxationRates
     extreme_rates(const MaterialState<dim> &state) const;
 
-    const MPI_Comm          communicator;
-    const MaxwellLaw<dim>  &law;
-    const Temperature<dim> &temperature;
-    const bool              expands; ///< by temperature
+    const MPI_Comm                        communicator;
+    const MaxwellLaw<dim>                &law;
+    const Temperature<dim>               &temperature;
+    const std::vector<const FreeStrain *> free_strains; ///< not 0
 
     // Whether these depend on time.
     const bool        stiffness_is_free;

@@ -29,18 +29,6 @@ namespace Crevasse
   template <int dim>
   using Mesh = dealii::parallel::distributed::Triangulation<dim>;
 
-  /** What a strain has as its volumetric part: that of the displacement
-   * gradient at the point, or the mean of that over the cell (B-bar; Hughes
-   * 1980), which keeps linear elements from locking where the volume hardly
-   * changes. */
-  enum class VolumetricStrain
-  {
-    full,
-    mean
-  };
-
-
-
   /**
    * The displacement space: Q1 or Q2 elements on a distributed mesh, with the
    * linear constraints of hanging nodes, clamped parts, symmetry planes and

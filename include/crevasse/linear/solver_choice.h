@@ -14,16 +14,8 @@ namespace Crevasse
   /** Which linear solver, and why. */
   struct LinearSolverChoice
   {
-    enum Type
-    {
-      cholesky,
-      mumps,
-      amg,
-      gmg
-    };
-
-    Type        type;
-    std::string why;
+    LinearSolverType type;
+    std::string      why;
 
     /** "cholesky (why)". */
     std::string
@@ -33,7 +25,7 @@ namespace Crevasse
     bool
     is_multigrid() const
     {
-      return type == amg || type == gmg;
+      return traits(type).is_multigrid;
     }
   };
 
@@ -61,11 +53,11 @@ namespace Crevasse
                        const unsigned int            n_ranks,
                        const bool                    has_coarser_meshes);
 
-  /** Which contact solver, and why; the names are those of the scene. */
+  /** Which contact solver, and why. */
   struct ContactSolverChoice
   {
-    std::string name;
-    std::string why;
+    ContactSolverType type;
+    std::string       why;
 
     /** "active set (why)". */
     std::string

@@ -18,13 +18,14 @@ namespace Crevasse
    * Stress and creep of Maxwell bodies in parallel (paper, §3 and its
    * reference [1]), as functions of place, time and temperature θ:
    *
-   *     s  = k(t) K (e − χθ − Σ wᵢ rᵢ),
-   *     sᵢ = k(t) wᵢ K (e − χθ − rᵢ),      ṙᵢ = η₀(t)⁻¹ Hᵢ sᵢ
+   *     s  = k(t) K (e − f − Σ wᵢ rᵢ),
+   *     sᵢ = k(t) wᵢ K (e − f − rᵢ),      ṙᵢ = η₀(t)⁻¹ Hᵢ sᵢ
    *
-   * with the stiffness K (symmetric, positive definite; its 33 row and column
-   * are zero in plane stress), the fluidities Hᵢ (symmetric, positive
-   * semidefinite) and the fractions wᵢ; 1 − Σ wᵢ is an elastic spring. One
-   * branch with w = 1 is the paper's body, none an elastic one.
+   * with the free strain f, such as χθ, the stiffness K (symmetric, positive
+   * definite; its 33 row and column are zero in plane stress), the fluidities
+   * Hᵢ (symmetric, positive semidefinite) and the fractions wᵢ; 1 − Σ wᵢ is an
+   * elastic spring. One branch with w = 1 is the paper's body, none an elastic
+   * one.
    */
   template <int dim>
   class MaxwellLaw
@@ -34,6 +35,13 @@ namespace Crevasse
     {
       double                     fraction; ///< wᵢ
       Property<VoigtMatrix<dim>> fluidity; ///< Hᵢ, in 1/(stress × time)
+    };
+
+    /** A part of the strain that the body has without stress. */
+    struct FreeStrain
+    {
+      Property<VoigtVector<dim>> value;      ///< with engineering shears
+      bool                       is_thermal; ///< to be multiplied by θ
     };
 
     /** @throw SceneError if a matrix has not the rows of its dimension. */
@@ -46,9 +54,9 @@ namespace Crevasse
     const std::vector<Branch> &
     branches() const;
 
-    /** χ as a strain, with engineering shears. */
-    const Property<VoigtVector<dim>> &
-    thermal_expansion() const;
+    /** The parts of f. */
+    const std::vector<FreeStrain> &
+    free_strains() const;
 
     /** k(t) and η₀(t). */
     const Expression &
@@ -75,7 +83,7 @@ namespace Crevasse
   private:
     Property<VoigtMatrix<dim>> K;
     std::vector<Branch>        maxwell_branches;
-    Property<VoigtVector<dim>> expansion;
+    std::vector<FreeStrain>    strains;
     const bool                 plane_stress;
     Expression                 k;
     Expression                 eta_0;

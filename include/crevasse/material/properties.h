@@ -8,8 +8,6 @@
 #include <crevasse/material/voigt.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <string>
-
 namespace Crevasse
 {
   // The properties of a material from the formulas of its scene.
@@ -19,14 +17,11 @@ namespace Crevasse
   Property<VoigtMatrix<dim>>
   stiffness_property(const MaterialParameters &parameters);
 
-  /** H = (τK)⁻¹ / fraction.
-   *
-   * @param name the parameter that the relaxation time comes from. */
+  /** H = (τK)⁻¹ / fraction. */
   template <int dim>
   Property<VoigtMatrix<dim>>
   proportional_fluidity(const MaterialParameters &parameters,
-                        const std::string        &name,
-                        const std::string        &relaxation_time,
+                        const Expression         &relaxation_time,
                         const double              fraction);
 
   /** H of Viscous modulus and Viscous Poisson ratio. */
@@ -39,10 +34,10 @@ namespace Crevasse
   Property<VoigtMatrix<dim>>
   fluidity_of_matrix(const MaterialParameters &parameters);
 
-  /** χ of a scalar or a tensor. */
+  /** A strain, with engineering shears, of a scalar or a tensor. */
   template <int dim>
   Property<VoigtVector<dim>>
-  thermal_expansion_property(const MaterialParameters &parameters);
+  strain_property(const Formulas &components);
 } // namespace Crevasse
 
 #endif

@@ -12,11 +12,6 @@
 
 namespace Crevasse
 {
-  /** Whether a formula of the scene has a comparison, a condition or a rounding
-   * in it, and so can jump anywhere. */
-  bool
-  formulas_can_jump(const Scene &scene);
-
   /** The ends of steps at which loads or material jump in time: the end of the
    * period, where t begins anew, and others if formulas can jump. Collective.
    *

@@ -29,12 +29,6 @@ namespace Crevasse
     std::string warning; ///< empty: none
   };
 
-  /** Whether the steps of a scheme flow as the secular problem says: by the
-   * mean of the loads that they see. Not where the weights of the rates within
-   * a step depend on the relaxation. */
-  bool
-  flows_by_mean_load(const std::string &scheme);
-
   /** Why no secular flow can be split off; empty if it can. Collective. */
   template <int dim>
   std::string

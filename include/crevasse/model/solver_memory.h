@@ -20,11 +20,11 @@ namespace Crevasse
    * coarser matrices and smoothers, as much as the matrix again. */
   template <int dim>
   double
-  bytes_of_matrix_solver(const LinearSolverChoice::Type type,
-                         const double                   unknowns,
-                         const double                   own_unknowns,
-                         const unsigned int             degree,
-                         const unsigned int             n_ranks);
+  bytes_of_matrix_solver(const LinearSolverType type,
+                         const double           unknowns,
+                         const double           own_unknowns,
+                         const unsigned int     degree,
+                         const unsigned int     n_ranks);
 
   /** Of geometric multigrid on one rank: vectors, and indices and weights of
    * the loops over cells; measured. */
@@ -35,10 +35,10 @@ namespace Crevasse
    * the body is made of. */
   template <int dim>
   double
-  least_bytes_of_solver(const LinearSolverChoice::Type type,
-                        const double                   n_unknowns,
-                        const unsigned int             degree,
-                        const unsigned int             n_ranks);
+  least_bytes_of_solver(const LinearSolverType type,
+                        const double           n_unknowns,
+                        const unsigned int     degree,
+                        const unsigned int     n_ranks);
 } // namespace Crevasse
 
 #endif

@@ -25,10 +25,6 @@ namespace Crevasse
     constexpr dealii::types::boundary_id back     = 6;
   } // namespace BoundaryIds
 
-  /** Whether this is a built-in shape with a crack. */
-  bool
-  has_crack(const GeometryParameters &parameters);
-
   /** Where the tip (in space: the straight front) of the crack of a built-in
    * shape lies along x₁; the lip is on its right (edge crack) or on its left
    * (centre crack). */

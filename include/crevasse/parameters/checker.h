@@ -4,6 +4,7 @@
 #ifndef crevasse_parameters_checker_h
 #define crevasse_parameters_checker_h
 
+#include <crevasse/base/parsed.h>
 #include <crevasse/base/problems.h>
 
 #include <functional>
@@ -35,9 +36,16 @@ namespace Crevasse
     void
     demand_positive(const char *name, const double value) const;
 
+    template <typename Value>
+    void
+    demand_valid(const char *name, const Parsed<Value> &parameter) const
+    {
+      demand(parameter.is_valid(), name, parameter.text(), parameter.error());
+    }
+
     /** A value that can be read.
      *
-     * @param read throws a SceneError that tells what is expected. */
+     * @param read throws a SceneError that says what is expected. */
     void
     demand_readable(const char                  *name,
                     const std::string           &value,

@@ -5,10 +5,9 @@
 #define crevasse_parameters_crack_tip_parameters_h
 
 #include <crevasse/base/problems.h>
+#include <crevasse/parameters/selections.h>
 
 #include <deal.II/base/parameter_handler.h>
-
-#include <string>
 
 namespace Crevasse
 {
@@ -17,30 +16,22 @@ namespace Crevasse
   {
     static constexpr const char *section = "Crack tip";
 
-    bool stress_intensity = false;
-    /** automatic | interaction integral | williams fit */
-    std::string method = "automatic";
+    bool                  stress_intensity = false;
+    StressIntensityMethod method           = StressIntensityMethod::automatic;
     /** Half the side of the square around the tip that the integral extends
      * over, or twice the radius of the smaller disc of the fit; 0: automatic.
      */
     double radius = 0.;
 
-    /** none | paris | creep | sum */
-    std::string growth_law = "none";
+    GrowthLawType growth_law = GrowthLawType::none;
     // da/dN = C (ΔK − ΔK_th)^m or, without a threshold, C ΔK^m.
     double paris_factor    = 0.;
     double paris_exponent  = 3.;
     double paris_threshold = 0.;
-    /** C star | stress intensity: what drives da/dt = D (...)^φ. */
-    std::string creep_parameter = "C star";
-    double      creep_factor    = 0.;
-    double      creep_exponent  = 1.;
-
-    /** Whether the growth law has such a part. */
-    bool
-    has_paris_part() const;
-    bool
-    has_creep_part() const;
+    /** What drives da/dt = D (...)^φ. */
+    CreepParameter creep_parameter = CreepParameter::C_star;
+    double         creep_factor    = 0.;
+    double         creep_exponent  = 1.;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

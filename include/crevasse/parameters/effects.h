@@ -27,18 +27,22 @@ namespace Crevasse
     Effect viscosity;
     Effect secular_flow; ///< off until somebody who knows the loads decides
     Effect chain;
-    Effect thermal_strain;
-    Effect varying_stiffness; ///< by a factor or freely
-    Effect varying_viscosity;
-    Effect body_force;
-    Effect singular_functions;
-    Effect stress_intensity;
-    Effect field_output;
+    /** Those of MaterialParameters::free_strains(). */
+    std::vector<Effect> free_strains;
+    Effect              varying_stiffness; ///< by a factor or freely
+    Effect              varying_viscosity;
+    Effect              body_force;
+    Effect              singular_functions;
+    Effect              stress_intensity;
+    Effect              field_output;
 
     /** @param temperature_varies whether [Loads] Temperature does in time. */
     Effects(const Scene         &scene,
             const BoundaryRoles &roles,
             const bool           temperature_varies);
+
+    bool
+    has_free_strain() const;
 
     /** All of them, in a fixed order, for tables. */
     std::vector<Effect>

@@ -5,9 +5,14 @@
 #define crevasse_parameters_parameters_h
 
 #include <crevasse/base/problems.h>
+#include <crevasse/parameters/formulas.h>
+#include <crevasse/parameters/probe_list.h>
+#include <crevasse/parameters/selections.h>
+#include <crevasse/parameters/solver_selections.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +30,7 @@ namespace Crevasse
   {
     static constexpr const char *section = "Geometry";
 
-    std::string shape        = "edge crack";
+    Shape       shape        = Shape::edge_crack;
     double      width        = 1.;
     double      height       = 1.;
     double      thickness    = 1.; ///< in three dimensions only
@@ -58,7 +63,7 @@ namespace Crevasse
      * "automatic". */
     std::string fixed_points = "automatic";
     /** Expression of x, y, z: the least u_N of the lip, at most 0. */
-    std::string gap = "0";
+    Formula gap{"0", formula_of_place(section, "Gap")};
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -70,22 +75,38 @@ namespace Crevasse
   {
     static constexpr const char *section = "Material";
 
-    // Formulas of x, y, z, t, theta and material but for the time factors,
+    PlaneState    plane_state = PlaneState::plane_stress;
+    ViscosityType viscosity   = ViscosityType::relaxation_time;
+
+    // Formulas of x, y, z, t, theta and material, except the time factors,
     // which depend on t alone.
-    std::string plane_state           = "plane stress";
-    std::string young_modulus         = "1";
-    std::string poisson_ratio         = "0.3";
-    std::string stiffness_matrix      = ""; ///< empty: isotropic
-    std::string stiffness_time_factor = "1";
-    std::string viscosity             = "relaxation time";
-    std::string relaxation_time       = "1";
-    std::string viscous_modulus       = "1";
-    std::string viscous_poisson_ratio = "0.3";
-    std::string viscosity_matrix      = "";
-    std::string viscosity_time_factor = "1";
-    /** "fraction: time; fraction: time". */
-    std::string chain             = "";
-    std::string thermal_expansion = "0";
+    Formula       young_modulus{"1", material_formula("Young modulus")};
+    Formula       poisson_ratio{"0.3", material_formula("Poisson ratio")};
+    FormulaMatrix stiffness_matrix{"", material_matrix("Stiffness matrix")};
+    Formula       stiffness_time_factor{"1",
+                                  material_formula("Stiffness time factor")};
+    Formula       relaxation_time{"1", material_formula("Relaxation time")};
+    Formula       viscous_modulus{"1", material_formula("Viscous modulus")};
+    Formula       viscous_poisson_ratio{"0.3",
+                                  material_formula("Viscous Poisson ratio")};
+    FormulaMatrix viscosity_matrix{"", material_matrix("Viscosity matrix")};
+    Formula       viscosity_time_factor{"1",
+                                  material_formula("Viscosity time factor")};
+    Parsed<std::vector<ChainBranch>> chain{"", parse_chain};
+    Formulas thermal_expansion{"0", material_components("Thermal expansion")};
+
+    /** A strain that the body has without stress: an effect. */
+    struct FreeStrain
+    {
+      const char     *parameter;
+      const char     *effect; ///< its name in the log
+      const Formulas &components;
+      bool            is_thermal; ///< to be multiplied by theta
+    };
+
+    /** All of them: whatever looks at one looks at each. */
+    std::vector<FreeStrain>
+    free_strains() const;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -100,10 +121,11 @@ namespace Crevasse
     double period = 1.;
     /** Expressions of x, y, z, t, one per component, separated by ";"; nothing
      * if there is no such load. */
-    std::string traction;
-    std::string body_force;
-    /** Change of temperature: a formula of x, y, z, t, or a file. */
-    std::string temperature = "0";
+    Formulas traction{"", formulas_of_place(section, "Traction")};
+    Formulas body_force{"", formulas_of_place(section, "Body force")};
+    /** Change of temperature: a formula of x, y, z, t, or nothing where the
+     * text is the name of a file. */
+    Parsed<std::optional<Expression>> temperature{"0", parse_temperature};
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -115,9 +137,8 @@ namespace Crevasse
   {
     static constexpr const char *section = "Discretisation";
 
-    unsigned int degree = 1;
-    /** full | mean (B-bar: the mean dilatation of each cell). */
-    std::string volumetric_strain = "full";
+    unsigned int     degree            = 1;
+    VolumetricStrain volumetric_strain = VolumetricStrain::full;
     /** At the crack tip: 1: w₁, 2: and D, 3: and w₃ (SingularFunctions). */
     unsigned int singular_functions = 0;
 
@@ -127,13 +148,20 @@ namespace Crevasse
     check(Problems &problems) const;
   };
 
+  /** A factor with which over-relaxation converges, or "automatic".
+   *
+   * @throw SceneError that says what is expected. */
+  std::optional<double>
+  parse_relaxation_factor(const std::string &text);
+
   struct ContactParameters
   {
     static constexpr const char *section = "Contact";
 
-    std::string solver = "automatic";
-    /** A number in ]0,2[ or "automatic" (dichotomy). */
-    std::string relaxation_factor = "automatic";
+    ContactSolverType solver = ContactSolverType::automatic;
+    /** Within ]0,2[; nothing: found by dichotomy. */
+    Parsed<std::optional<double>> relaxation_factor{"automatic",
+                                                    parse_relaxation_factor};
     /** unknown | node: what projected SOR relaxes together. */
     std::string  relaxed_together   = "unknown";
     double       tolerance          = 1e-12;
@@ -152,7 +180,7 @@ namespace Crevasse
   {
     static constexpr const char *section = "Linear solver";
 
-    std::string type = "automatic";
+    LinearSolverType type = LinearSolverType::automatic;
     /** By how much an iterative solver reduces the residual before the active
      * set is looked at again. */
     double tolerance = 1e-3;
@@ -172,10 +200,10 @@ namespace Crevasse
     /** Of a period: more would not end. */
     static constexpr unsigned int most_steps = 1000000;
 
-    std::string  scheme           = "heun";
-    double       heun_weight      = 0.75;
-    unsigned int steps_per_period = 40;
-    std::string  step_control     = "uniform";
+    Scheme          scheme           = Scheme::heun;
+    double          heun_weight      = 0.75;
+    unsigned int    steps_per_period = 40;
+    StepControlType step_control     = StepControlType::uniform;
     /** Instants within [0, Period] of the step control "list". */
     std::vector<double> steps;
     /** Of the stress: relative to the largest elastic one, and in its units. */
@@ -192,25 +220,21 @@ namespace Crevasse
     check(Problems &problems) const;
   };
 
-  /** Whether the scheme is one of the library ARKODE. */
-  bool
-  uses_arkode(const TimeIntegrationParameters &parameters);
-
   struct PeriodicStateParameters
   {
     static constexpr const char *section = "Periodic state";
 
-    std::string  method          = "march";
-    std::string  start_from      = "rest";
-    std::string  secular_split   = "automatic";
-    unsigned int maximum_periods = 100;
+    PeriodicMethodType method          = PeriodicMethodType::march;
+    StartFrom          start_from      = StartFrom::rest;
+    SecularSplitType   secular_split   = SecularSplitType::automatic;
+    unsigned int       maximum_periods = 100;
     /** Estimated error of the stress, relative to its maximum, at which the
      * search ends. 0: all maximum_periods are computed. */
     double       tolerance        = 1e-6;
     unsigned int anderson_depth   = 15;
     double       anderson_damping = 1.;
     unsigned int anderson_delay   = 0;
-    std::string  harmonics        = "trapezoid";
+    HarmonicRule harmonics        = HarmonicRule::trapezoid;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -222,14 +246,12 @@ namespace Crevasse
   {
     static constexpr const char *section = "Output";
 
-    /** "name: x, y; name: x, y". */
-    std::string probes;
+    Parsed<std::vector<NamedPoint>> probes{"", parse_probes};
     /** Instants within the period of the field output of the last period. */
     std::vector<double> field_times;
-    std::string         fields = "vtu";
-    /** none | open | closed: compare the last period's stress with the
-     * elastic one of an open or closed lip. */
-    std::string elastic_comparison = "none";
+    FieldFormat         fields = FieldFormat::vtu;
+    /** Of the last period's stress with the elastic one. */
+    ComparedLip elastic_comparison = ComparedLip::none;
     bool        load_work          = false;
     /** "period: step; ...": contact problems that are written to files. */
     std::string contact_problems;

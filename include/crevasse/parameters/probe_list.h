@@ -20,12 +20,23 @@ namespace Crevasse
     dealii::Point<dim> point;
   };
 
-  /** "name: x, y; name: x, y" as probes; nothing gives none.
+  /** As in a scene, whose dimension is another parameter. */
+  struct NamedPoint
+  {
+    std::string         name;
+    std::vector<double> coordinates;
+  };
+
+  /** Reads "name: x, y; name: x, y"; nothing gives none.
    *
-   * @throw SceneError that tells what is expected. */
+   * @throw SceneError that says what is expected. */
+  std::vector<NamedPoint>
+  parse_probes(const std::string &text);
+
+  /** @throw SceneError if a point has not as many coordinates. */
   template <int dim>
   std::vector<Probe<dim>>
-  parse_probes(const std::string &text);
+  to_probes(const std::vector<NamedPoint> &points);
 } // namespace Crevasse
 
 #endif

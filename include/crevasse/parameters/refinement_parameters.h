@@ -5,10 +5,10 @@
 #define crevasse_parameters_refinement_parameters_h
 
 #include <crevasse/base/problems.h>
+#include <crevasse/parameters/selections.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <string>
 #include <vector>
 
 namespace Crevasse
@@ -18,16 +18,14 @@ namespace Crevasse
   {
     static constexpr const char *section = "Refinement";
 
-    /** none | tip | adaptive */
-    std::string strategy = "none";
+    RefinementStrategy strategy = RefinementStrategy::none;
     /** Refinement ends when the mesh has them; 0: no limit. */
     unsigned int target_unknowns = 0;
     /** tip: levels; adaptive: meshes after the first. 0: by the target. */
-    unsigned int cycles = 0;
-    /** fixed fraction (of the cells) | bulk (of the estimate, Dörfler) */
-    std::string marking          = "bulk";
-    double      refine_fraction  = 0.5;
-    double      coarsen_fraction = 0.;
+    unsigned int cycles           = 0;
+    Marking      marking          = Marking::bulk;
+    double       refine_fraction  = 0.5;
+    double       coarsen_fraction = 0.;
     /** Estimated error of the stress in the energy norm, relative to that of
      * the stress, at which cycles end; 0: none. */
     double tolerance = 0.;

@@ -15,8 +15,8 @@ namespace Crevasse
   /** By what a run finds its periodic state. */
   struct PeriodicChoice
   {
-    std::string method; ///< march, anderson or fourier
-    bool        starts_from_fourier = false;
+    PeriodicMethodType method              = PeriodicMethodType::march;
+    bool               starts_from_fourier = false;
     /** Whether another method takes over where one fails. */
     bool        may_fall_back = false;
     std::string why;

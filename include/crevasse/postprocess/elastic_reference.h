@@ -32,10 +32,10 @@ namespace Crevasse
    */
   template <int dim>
   LoadFactors
-  load_factors(const Body<dim>   &body,
-               const StepList    &steps,
-               const Integrator  *integrator,
-               const std::string &comparison);
+  load_factors(const Body<dim>  &body,
+               const StepList   &steps,
+               const Integrator *integrator,
+               const ComparedLip comparison);
 
   /** What ElasticComparison compares with: u_el and s_el at the instant of the
    * largest load, by the direct solver, and F. */

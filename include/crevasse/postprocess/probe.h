@@ -108,10 +108,10 @@ namespace Crevasse
   /** The evaluators of the scene's "name: x, y; …". @throw SceneError */
   template <int dim>
   std::vector<ProbeEvaluator<dim>>
-  make_probes(const std::string          &probes,
-              const Space<dim>           &space,
-              const StressRecovery<dim>  &recovery,
-              const ContactBoundary<dim> &lip);
+  make_probes(const std::vector<NamedPoint> &probes,
+              const Space<dim>              &space,
+              const StressRecovery<dim>     &recovery,
+              const ContactBoundary<dim>    &lip);
 } // namespace Crevasse
 
 #endif

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_parameters_selections_h
+#define crevasse_parameters_selections_h
+
+#include <crevasse/base/selection.h>
+
+namespace Crevasse
+{
+  // What a scene selects by name: the values, their documentation, names and
+  // traits. Factories of classes are where the classes are.
+
+  enum class Shape
+  {
+    edge_crack,
+    centre_crack,
+    rectangle,
+    box,
+    mesh_file
+  };
+
+  template <>
+  struct Selection<Shape>
+  {
+    struct Row
+    {
+      Shape       value;
+      const char *name;
+      bool        has_crack;
+    };
+    static constexpr Row rows[] = {{Shape::edge_crack, "edge crack", true},
+                                   {Shape::centre_crack, "centre crack", true},
+                                   {Shape::rectangle, "rectangle", false},
+                                   {Shape::box, "box", false},
+                                   {Shape::mesh_file, "mesh file", false}};
+    static constexpr const char *meaning =
+      "The body. The built-in shapes are the half above the crack plane y = 0 "
+      "of a plate: \"edge crack\" has its crack on the right, with the tip at "
+      "x = Width - Crack length; \"centre crack\" is a quarter of the plate, "
+      "with the crack from x = 0 to x = Crack length; in three dimensions both "
+      "go through the plate, with a straight front along z. \"rectangle\" "
+      "(in two dimensions) and \"box\" (in three) have no crack; \"mesh "
+      "file\" reads a mesh.";
+  };
+
+  enum class PlaneState
+  {
+    plane_stress,
+    plane_strain
+  };
+
+  template <>
+  struct Selection<PlaneState>
+  {
+    static constexpr NamedValue<PlaneState> rows[] = {
+      {PlaneState::plane_stress, "plane stress"},
+      {PlaneState::plane_strain, "plane strain"}};
+    static constexpr const char *meaning =
+      "What a plane model assumes of the third direction; without meaning in "
+      "three dimensions.";
+  };
+
+  enum class ViscosityType
+  {
+    relaxation_time,
+    isotropic,
+    matrix,
+    chain,
+    none
+  };
+
+  template <>
+  struct Selection<ViscosityType>
+  {
+    static constexpr NamedValue<ViscosityType> rows[] = {
+      {ViscosityType::relaxation_time, "relaxation time"},
+      {ViscosityType::isotropic, "isotropic"},
+      {ViscosityType::matrix, "matrix"},
+      {ViscosityType::chain, "chain"},
+      {ViscosityType::none, "none"}};
+    static constexpr const char *meaning =
+      "How the body creeps: \"relaxation time\" makes the viscosity the "
+      "stiffness (without its time factor) times Relaxation time; "
+      "\"isotropic\" builds it from Viscous modulus and Viscous Poisson ratio; "
+      "\"matrix\" is Viscosity matrix; \"chain\" puts several such bodies in "
+      "parallel; \"none\" is an elastic body.";
+  };
+
+  /** Of which point the change of volume in the strain is: of the displacement
+   * gradient at the point, or the mean of that over the cell (B-bar; Hughes
+   * 1980), which keeps linear elements from locking where the volume hardly
+   * changes. */
+  enum class VolumetricStrain
+  {
+    full,
+    mean
+  };
+
+  template <>
+  struct Selection<VolumetricStrain>
+  {
+    static constexpr NamedValue<VolumetricStrain> rows[] =
+      {{VolumetricStrain::full, "full"}, {VolumetricStrain::mean, "mean"}};
+    static constexpr const char *meaning =
+      "The change of volume that the strain has at a point: \"full\" is that "
+      "of the displacement there, \"mean\" its mean over the cell (B-bar), "
+      "which linear elements need where the volume hardly changes, in plane "
+      "strain or three dimensions with a Poisson ratio near 0.5.";
+  };
+
+  enum class RefinementStrategy
+  {
+    none,
+    tip,
+    adaptive
+  };
+
+  template <>
+  struct Selection<RefinementStrategy>
+  {
+    static constexpr NamedValue<RefinementStrategy> rows[] = {
+      {RefinementStrategy::none, "none"},
+      {RefinementStrategy::tip, "tip"},
+      {RefinementStrategy::adaptive, "adaptive"}};
+    static constexpr const char *meaning =
+      "How the mesh is refined after [Geometry] Refinements: \"tip\" divides "
+      "the cells around the crack tip again and again, \"adaptive\" those "
+      "with the largest estimated error.";
+  };
+
+  enum class Marking
+  {
+    bulk,
+    fixed_fraction
+  };
+
+  template <>
+  struct Selection<Marking>
+  {
+    static constexpr NamedValue<Marking> rows[] = {{Marking::bulk, "bulk"},
+                                                   {Marking::fixed_fraction,
+                                                    "fixed fraction"}};
+    static constexpr const char         *meaning =
+      "What Refine fraction and Coarsen fraction are parts of: of the "
+      "estimated error (\"bulk\", Doerfler's marking) or of the number of "
+      "cells (\"fixed fraction\").";
+  };
+
+  enum class StressIntensityMethod
+  {
+    automatic,
+    interaction_integral,
+    williams_fit
+  };
+
+  template <>
+  struct Selection<StressIntensityMethod>
+  {
+    static constexpr NamedValue<StressIntensityMethod> rows[] = {
+      {StressIntensityMethod::automatic, "automatic"},
+      {StressIntensityMethod::interaction_integral, "interaction integral"},
+      {StressIntensityMethod::williams_fit, "williams fit"}};
+    static constexpr const char *meaning =
+      "How K_I is found: by an integral over a square around the tip, where "
+      "the stress is that of an elastic body, or by fitting Williams' series "
+      "to the stress around the tip. \"automatic\" takes the integral wherever "
+      "it is right.";
+  };
+
+  enum class GrowthLawType
+  {
+    none,
+    paris,
+    creep,
+    sum
+  };
+
+  template <>
+  struct Selection<GrowthLawType>
+  {
+    struct Row
+    {
+      GrowthLawType value;
+      const char   *name;
+      bool          has_paris_part;
+      bool          has_creep_part;
+    };
+    static constexpr Row rows[] = {{GrowthLawType::none, "none", false, false},
+                                   {GrowthLawType::paris, "paris", true, false},
+                                   {GrowthLawType::creep, "creep", false, true},
+                                   {GrowthLawType::sum, "sum", true, true}};
+    static constexpr const char *meaning =
+      "Law of the crack's growth. \"paris\": da/dN = C (dK - dK_th)^m; "
+      "\"creep\": da/dt = D P^phi, P being the Creep growth parameter; "
+      "\"sum\": both.";
+  };
+
+  enum class CreepParameter
+  {
+    C_star,
+    stress_intensity
+  };
+
+  template <>
+  struct Selection<CreepParameter>
+  {
+    static constexpr NamedValue<CreepParameter> rows[] = {
+      {CreepParameter::C_star, "C star"},
+      {CreepParameter::stress_intensity, "stress intensity"}};
+    static constexpr const char *meaning =
+      "What drives the creep law: the integral C* of the secular flow, or K_I "
+      "at each instant of the period.";
+  };
+
+  enum class FieldFormat
+  {
+    vtu,
+    none
+  };
+
+  template <>
+  struct Selection<FieldFormat>
+  {
+    static constexpr NamedValue<FieldFormat> rows[] =
+      {{FieldFormat::vtu, "vtu"}, {FieldFormat::none, "none"}};
+    static constexpr const char *meaning = "File format of the fields.";
+  };
+
+  /** The lip of the elastic body that a run is compared with. */
+  enum class ComparedLip
+  {
+    none,
+    open,
+    closed
+  };
+
+  template <>
+  struct Selection<ComparedLip>
+  {
+    static constexpr NamedValue<ComparedLip> rows[] = {
+      {ComparedLip::none, "none"},
+      {ComparedLip::open, "open"},
+      {ComparedLip::closed, "closed"}};
+    static constexpr const char *meaning =
+      "Whether the stress of the last period is compared with that of an "
+      "elastic body whose crack is always open, or always closed. For loads "
+      "F(t) p(x), no gap, and a viscosity in proportion to the stiffness or "
+      "none; closed needs an F of one sign, and so does either without "
+      "viscosity.";
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/text.h>
+#include <crevasse/parameters/formulas.h>
+#include <crevasse/parameters/parameters.h>
+#include <crevasse/temperature/temperature.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  namespace
+  {
+    constexpr auto of_material = Expression::Variables::space_time_and_material;
+
+
+
+    std::string
+    of_section_material(const char *name)
+    {
+      return Text::parameter(MaterialParameters::section, name);
+    }
+  } // namespace
+
+
+
+  Formula::Parser
+  formula_of_place(const char *section, const char *name)
+  {
+    return [parameter =
+              Text::parameter(section, name)](const std::string &text) {
+      return Expression(text, Expression::Variables::space_and_time, parameter);
+    };
+  }
+
+
+
+  Formulas::Parser
+  formulas_of_place(const char *section, const char *name)
+  {
+    return
+      [parameter = Text::parameter(section, name)](const std::string &text) {
+        return Expression::parse_list(text, parameter);
+      };
+  }
+
+
+
+  Formula::Parser
+  material_formula(const char *name)
+  {
+    return [parameter = of_section_material(name)](const std::string &text) {
+      return Expression(text, of_material, parameter);
+    };
+  }
+
+
+
+  Formulas::Parser
+  material_components(const char *name)
+  {
+    return [parameter = of_section_material(name)](const std::string &text) {
+      return Expression::parse_row(text, of_material, parameter);
+    };
+  }
+
+
+
+  FormulaMatrix::Parser
+  material_matrix(const char *name)
+  {
+    return [parse_row = material_components(name)](const std::string &text) {
+      std::vector<std::vector<Expression>> rows;
+      for (const std::string &row : Text::split(text, ';'))
+        rows.push_back(parse_row(row));
+      return rows;
+    };
+  }
+
+
+
+  std::vector<ChainBranch>
+  parse_chain(const std::string &text)
+  {
+    const auto               parse = material_formula("Chain");
+    std::vector<ChainBranch> branches;
+    double                   sum = 0.;
+    for (const std::string &entry : Text::split(text, ';'))
+      {
+        const std::size_t colon = entry.find(':');
+        const auto        fraction =
+          Text::to_number(Text::squeeze(entry.substr(0, colon)));
+        if (colon == std::string::npos || !fraction || !(*fraction > 0.))
+          throw SceneError("\"" + Text::shorten(entry) +
+                           "\" must be \"fraction: relaxation time\" with a "
+                           "number greater than 0 before the colon; entries "
+                           "are separated by semicolons");
+        branches.push_back({*fraction, parse(entry.substr(colon + 1))});
+        sum += *fraction;
+      }
+    if (branches.empty())
+      throw SceneError(
+        "must be given, for the viscosity is \"chain\": a list "
+        "such as 0.5: 10; 0.3: 100");
+    constexpr double rounding = 1e-12;
+    if (sum > 1. + rounding)
+      throw SceneError("the fractions add up to " + Text::from_number(sum) +
+                       "; they must not exceed 1, the whole stiffness");
+    return branches;
+  }
+
+
+
+  std::optional<Expression>
+  parse_temperature(const std::string &text)
+  {
+    if (Temperature<2>::is_file(text))
+      return {};
+    try
+      {
+        return Expression(text,
+                          Expression::Variables::space_and_time,
+                          Text::parameter(LoadParameters::section,
+                                          "Temperature"));
+      }
+    catch (const SceneError &error)
+      {
+        throw SceneError(std::string(error.what()) +
+                         " (names of files end in .csv, .vtu, .pvtu or .pvd)");
+      }
+  }
+
+
+
+  void
+  require_size(const FormulaMatrix &matrix,
+               const unsigned int   dimension,
+               const bool           plane_stress)
+  {
+    const std::size_t n = matrix->size();
+    const std::string allowed =
+      dimension == 3 ? "6 (11, 22, 33, 12, 13, 23) rows"
+      : plane_stress ? "3 (11, 22, 12) or 4 (11, 22, 33, 12) rows"
+                     : "4 (11, 22, 33, 12) rows";
+    if (n != (dimension == 3 ? 6 : 4) &&
+        !(dimension == 2 && plane_stress && n == 3))
+      throw SceneError("must have " + allowed +
+                       ", separated by semicolons; it has " +
+                       std::to_string(n));
+    for (std::size_t i = 0; i < n; ++i)
+      if ((*matrix)[i].size() != n)
+        throw SceneError("the row \"" +
+                         Text::shorten(Text::split(matrix.text(), ';')[i]) +
+                         "\" must have " + std::to_string(n) +
+                         " entries, separated by commas; it has " +
+                         std::to_string((*matrix)[i].size()));
+  }
+
+
+
+  void
+  require_size(const Formulas &components, const unsigned int dimension)
+  {
+    const std::size_t n       = components->size();
+    const bool        is_full = n == (dimension == 2 ? 4 : 6);
+    if (n != 1 && !is_full && !(dimension == 2 && n == 3))
+      throw SceneError(
+        std::string("must have ") + (dimension == 2 ? "1, 3 or 4" : "1 or 6") +
+        " components, separated by commas; it has " + std::to_string(n));
+  }
+
+
+
+  std::vector<Expression>
+  entries(const FormulaMatrix &matrix)
+  {
+    std::vector<Expression> all;
+    for (const auto &row : *matrix)
+      all.insert(all.end(), row.begin(), row.end());
+    return all;
+  }
+
+
+
+  bool
+  are_zero(const std::vector<Expression> &formulas)
+  {
+    return std::all_of(formulas.begin(),
+                       formulas.end(),
+                       [](const Expression &formula) {
+                         return formula.is_zero();
+                       });
+  }
+
+
+
+  bool
+  depend_on(const std::string             &variable,
+            const std::vector<Expression> &formulas)
+  {
+    return std::any_of(formulas.begin(),
+                       formulas.end(),
+                       [&variable](const Expression &formula) {
+                         return formula.depends_on(variable);
+                       });
+  }
+} // namespace Crevasse

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/text.h>
+#include <crevasse/parameters/formulas_of_scene.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  namespace
+  {
+    void
+    append(const std::vector<Expression> &more, std::vector<Expression> &all)
+    {
+      all.insert(all.end(), more.begin(), more.end());
+    }
+
+
+
+    std::vector<Expression>
+    free_strain_formulas(const MaterialParameters &material)
+    {
+      std::vector<Expression> all;
+      for (const auto &strain : material.free_strains())
+        append(*strain.components, all);
+      return all;
+    }
+  } // namespace
+
+
+
+  std::vector<Expression>
+  stiffness_formulas(const MaterialParameters &material)
+  {
+    if (!material.stiffness_matrix.text().empty())
+      return entries(material.stiffness_matrix);
+    return {*material.young_modulus, *material.poisson_ratio};
+  }
+
+
+
+  std::vector<Expression>
+  viscosity_formulas(const MaterialParameters &material)
+  {
+    switch (material.viscosity)
+      {
+        case ViscosityType::none:
+          return {};
+        case ViscosityType::isotropic:
+          return {*material.viscous_modulus, *material.viscous_poisson_ratio};
+        case ViscosityType::matrix:
+          return entries(material.viscosity_matrix);
+        default:
+          break;
+      }
+    std::vector<Expression> formulas = stiffness_formulas(material);
+    if (material.viscosity == ViscosityType::chain)
+      for (const ChainBranch &branch : *material.chain)
+        formulas.push_back(branch.relaxation_time);
+    else
+      formulas.push_back(*material.relaxation_time);
+    return formulas;
+  }
+
+
+
+  bool
+  material_depends_on(const std::string        &variable,
+                      const MaterialParameters &material)
+  {
+    return depend_on(variable, stiffness_formulas(material)) ||
+           depend_on(variable, viscosity_formulas(material)) ||
+           depend_on(variable, free_strain_formulas(material));
+  }
+
+
+
+  bool
+  expands(const MaterialParameters &material)
+  {
+    for (const auto &strain : material.free_strains())
+      if (strain.is_thermal && !are_zero(*strain.components))
+        return true;
+    return false;
+  }
+
+
+
+  bool
+  has_temperature(const LoadParameters &loads)
+  {
+    return !*loads.temperature || !(*loads.temperature)->is_zero();
+  }
+
+
+
+  bool
+  formulas_can_jump(const Scene &scene)
+  {
+    const MaterialParameters        &material    = scene.material;
+    const std::optional<Expression> &temperature = *scene.loads.temperature;
+
+    std::vector<Expression> formulas = stiffness_formulas(material);
+    append(viscosity_formulas(material), formulas);
+    append({*material.stiffness_time_factor, *material.viscosity_time_factor},
+           formulas);
+    append(*scene.loads.traction, formulas);
+    append(*scene.loads.body_force, formulas);
+    append(free_strain_formulas(material), formulas);
+    if (temperature)
+      formulas.push_back(*temperature);
+
+    const bool theta_varies = !temperature || temperature->depends_on_time();
+    return std::any_of(formulas.begin(),
+                       formulas.end(),
+                       [theta_varies](const Expression &formula) {
+                         return formula.can_jump_with("t") ||
+                                (theta_varies &&
+                                 formula.can_jump_with("theta"));
+                       });
+  }
+
+
+
+  std::string
+  describe_variation(const std::vector<Expression> &formulas,
+                     const bool                     temperature_varies)
+  {
+    // A matrix has many formulas under one name.
+    std::vector<std::string> names;
+    for (const Expression &formula : formulas)
+      if (std::find(names.begin(), names.end(), formula.parameter()) ==
+          names.end())
+        names.push_back(formula.parameter());
+
+    std::vector<std::string> sentences;
+    for (const std::string &name : names)
+      {
+        const auto depends_on = [&](const char *variable) {
+          return std::any_of(formulas.begin(),
+                             formulas.end(),
+                             [&](const Expression &formula) {
+                               return formula.parameter() == name &&
+                                      formula.depends_on(variable);
+                             });
+        };
+        if (depends_on("t"))
+          sentences.push_back(name + " depends on t");
+        else if (temperature_varies && depends_on("theta"))
+          sentences.push_back(name + " depends on theta");
+      }
+    return Text::join(sentences, ", ");
+  }
+} // namespace Crevasse
