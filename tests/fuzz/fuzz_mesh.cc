@@ -37,7 +37,7 @@ namespace
   {
     Scene scene;
     scene.dimension          = dim;
-    scene.geometry.shape     = "mesh file";
+    scene.geometry.shape     = Shape::mesh_file;
     scene.geometry.mesh_file = file_name;
     const auto mesh          = make_scene_mesh<dim>(scene, MPI_COMM_WORLD);
 

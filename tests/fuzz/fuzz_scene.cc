@@ -48,7 +48,7 @@ namespace
   void
   evaluate(const Scene &scene)
   {
-    const Temperature<dim> temperature(scene.loads.temperature,
+    const Temperature<dim> temperature(scene.loads.temperature.text(),
                                        scene.loads.period);
     const MaxwellLaw<dim>  law(scene.material);
     const Effects          effects(scene,
@@ -57,9 +57,6 @@ namespace
     effects.list();
     describe_boundaries<dim>(scene);
 
-    const Expression gap(scene.boundary.gap);
-    const auto       traction = Expression::parse_list(scene.loads.traction);
-    const auto body_force     = Expression::parse_list(scene.loads.body_force);
     for (const double t : {0., 0.3 * scene.loads.period})
       {
         Place<dim> place;
@@ -67,12 +64,14 @@ namespace
         place.point[0]    = t;
         place.temperature = temperature.value(place.point, t);
         law.stiffness().at(place);
-        law.thermal_expansion().at(place);
+        for (const auto &strain : law.free_strains())
+          strain.value.at(place);
         for (const auto &branch : law.branches())
           branch.fluidity.at(place);
-        gap.value(place);
-        for (const auto *load : {&traction, &body_force})
-          for (const Expression &component : *load)
+        scene.boundary.gap->value(place);
+        for (const auto *load :
+             {&scene.loads.traction, &scene.loads.body_force})
+          for (const Expression &component : **load)
             component.value(place);
       }
   }

@@ -755,6 +755,14 @@ UNUSED = [  # settings, and the warnings that they give
     (["Loads/Period=1", "Material/Relaxation time=1", "Periodic state/Secular split=on"],
      [r"\[Loads\] Period = 1: loads or material jump where the period ends and t "
       "begins anew, though no formula has a jump in it"]),
+    # A condition on the place or the material is no jump in time, one on a
+    # temperature that varies is.
+    (["Loads/Period=1", "Periodic state/Secular split=on",
+      "Material/Relaxation time=if(material == 1 && x < 0.5, 1, 2)"],
+     [r"\[Loads\] Period = 1: loads or material jump where the period ends"]),
+    (["Loads/Period=1", "Periodic state/Secular split=off",
+      "Loads/Temperature=sin(2*pi*t/600)",
+      "Material/Relaxation time=theta > 5 ? 1 : 2"], []),
     # A jump that is meant, and a rounded pi.
     (["Loads/Traction=0; if(t < 300, 1, -1)"], []),
     (["Loads/Traction=0; sin(2*3.1416*t/600)", "Periodic state/Secular split=off"],

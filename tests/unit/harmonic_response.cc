@@ -194,8 +194,8 @@ namespace
     scene.time_integration.steps_per_period = 15;
     scene.material.stiffness_time_factor    = "2";
     scene.material.viscosity_time_factor    = "3";
-    scene.material.plane_state              = "plane strain";
-    scene.material.viscosity                = "isotropic";
+    scene.material.plane_state              = PlaneState::plane_strain;
+    scene.material.viscosity                = ViscosityType::isotropic;
     scene.material.viscous_modulus          = "60*13000";
     scene.material.viscous_poisson_ratio    = "0.4";
     scene.material.thermal_expansion        = "1e-5";
@@ -203,7 +203,7 @@ namespace
     check_run("thermal strain, odd number of steps, factors", scene, false);
 
     scene                    = edge_crack(pressing, "60");
-    scene.material.viscosity = "chain";
+    scene.material.viscosity = ViscosityType::chain;
     scene.material.chain     = "0.25: 30; 0.75: 200*(1 + y)";
     scene.boundary.gap       = "-1e-4";
     check_run("chain, gap", scene, false);
@@ -318,7 +318,7 @@ namespace
     // 0, where F = 0, q is −T/(2πτ) u_el of F = 1 but for a constant.
     Scene scene                    = edge_crack(sine, "60");
     scene.material.young_modulus   = "13000";
-    scene.periodic_state.harmonics = "exact";
+    scene.periodic_state.harmonics = HarmonicRule::exact;
     Run         run(scene, MPI_COMM_SELF);
     const auto &q    = run.result.motion.displacement;
     Vector      loss = q[0], elastic = q[4];
@@ -363,19 +363,19 @@ namespace
     scene.material.viscosity_time_factor = "1 + t/600";
     check_refusal("varying viscosity", scene, "Method = anderson");
     scene                    = good;
-    scene.material.viscosity = "chain";
+    scene.material.viscosity = ViscosityType::chain;
     scene.material.chain     = "0.5: 60";
     check_refusal("a spring", scene, "Chain");
     scene                                = good;
-    scene.material.plane_state           = "plane strain";
-    scene.material.viscosity             = "isotropic";
+    scene.material.plane_state           = PlaneState::plane_strain;
+    scene.material.viscosity             = ViscosityType::isotropic;
     scene.material.viscous_poisson_ratio = "0.5";
     check_refusal("singular fluidity", scene, "singular");
     scene                    = good;
-    scene.material.viscosity = "none";
+    scene.material.viscosity = ViscosityType::none;
     check_refusal("no viscosity", scene, "Method = march");
     scene                               = good;
-    scene.time_integration.step_control = "adaptive";
+    scene.time_integration.step_control = StepControlType::adaptive;
     check_refusal("adaptive steps", scene, "Step control = uniform");
   }
 } // namespace

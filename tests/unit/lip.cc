@@ -103,7 +103,8 @@ namespace
                               "ligament: 0.46875, 0",
                               "inside: 0.5, 0.3"})
       {
-        const auto  probes = make_probes(place, space, recovery, lip);
+        const auto probes =
+          make_probes(parse_probes(place), space, recovery, lip);
         const auto &probe  = probes.front();
         const auto  u      = probe.displacement(state.displacement);
         const auto  values = probe.opening_and_pressure(state);
@@ -181,7 +182,8 @@ namespace
                 1e-10);
     // On a hanging node, beside the held one.
     const auto probe =
-      make_probes(dim == 2 ? "P: 0.125, 0" : "P: 0.1666666667, 0, 0.01",
+      make_probes(parse_probes(dim == 2 ? "P: 0.125, 0"
+                                        : "P: 0.1666666667, 0, 0.01"),
                   space,
                   recovery,
                   lip);

@@ -33,16 +33,18 @@ namespace
       return std::string("(") + x + " > 0.999999 ? 1 : (" + x +
              " < 0.000001 ? -1 : 0))";
     };
-    LoadParameters loads;
+    std::string traction;
     for (unsigned int i = 0; i < dim; ++i)
       {
-        loads.traction += (i == 0 ? "(1 + t*t)*(" : "; (1 + t*t)*(");
+        traction += (i == 0 ? "(1 + t*t)*(" : "; (1 + t*t)*(");
         for (unsigned int j = 0; j < dim; ++j)
-          loads.traction += (j == 0 ? "" : " + ") +
-                            std::to_string(s[voigt_index<dim>(i, j)]) + "*" +
-                            normal("xyz"[j]);
-        loads.traction += ")";
+          traction += (j == 0 ? "" : " + ") +
+                      std::to_string(s[voigt_index<dim>(i, j)]) + "*" +
+                      normal("xyz"[j]);
+        traction += ")";
       }
+    LoadParameters loads;
+    loads.traction = traction;
     return loads;
   }
 
@@ -124,7 +126,7 @@ namespace
 
   template <int dim>
   void
-  patch_test(const unsigned int degree, const std::string &viscosity)
+  patch_test(const unsigned int degree, const ViscosityType viscosity)
   {
     MaterialParameters material;
     material.young_modulus         = "13000";
@@ -193,7 +195,7 @@ namespace
                  (QuadratureField<dim>::get(r, i) - expected).norm() /
                    expected.norm());
 
-    std::cout << dim << "D, Q" << degree << ", " << viscosity
+    std::cout << dim << "D, Q" << degree << ", " << name_of(viscosity)
               << ", hanging nodes: " << space.dof_handler().n_dofs()
               << " unknowns" << std::endl;
     check_below("stress error / largest stress",
@@ -208,7 +210,8 @@ main(int argc, char **argv)
 {
   return run_test(argc, argv, []() {
     for (const unsigned int degree : {1, 2})
-      for (const char *viscosity : {"relaxation time", "isotropic"})
+      for (const ViscosityType viscosity :
+           {ViscosityType::relaxation_time, ViscosityType::isotropic})
         {
           patch_test<2>(degree, viscosity);
           patch_test<3>(degree, viscosity);

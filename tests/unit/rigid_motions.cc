@@ -56,7 +56,7 @@ namespace
   /** What the automatic supports of the built-in shapes leave free: nothing,
    * with as many components as there are motions. */
   void
-  show_automatic(const std::string &shape, const std::string &symmetry)
+  show_automatic(const Shape shape, const std::string &symmetry)
   {
     GeometryParameters geometry;
     geometry.shape        = shape;
@@ -79,8 +79,9 @@ namespace
       n_free = find_free_rigid_motions(space).size();
     }
     const Space<3> space(mesh, 1, roles, supports);
-    check(shape + ", symmetry " + symmetry + ": " + std::to_string(n_held) +
-            " components hold " + std::to_string(n_free) + " motions",
+    check(name_of(shape) + ", symmetry " + symmetry + ": " +
+            std::to_string(n_held) + " components hold " +
+            std::to_string(n_free) + " motions",
           n_held == n_free && find_free_rigid_motions(space).empty());
   }
 
@@ -103,7 +104,8 @@ namespace
     show<3>("in space, two points", cube, {}, {corner, second});
     show<3>("in space, determinate", cube, {}, {corner, second, third});
 
-    for (const char *shape : {"edge crack", "centre crack", "box"})
+    for (const Shape shape :
+         {Shape::edge_crack, Shape::centre_crack, Shape::box})
       for (const char *symmetry : {"automatic", "0, 2", "2, 5", "0, 2, 6"})
         show_automatic(shape, symmetry);
   }

@@ -412,8 +412,8 @@ namespace
   failure_of_arkode(const bool throws)
   {
     TimeIntegrationParameters parameters;
-    parameters.scheme       = "arkode explicit";
-    parameters.step_control = "adaptive";
+    parameters.scheme       = Scheme::arkode_explicit;
+    parameters.step_control = StepControlType::adaptive;
     Arkode   scheme(parameters, 2.);
     Hopeless equation(throws);
     try
@@ -466,18 +466,18 @@ namespace
     material.young_modulus   = "13000";
     material.poisson_ratio   = "0.2";
     material.relaxation_time = "60";
-    for (const char *state : {"plane stress", "plane strain"})
+    for (const PlaneState state :
+         {PlaneState::plane_stress, PlaneState::plane_strain})
       {
         material.plane_state = state;
-        check_below(std::string(state) +
-                      ", proportional flow: tau_min / tau - 1",
+        check_below(name_of(state) + ", proportional flow: tau_min / tau - 1",
                     std::abs(relaxation_rate(material) * 60. - 1.),
                     1e-12);
       }
 
     // Deviatoric flow with its own modulus: shear relaxes with 2 mu / (2
     // mu_eta)
-    material.viscosity             = "isotropic";
+    material.viscosity             = ViscosityType::isotropic;
     material.viscous_modulus       = "3000";
     material.viscous_poisson_ratio = "0.5";
     const double mu = 13000. / 2.4, mu_flow = 3000. / 3.;
@@ -490,7 +490,7 @@ namespace
   check_step_list()
   {
     TimeIntegrationParameters parameters;
-    parameters.step_control = "list";
+    parameters.step_control = StepControlType::list;
     parameters.steps        = {0.1, 0.4};
     const StepList steps(parameters, 1.);
     check("a list is completed by 0 and the period",
