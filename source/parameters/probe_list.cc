@@ -72,11 +72,14 @@ namespace Crevasse
     std::vector<Probe<dim>> probes;
     for (const NamedPoint &point : points)
       {
-        if (point.coordinates.size() != dim)
-          throw SceneError("the probe \"" + point.name + "\" must be \"name: " +
-                           (dim == 2 ? "x, y" : "x, y, z") + "\"; it has " +
-                           std::to_string(point.coordinates.size()) +
-                           " coordinates");
+        std::vector<std::string> numbers;
+        for (const double coordinate : point.coordinates)
+          numbers.push_back(Text::from_number(coordinate));
+        if (numbers.size() != dim)
+          throw SceneError(
+            "\"" + point.name + ": " + Text::join(numbers, ", ") +
+            "\" must be \"name: " + (dim == 2 ? "x, y" : "x, y, z") +
+            "\"; probes are separated by semicolons");
         Probe<dim> probe{point.name, {}};
         for (unsigned int d = 0; d < dim; ++d)
           probe.point[d] = point.coordinates[d];
