@@ -186,9 +186,6 @@ namespace Crevasse
     Certificate
     certify(const Vector &right_hand_side, const Vector &solution);
 
-    void
-    solve_and_certify(const Vector &right_hand_side, Vector &solution);
-
     bool
     accepts(const Certificate &certificate) const;
 

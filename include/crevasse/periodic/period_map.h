@@ -74,12 +74,11 @@ namespace Crevasse
     void
     pause(const unsigned int period, const unsigned int step);
 
-    /** One step of the list, or as far as the control divides it. */
-    void
-    step(const unsigned int                         period,
-         const unsigned int                         k,
-         Vector                                    &r,
-         const std::function<void(const Sample &)> &observe);
+    /** What observers see where step @p k begins, or at the very end. */
+    Sample
+    sample(const unsigned int period,
+           const unsigned int k,
+           const Vector      &r) const;
 
     Evolution<dim> &evolution;
     Integrator     *integrator;

@@ -10,6 +10,7 @@
 #include <crevasse/time/instants.h>
 #include <crevasse/time/rate_equation.h>
 #include <crevasse/time/secular_flow.h>
+#include <crevasse/time/step_list.h>
 
 #include <vector>
 
@@ -60,6 +61,16 @@ namespace Crevasse
      * periodic then. */
     void
     split_off(const SecularFlow &flow);
+
+    /** From now on times of the equation are brought into the period of these
+     * steps, which must outlive this object. */
+    void
+    repeat(const StepList &steps);
+
+    /** A step begins at @p t: where something jumps at its end, it sees what
+     * was before. */
+    void
+    begin_step(const double t);
 
     /** The flow that is split off; null: none. */
     const SecularFlow *
@@ -124,17 +135,23 @@ namespace Crevasse
     const StrainOperator<dim> &strain_operator;
     const ExternalLoads<dim>  &loads;
     Instants<dim>             &instants;
-    const SecularFlow         *flow = nullptr; ///< none: unsplit
+    const SecularFlow         *flow       = nullptr; ///< none: unsplit
+    const StepList            *period     = nullptr; ///< none: any time
+    double                     step_begin = 0.;
 
-    /** Solves the variational inequality.
+    /** The instant within the period at which @p t is evaluated. */
+    double
+    instant_of(const double t) const;
+
+    /** Makes the right-hand side of the contact problem at @p t.
      *
      * @param inelastic_strain Σ wᵢ rᵢ + χθ; null: none. */
     void
-    solve_for_displacement(const double                t,
-                           const Instant<dim>         &instant,
-                           const InelasticStrain<dim> *inelastic_strain);
+    assemble_loading(const double                t,
+                     const MaterialState<dim>   &material,
+                     const InelasticStrain<dim> *inelastic_strain);
 
-    /** The same for q; what is inelastic is in the loads already.
+    /** Solves the variational inequality for q.
      *
      * @param k the factor of the contact solver's stiffness. */
     void
