@@ -72,7 +72,7 @@ namespace Crevasse
       throw NumericalError("The stiffness factor k(t) is " +
                            std::to_string(stiffness_factor) +
                            "; it must be positive.");
-    scales_of_solutions.judge_by_load(load / stiffness_factor);
+    scales_of_solutions.set_force_scale(load / stiffness_factor);
     if (stiffness_factor != 1.)
       {
         scaled_right_hand_side = right_hand_side;
@@ -154,7 +154,7 @@ namespace Crevasse
 
 
   void
-  ContactSolver::judge_by_load(const double largest_nodal_force)
+  ContactSolver::set_force_scale(const double largest_nodal_force)
   {
     load = largest_nodal_force;
   }

@@ -13,12 +13,12 @@ namespace Crevasse
                             Integrator     *integrator,
                             StepControl    &step_control,
                             StepList       &steps,
-                            Pauses         *pauses)
+                            Checkpointer   *checkpointer)
     : evolution(evolution)
     , integrator(integrator)
     , step_control(step_control)
     , step_list(steps)
-    , those_who_pause(pauses)
+    , checkpointing(checkpointer)
   {
     evolution.repeat(steps);
   }
@@ -61,12 +61,12 @@ namespace Crevasse
   void
   PeriodMap<dim>::stop_before(unsigned int period, Vector &r)
   {
-    unsigned int    first = 0;
-    const StatePart here(those_who_pause, [&](StateArchive &archive) {
+    unsigned int             first = 0;
+    const SerializationScope here(checkpointing, [&](StateArchive &archive) {
       serialize(archive, period, first, r);
     });
-    if (those_who_pause != nullptr)
-      those_who_pause->before_what_is_not_computed(period);
+    if (checkpointing != nullptr)
+      checkpointing->at_end_of_search(period);
   }
 
 
@@ -77,8 +77,8 @@ namespace Crevasse
   {
     const bool can_be_kept =
       step == 0 || !has_memory() || integrator->may_pause();
-    if (those_who_pause != nullptr && can_be_kept)
-      those_who_pause->between_steps(period, step);
+    if (checkpointing != nullptr && can_be_kept)
+      checkpointing->between_steps(period, step);
   }
 
 
@@ -89,8 +89,8 @@ namespace Crevasse
                           Vector                                    &r,
                           const std::function<void(const Sample &)> &observe)
   {
-    unsigned int    k = 0;
-    const StatePart here(those_who_pause, [&](StateArchive &archive) {
+    unsigned int             k = 0;
+    const SerializationScope here(checkpointing, [&](StateArchive &archive) {
       serialize(archive, period, k, r);
     });
     if (has_memory())
@@ -174,10 +174,10 @@ namespace Crevasse
 
 
   template <int dim>
-  Pauses *
-  PeriodMap<dim>::pauses() const
+  Checkpointer *
+  PeriodMap<dim>::checkpointer() const
   {
-    return those_who_pause;
+    return checkpointing;
   }
 
 

@@ -24,7 +24,7 @@ namespace Crevasse
   Evolution<dim>::Evolution(const StrainOperator<dim>  &strain_operator,
                             const QuadratureField<dim> &points,
                             const ExternalLoads<dim>   &loads,
-                            Instants<dim>              &instants)
+                            InstantProvider<dim>       &instants)
     : strain_operator(strain_operator)
     , loads(loads)
     , instants(instants)

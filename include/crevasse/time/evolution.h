@@ -7,7 +7,7 @@
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/strain_operator.h>
-#include <crevasse/time/instants.h>
+#include <crevasse/time/instant_provider.h>
 #include <crevasse/time/rate_equation.h>
 #include <crevasse/time/secular_flow.h>
 #include <crevasse/time/step_list.h>
@@ -55,7 +55,7 @@ namespace Crevasse
     Evolution(const StrainOperator<dim>  &strain_operator,
               const QuadratureField<dim> &points,
               const ExternalLoads<dim>   &loads,
-              Instants<dim>              &instants);
+              InstantProvider<dim>       &instants);
 
     /** Splits off a secular flow, which must outlive this object: q and r are
      * periodic then. */
@@ -134,7 +134,7 @@ namespace Crevasse
   private:
     const StrainOperator<dim> &strain_operator;
     const ExternalLoads<dim>  &loads;
-    Instants<dim>             &instants;
+    InstantProvider<dim>      &instants;
     const SecularFlow         *flow       = nullptr; ///< none: unsplit
     const StepList            *period     = nullptr; ///< none: any time
     double                     step_begin = 0.;
