@@ -51,7 +51,7 @@ namespace
 
   /** The same material and solver at all instants. */
   template <int dim>
-  class ConstantInstant : public Instants<dim>
+  class ConstantInstant : public InstantProvider<dim>
   {
   public:
     ConstantInstant(const MaterialState<dim> &material,

@@ -60,14 +60,15 @@ namespace
                dealii::TimerOutput::wall_times)
       , body(this->scene, communicator)
       , steps(scene.time_integration, scene.loads.period)
-      , solvers(this->scene,
+      , systems(this->scene,
                 body,
+                choose_solvers(this->scene, body),
                 steps,
                 largest_load(body, steps),
                 log,
                 phases)
-      , result(solve_fourier_problem<2>(this->scene, body, steps, solvers, 1.))
-      , evolution(body.strain_operator, body.points, body.loads, solvers)
+      , result(solve_fourier_problem<2>(this->scene, body, steps, systems, 1.))
+      , evolution(body.strain_operator, body.points, body.loads, systems)
     {
       if (result.flow)
         evolution.split_off(*result.flow);
@@ -129,18 +130,18 @@ namespace
       check_below(name + ": contact forces of the samples, relative to loads",
                   dealii::Utilities::MPI::max(g_miss,
                                               body.space.communicator()) /
-                    solvers.settings().largest_load,
+                    systems.settings().largest_load,
                   1e-11);
     }
 
-    const Scene         scene;
-    Log                 log;
-    dealii::TimerOutput phases;
-    const Body<2>       body;
-    const StepList      steps;
-    Solvers<2>          solvers;
-    const FourierResult result;
-    Evolution<2>        evolution;
+    const Scene           scene;
+    Log                   log;
+    dealii::TimerOutput   phases;
+    const Body<2>         body;
+    const StepList        steps;
+    ContactSystemCache<2> systems;
+    const FourierResult   result;
+    Evolution<2>          evolution;
   };
 
 
@@ -229,7 +230,7 @@ namespace
     HarmonicResponses<2> responses(body.space,
                                    body.points,
                                    material,
-                                   run.solvers.current().linear_solver(),
+                                   run.systems.system_at(0.).linear_solver(),
                                    lip,
                                    0.);
     const auto           scaled = responses.at(1, moduli);

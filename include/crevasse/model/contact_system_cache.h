@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_model_solvers_h
-#define crevasse_model_solvers_h
+#ifndef crevasse_model_contact_system_cache_h
+#define crevasse_model_contact_system_cache_h
 
 #include <crevasse/base/log.h>
 #include <crevasse/model/body.h>
 #include <crevasse/model/contact_system.h>
 #include <crevasse/model/instant_cache.h>
+#include <crevasse/model/linear_choice.h>
 #include <crevasse/parameters/scene.h>
-#include <crevasse/time/instants.h>
+#include <crevasse/time/instant_provider.h>
 #include <crevasse/time/step_list.h>
 
 #include <memory>
@@ -27,23 +28,25 @@ namespace Crevasse
    * keep them.
    */
   template <int dim>
-  class Solvers : public Instants<dim>
+  class ContactSystemCache : public InstantProvider<dim>
   {
   public:
     /** All arguments must outlive this object.
      *
+     * @param choice of the solvers for this body.
      * @param largest_load of a node over a period: see largest_load(). */
-    Solvers(const Scene         &scene,
-            const Body<dim>     &body,
-            const StepList      &steps,
-            const double         largest_load,
-            Log                 &log,
-            dealii::TimerOutput &phases);
+    ContactSystemCache(const Scene         &scene,
+                       const Body<dim>     &body,
+                       const SolverChoice  &choice,
+                       const StepList      &steps,
+                       const double         largest_load,
+                       Log                 &log,
+                       dealii::TimerOutput &phases);
 
     // Its parts refer to one another.
-    Solvers(const Solvers &) = delete;
-    Solvers &
-    operator=(const Solvers &) = delete;
+    ContactSystemCache(const ContactSystemCache &) = delete;
+    ContactSystemCache &
+    operator=(const ContactSystemCache &) = delete;
 
     Instant<dim>
     at(const double t) override;
@@ -57,10 +60,14 @@ namespace Crevasse
     const RelaxationFunctions<dim> &
     relaxation_at(const double t, const double c) override;
 
-    /** The matrix, without its factor, and the contact problem of the last
-     * instant that was asked for; before, those of the stiffness at t = 0. */
+    /** The matrix, without its factor, and the contact problem of an instant.
+     * It lasts until the next one is asked for. */
     ContactSystem<dim> &
-    current();
+    system_at(const double t);
+
+    /** Of the last evaluation, if there was one. */
+    const ContactSystem<dim> &
+    most_recent() const;
 
     /** See SolverSettings. */
     const SolverSettings &

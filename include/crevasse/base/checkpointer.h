@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_base_pauses_h
-#define crevasse_base_pauses_h
+#ifndef crevasse_base_checkpointer_h
+#define crevasse_base_checkpointer_h
 
 #include <crevasse/base/state_archive.h>
 
@@ -14,12 +14,12 @@ namespace Crevasse
   /**
    * The moments between two steps: there a run may be kept, left, or taken up
    * where another one was left. What the state of the run consists of makes
-   * itself known as a StatePart.
+   * itself known as a SerializationScope.
    */
-  class Pauses
+  class Checkpointer
   {
   public:
-    virtual ~Pauses() = default;
+    virtual ~Checkpointer() = default;
 
     /** Between two steps; all parts may be other ones afterwards. Collective.
      *
@@ -31,7 +31,7 @@ namespace Crevasse
     /** Where the first step of a period would begin if there were one more:
      * all parts are as if there were. Collective. */
     virtual void
-    before_what_is_not_computed(const unsigned int period) = 0;
+    at_end_of_search(const unsigned int period) = 0;
 
   protected:
     /** Shows all parts, in the order in which they became known. */
@@ -39,27 +39,27 @@ namespace Crevasse
     serialize_parts(StateArchive &archive) const;
 
   private:
-    friend class StatePart;
+    friend class SerializationScope;
 
     std::vector<std::function<void(StateArchive &)>> parts;
   };
 
   /** Belongs to the state of the run as long as it lives. */
-  class StatePart
+  class SerializationScope
   {
   public:
-    /** @param pauses null: nobody asks. */
-    StatePart(Pauses                                    *pauses,
-              const std::function<void(StateArchive &)> &serialize);
+    /** @param checkpointer null: nobody asks. */
+    SerializationScope(Checkpointer                              *checkpointer,
+                       const std::function<void(StateArchive &)> &serialize);
 
-    ~StatePart();
+    ~SerializationScope();
 
-    StatePart(const StatePart &) = delete;
-    StatePart &
-    operator=(const StatePart &) = delete;
+    SerializationScope(const SerializationScope &) = delete;
+    SerializationScope &
+    operator=(const SerializationScope &) = delete;
 
   private:
-    Pauses *const pauses;
+    Checkpointer *const checkpointer;
   };
 } // namespace Crevasse
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_harmonic_balance_given_motion_h
-#define crevasse_harmonic_balance_given_motion_h
+#ifndef crevasse_harmonic_balance_prescribed_motion_h
+#define crevasse_harmonic_balance_prescribed_motion_h
 
 #include <crevasse/harmonic_balance/fourier.h>
 #include <crevasse/time/integrator.h>
@@ -16,7 +16,7 @@ namespace Crevasse
    * motion. What was solved for all instants at once is so verified instant by
    * instant, by what marches use.
    */
-  class GivenMotion : public Integrator, public Observer
+  class PrescribedMotion : public Integrator, public Observer
   {
   public:
     /** @param motion at the beginnings of equal steps; it must outlive this
@@ -26,11 +26,11 @@ namespace Crevasse
      * @param diameter of the body: strains are small beside displacements over
      * it.
      * @param largest_load at a node. */
-    GivenMotion(const PeriodicMotion &motion,
-                const TimeRule        rule,
-                const double          step,
-                const double          diameter,
-                const double          largest_load);
+    PrescribedMotion(const PeriodicMotion &motion,
+                     const TimeRule        rule,
+                     const double          step,
+                     const double          diameter,
+                     const double          largest_load);
 
     void
     restart() override;
@@ -85,7 +85,7 @@ namespace Crevasse
     compare_step(const unsigned int end, const Vector &r, const Vector &rate);
 
     const double step, diameter;
-    bool         goes_on = false; ///< from the last step, without a jump
+    bool         is_continuing = false; ///< from the last step, without a jump
     Vector       first_rate, last_rate, defect;
 
     /** A difference and the size of what differs. */

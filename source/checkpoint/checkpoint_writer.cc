@@ -3,9 +3,9 @@
 
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
+#include <crevasse/checkpoint/checkpoint_writer.h>
 #include <crevasse/checkpoint/field_archive.h>
 #include <crevasse/checkpoint/field_files.h>
-#include <crevasse/checkpoint/kept_run.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
@@ -49,11 +49,11 @@ namespace Crevasse
 
 
   template <int dim>
-  KeptRun<dim>::KeptRun(Checkpoints       &checkpoints,
-                        const Body<dim>   &body,
-                        const unsigned int n_stresses,
-                        const unsigned int last_period,
-                        const Header      &header)
+  CheckpointWriter<dim>::CheckpointWriter(Checkpoints       &checkpoints,
+                                          const Body<dim>   &body,
+                                          const unsigned int n_stresses,
+                                          const unsigned int last_period,
+                                          const Header      &header)
     : checkpoints(checkpoints)
     , body(body)
     , last_period(last_period)
@@ -67,8 +67,8 @@ namespace Crevasse
 
   template <int dim>
   void
-  KeptRun<dim>::between_steps(const unsigned int period,
-                              const unsigned int step)
+  CheckpointWriter<dim>::between_steps(const unsigned int period,
+                                       const unsigned int step)
   {
     if (checkpoints.is_resuming())
       {
@@ -92,7 +92,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  KeptRun<dim>::before_what_is_not_computed(const unsigned int period)
+  CheckpointWriter<dim>::at_end_of_search(const unsigned int period)
   {
     if (checkpoints.is_on() && period == last_period + 1 && last_period > 0)
       write(period, 0);
@@ -102,7 +102,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  KeptRun<dim>::resume()
+  CheckpointWriter<dim>::resume()
   {
     const CheckpointManifest         manifest = checkpoints.resumed_manifest();
     const CellwiseFields<dim>        fields(body);
@@ -126,7 +126,8 @@ namespace Crevasse
 
   template <int dim>
   bool
-  KeptRun<dim>::write(const unsigned int period, const unsigned int step)
+  CheckpointWriter<dim>::write(const unsigned int period,
+                               const unsigned int step)
   {
     const Timer        timer;
     const MPI_Comm     communicator = body.space.communicator();
@@ -188,6 +189,6 @@ namespace Crevasse
 
 
 
-  template class KeptRun<2>;
-  template class KeptRun<3>;
+  template class CheckpointWriter<2>;
+  template class CheckpointWriter<3>;
 } // namespace Crevasse

@@ -6,9 +6,9 @@
 #include <crevasse/base/state_archive.h>
 #include <crevasse/contact/relaxation_factor.h>
 #include <crevasse/discretisation/node_blocks.h>
+#include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/linear_choice.h>
-#include <crevasse/model/solvers.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -24,17 +24,17 @@ namespace Crevasse
     SolverSettings
     make_settings(const Scene         &scene,
                   const Body<dim>     &body,
+                  const SolverChoice  &choice,
                   dealii::TimerOutput &phases)
     {
-      const LinearSolverChoice linear = choose_linear_solver(scene, body);
-      SolverSettings           settings{scene.contact,
+      SolverSettings settings{scene.contact,
                               scene.linear_solver,
-                              linear,
-                              choose_contact_solver(scene, body, linear),
+                              choice.linear,
+                              choice.contact,
                               phases,
                               {},
                               {}};
-      const bool sweeps = settings.contact_choice.name == "projected sor" ||
+      const bool     sweeps = settings.contact_choice.name == "projected sor" ||
                           !scene.contact.relaxation_table.empty();
       if (sweeps && scene.contact.relaxed_together == "node")
         settings.unknown_blocks = node_blocks(body.space);
@@ -74,17 +74,18 @@ namespace Crevasse
 
 
   template <int dim>
-  Solvers<dim>::Solvers(const Scene         &scene,
-                        const Body<dim>     &body,
-                        const StepList      &steps,
-                        const double         largest_load,
-                        Log                 &log,
-                        dealii::TimerOutput &phases)
+  ContactSystemCache<dim>::ContactSystemCache(const Scene         &scene,
+                                              const Body<dim>     &body,
+                                              const SolverChoice  &choice,
+                                              const StepList      &steps,
+                                              const double         largest_load,
+                                              Log                 &log,
+                                              dealii::TimerOutput &phases)
     : scene(scene)
     , body(body)
     , log(log)
     , bounds(unilateral_bounds(body.lip, body.space))
-    , solver_settings(make_settings(scene, body, phases))
+    , solver_settings(make_settings(scene, body, choice, phases))
     , memory(body.space.communicator(),
              1024. * 1024. * scene.linear_solver.memory_for_instants,
              log)
@@ -117,18 +118,15 @@ namespace Crevasse
     };
     solver_settings.largest_load = largest_load;
     if (!body.material.stiffness_varies())
-      {
-        only_system = make_system(*body.material.at(0.).stiffness);
-        last_system = only_system;
-      }
-    log.line("  solver: " + current().contact_solver().description());
+      only_system = make_system(*body.material.at(0.).stiffness);
+    log.line("  solver: " + system_at(0.).contact_solver().description());
   }
 
 
 
   template <int dim>
   std::shared_ptr<ContactSystem<dim>>
-  Solvers<dim>::make_system(
+  ContactSystemCache<dim>::make_system(
     const typename MaterialState<dim>::Matrices &stiffness) const
   {
     auto system = std::make_shared<ContactSystem<dim>>(solver_settings,
@@ -147,7 +145,7 @@ namespace Crevasse
 
   template <int dim>
   const MaterialState<dim> &
-  Solvers<dim>::material_at(const double t)
+  ContactSystemCache<dim>::material_at(const double t)
   {
     const MaterialField<dim> &field = body.material;
     const bool varies = field.stiffness_varies() || field.fluidity_varies() ||
@@ -163,24 +161,33 @@ namespace Crevasse
 
 
   template <int dim>
-  Instant<dim>
-  Solvers<dim>::at(const double t)
+  ContactSystem<dim> &
+  ContactSystemCache<dim>::system_at(const double t)
   {
-    const MaterialState<dim> &material = material_at(t);
-    last_request                       = {false, t, 0.};
+    last_request = {false, t, 0.};
     last_system =
       only_system != nullptr ? only_system : systems.at({t, 0.}, [&]() {
         remember(last_request);
-        return make_system(*material.stiffness);
+        return make_system(*material_at(t).stiffness);
       });
-    return {material, last_system->contact_solver()};
+    return *last_system;
+  }
+
+
+
+  template <int dim>
+  Instant<dim>
+  ContactSystemCache<dim>::at(const double t)
+  {
+    const MaterialState<dim> &material = material_at(t);
+    return {material, system_at(t).contact_solver()};
   }
 
 
 
   template <int dim>
   ImplicitInstant<dim>
-  Solvers<dim>::implicit_material_at(const double t, const double c)
+  ContactSystemCache<dim>::implicit_material_at(const double t, const double c)
   {
     const MaterialState<dim> &material = material_at(t);
     const auto values = moduli.at(step_key(t, c, material), [&]() {
@@ -193,7 +200,7 @@ namespace Crevasse
 
   template <int dim>
   const RelaxationFunctions<dim> &
-  Solvers<dim>::relaxation_at(const double t, const double c)
+  ContactSystemCache<dim>::relaxation_at(const double t, const double c)
   {
     const MaterialState<dim> &material = material_at(t);
     last_relaxation = relaxation.at(step_key(t, c, material), [&]() {
@@ -206,7 +213,7 @@ namespace Crevasse
 
   template <int dim>
   ImplicitInstant<dim>
-  Solvers<dim>::implicit_at(const double t, const double c)
+  ContactSystemCache<dim>::implicit_at(const double t, const double c)
   {
     ImplicitInstant<dim> instant = implicit_material_at(t, c);
     last_request                 = {true, t, c};
@@ -222,7 +229,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  Solvers<dim>::remember(const Request &request)
+  ContactSystemCache<dim>::remember(const Request &request)
   {
     requests.erase(std::remove_if(requests.begin(),
                                   requests.end(),
@@ -240,7 +247,7 @@ namespace Crevasse
 
   template <int dim>
   bool
-  Solvers<dim>::is_kept(const Request &request)
+  ContactSystemCache<dim>::is_kept(const Request &request)
   {
     return systems.has(
       request.is_implicit
@@ -252,12 +259,11 @@ namespace Crevasse
 
   template <int dim>
   ContactSystem<dim> &
-  Solvers<dim>::system_of(const Request &request)
+  ContactSystemCache<dim>::system_of(const Request &request)
   {
-    if (request.is_implicit)
-      implicit_at(request.t, request.c);
-    else
-      at(request.t);
+    if (!request.is_implicit)
+      return system_at(request.t);
+    implicit_at(request.t, request.c);
     return *last_system;
   }
 
@@ -265,7 +271,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  Solvers<dim>::serialize(StateArchive &archive)
+  ContactSystemCache<dim>::serialize(StateArchive &archive)
   {
     archive.section("contact solvers");
     bool                 is_used = last_system != nullptr;
@@ -291,9 +297,9 @@ namespace Crevasse
 
   template <int dim>
   std::pair<double, double>
-  Solvers<dim>::step_key(const double              t,
-                         const double              c,
-                         const MaterialState<dim> &material) const
+  ContactSystemCache<dim>::step_key(const double              t,
+                                    const double              c,
+                                    const MaterialState<dim> &material) const
   {
     const bool varies =
       body.material.stiffness_varies() || body.material.fluidity_varies();
@@ -303,11 +309,9 @@ namespace Crevasse
 
 
   template <int dim>
-  ContactSystem<dim> &
-  Solvers<dim>::current()
+  const ContactSystem<dim> &
+  ContactSystemCache<dim>::most_recent() const
   {
-    if (last_system == nullptr)
-      at(0.);
     return *last_system;
   }
 
@@ -315,7 +319,7 @@ namespace Crevasse
 
   template <int dim>
   const SolverSettings &
-  Solvers<dim>::settings() const
+  ContactSystemCache<dim>::settings() const
   {
     return solver_settings;
   }
@@ -324,8 +328,8 @@ namespace Crevasse
 
   template <int dim>
   double
-  Solvers<dim>::relaxation_factor(const SparseMatrix &matrix,
-                                  const Vector       &loads) const
+  ContactSystemCache<dim>::relaxation_factor(const SparseMatrix &matrix,
+                                             const Vector       &loads) const
   {
     if (scene.contact.relaxation_factor != "automatic")
       return Utilities::string_to_double(scene.contact.relaxation_factor);
@@ -357,7 +361,7 @@ namespace Crevasse
 
   template <int dim>
   SolverStatistics
-  Solvers<dim>::statistics() const
+  ContactSystemCache<dim>::statistics() const
   {
     SolverStatistics all = of_the_past;
     if (only_system != nullptr)
@@ -372,7 +376,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  Solvers<dim>::add(const SolverStatistics &other)
+  ContactSystemCache<dim>::add(const SolverStatistics &other)
   {
     of_the_past.add(other);
   }
@@ -381,7 +385,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  Solvers<dim>::summarise(Summary &summary) const
+  ContactSystemCache<dim>::summarise(Summary &summary) const
   {
     if (last_system != nullptr)
       last_system->describe(summary);
@@ -390,6 +394,6 @@ namespace Crevasse
 
 
 
-  template class Solvers<2>;
-  template class Solvers<3>;
+  template class ContactSystemCache<2>;
+  template class ContactSystemCache<3>;
 } // namespace Crevasse

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/state_archive.h>
-#include <crevasse/harmonic_balance/given_motion.h>
+#include <crevasse/harmonic_balance/prescribed_motion.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -12,11 +12,11 @@
 
 namespace Crevasse
 {
-  GivenMotion::GivenMotion(const PeriodicMotion &motion,
-                           const TimeRule        rule,
-                           const double          step,
-                           const double          diameter,
-                           const double          largest_load)
+  PrescribedMotion::PrescribedMotion(const PeriodicMotion &motion,
+                                     const TimeRule        rule,
+                                     const double          step,
+                                     const double          diameter,
+                                     const double          largest_load)
     : motion(motion)
     , rule(rule)
     , step(step)
@@ -28,7 +28,7 @@ namespace Crevasse
 
 
   unsigned int
-  GivenMotion::number(const double t) const
+  PrescribedMotion::number(const double t) const
   {
     return static_cast<unsigned int>(std::lround(t / step));
   }
@@ -36,25 +36,25 @@ namespace Crevasse
 
 
   void
-  GivenMotion::restart()
+  PrescribedMotion::restart()
   {
-    goes_on = false;
+    is_continuing = false;
   }
 
 
 
   void
-  GivenMotion::start(RateEquation &f,
-                     const double  t,
-                     const Vector &r,
-                     Vector       &rate)
+  PrescribedMotion::start(RateEquation &f,
+                          const double  t,
+                          const Vector &r,
+                          Vector       &rate)
   {
     f.rate(t, r, rate);
     if (number(t) == 0)
       first_rate = rate;
     viscous_strain.size =
       std::max(viscous_strain.size, step * rate.linfty_norm());
-    if (goes_on)
+    if (is_continuing)
       compare_step(number(t), r, rate);
     last_rate = rate;
   }
@@ -62,9 +62,9 @@ namespace Crevasse
 
 
   void
-  GivenMotion::compare_step(const unsigned int end,
-                            const Vector      &r,
-                            const Vector      &rate)
+  PrescribedMotion::compare_step(const unsigned int end,
+                                 const Vector      &r,
+                                 const Vector      &rate)
   {
     if (rule != TimeRule::trapezoid)
       return;
@@ -78,14 +78,14 @@ namespace Crevasse
 
 
   void
-  GivenMotion::advance(RateEquation &,
-                       const double t,
-                       const double,
-                       const Vector &,
-                       Vector &r,
-                       Vector *)
+  PrescribedMotion::advance(RateEquation &,
+                            const double t,
+                            const double,
+                            const Vector &,
+                            Vector &r,
+                            Vector *)
   {
-    goes_on                 = true;
+    is_continuing           = true;
     const unsigned int next = number(t) + 1;
     r = motion.viscous_strain[next % motion.viscous_strain.size()];
     if (next == motion.viscous_strain.size())
@@ -95,7 +95,7 @@ namespace Crevasse
 
 
   void
-  GivenMotion::Difference::add(const double a, const double b)
+  PrescribedMotion::Difference::add(const double a, const double b)
   {
     largest = std::max(largest, std::abs(a - b));
     size    = std::max(size, std::abs(a));
@@ -104,7 +104,7 @@ namespace Crevasse
 
 
   void
-  GivenMotion::observe(const Sample &sample)
+  PrescribedMotion::observe(const Sample &sample)
   {
     const unsigned int j = sample.step % motion.displacement.size();
     const Vector      &q = sample.state.displacement;
@@ -127,7 +127,7 @@ namespace Crevasse
 
 
   double
-  GivenMotion::stability_limit() const
+  PrescribedMotion::stability_limit() const
   {
     return std::numeric_limits<double>::infinity();
   }
@@ -135,7 +135,7 @@ namespace Crevasse
 
 
   TimeQuadrature
-  GivenMotion::quadrature() const
+  PrescribedMotion::quadrature() const
   {
     return {{0., 1.}, {0.5, 0.5}};
   }
@@ -143,7 +143,7 @@ namespace Crevasse
 
 
   std::string
-  GivenMotion::description() const
+  PrescribedMotion::description() const
   {
     return "direct in time";
   }
@@ -151,10 +151,10 @@ namespace Crevasse
 
 
   void
-  GivenMotion::serialize(StateArchive &archive)
+  PrescribedMotion::serialize(StateArchive &archive)
   {
     archive.section("given motion");
-    archive.common(goes_on);
+    archive.common(is_continuing);
     archive.at_points(first_rate);
     archive.at_points(last_rate);
     for (Difference *difference : {&displacement, &force, &viscous_strain})
@@ -167,7 +167,7 @@ namespace Crevasse
 
 
   double
-  GivenMotion::largest_defect() const
+  PrescribedMotion::largest_defect() const
   {
     const MPI_Comm communicator =
       motion.displacement.front().get_mpi_communicator();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_time_instants_h
-#define crevasse_time_instants_h
+#ifndef crevasse_time_instant_provider_h
+#define crevasse_time_instant_provider_h
 
 #include <crevasse/contact/contact_solver.h>
 #include <crevasse/discretisation/algorithmic_moduli.h>
@@ -33,10 +33,10 @@ namespace Crevasse
   /** Provides these for any instant of the period. They last until the next
    * call. */
   template <int dim>
-  class Instants
+  class InstantProvider
   {
   public:
-    virtual ~Instants() = default;
+    virtual ~InstantProvider() = default;
 
     virtual Instant<dim>
     at(const double t) = 0;

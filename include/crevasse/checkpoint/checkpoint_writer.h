@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_checkpoint_kept_run_h
-#define crevasse_checkpoint_kept_run_h
+#ifndef crevasse_checkpoint_checkpoint_writer_h
+#define crevasse_checkpoint_checkpoint_writer_h
 
-#include <crevasse/base/pauses.h>
+#include <crevasse/base/checkpointer.h>
 #include <crevasse/checkpoint/checkpoints.h>
 #include <crevasse/model/body.h>
 
@@ -13,9 +13,10 @@
 namespace Crevasse
 {
   /** Writes the state of a run as a checkpoint, or takes it over from one: the
-   * beginning that Checkpoints knows of, a header, and all StateParts. */
+   * beginning that Checkpoints knows of, a header, and all SerializationScopes.
+   */
   template <int dim>
-  class KeptRun : public Pauses
+  class CheckpointWriter : public Checkpointer
   {
   public:
     using Header = std::function<void(StateArchive &)>;
@@ -26,11 +27,11 @@ namespace Crevasse
      * @param last_period after which more periods may be wanted: then there
      * is a checkpoint; 0: never.
      * @param header which a run that is taken up has read already. */
-    KeptRun(Checkpoints       &checkpoints,
-            const Body<dim>   &body,
-            const unsigned int n_stresses,
-            const unsigned int last_period,
-            const Header      &header);
+    CheckpointWriter(Checkpoints       &checkpoints,
+                     const Body<dim>   &body,
+                     const unsigned int n_stresses,
+                     const unsigned int last_period,
+                     const Header      &header);
 
     /** @throw StoppedOnRequest if that is asked for, with a checkpoint. */
     void
@@ -38,7 +39,7 @@ namespace Crevasse
 
     /** Keeps what a run with more periods can go on from. */
     void
-    before_what_is_not_computed(const unsigned int period) override;
+    at_end_of_search(const unsigned int period) override;
 
   private:
     void
