@@ -88,6 +88,7 @@ namespace Crevasse
   {
     const unsigned int n = scene.refinement.readapt_every;
     RunState           state;
+    state.timer = since_set_up;
     if (checkpoints.is_resuming())
       {
         state.serialize(checkpoints.resumed());

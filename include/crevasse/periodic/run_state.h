@@ -7,6 +7,8 @@
 #include <crevasse/model/solver_statistics.h>
 #include <crevasse/periodic/observed_periods.h>
 
+#include <deal.II/base/timer.h>
+
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -39,6 +41,8 @@ namespace Crevasse
     /** How many methods were tried in vain on this mesh. */
     unsigned int methods_left = 0;
     bool         was_resumed  = false; ///< this leg of the run
+
+    dealii::Timer timer; ///< since the set-up of the meshes
 
     bool
     has_begun() const
