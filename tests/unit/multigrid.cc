@@ -307,7 +307,7 @@ namespace
           counts.push_back(solve<dim>(
             {degree, n, tip ? 3U : 0U, jump, VolumetricStrain::full}));
         // Where materials meet at edges, convergence is slower:
-        // doc/multigrid.md.
+        // doc/scaling.md.
         check_flat(what, counts, jump == 1. ? 14 : 34, jump == 1. ? 3 : 6);
       };
     family("uniform", false, 1.);
