@@ -37,7 +37,7 @@ namespace Crevasse
         text << " (about "
              << std::ceil(std::log(tolerance / error) /
                           std::log(error / (change + error)))
-             << " more if they go on to shrink as they do now)";
+             << " more at the current rate)";
       else if (is_iterative && change <= small)
         text << " (the changes do not shrink at present; so small, they may be "
                 "those of the solutions: lower [Contact] Tolerance, or set "
