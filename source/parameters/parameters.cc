@@ -224,8 +224,8 @@ namespace Crevasse
                       "Largest error that the certificate of a solution may "
                       "show: penetration and complementarity relative to the "
                       "largest displacement, tension and residual relative to "
-                      "the largest nodal force of the loads; more where "
-                      "rounding demands it. "
+                      "the largest nodal force of the loads. Where rounding "
+                      "does not allow so much, what it does allow counts. "
                       "Allowed: a number greater than 0, at most 0.01");
     prm.add_parameter("Maximum iterations",
                       maximum_iterations,
