@@ -224,7 +224,7 @@ namespace Crevasse
                                  scene.contact.solver == "projected sor");
     message << " or \"Tolerance\"";
     if (can_resume)
-      message << " and go on by --resume";
+      message << " and continue by --resume";
     if (scene.periodic_state.method == "march")
       message << ", set Method = automatic, which mostly needs fewer periods,";
     else if (periodic_choice.method == "anderson")

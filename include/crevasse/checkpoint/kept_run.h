@@ -36,7 +36,7 @@ namespace Crevasse
     void
     between_steps(const unsigned int period, const unsigned int step) override;
 
-    /** Keeps what a run with more periods can go on from. */
+    /** Keeps what a run with more periods can resume from. */
     void
     before_what_is_not_computed(const unsigned int period) override;
 
