@@ -4,7 +4,7 @@
 
 """The study of prm/studies/incompressibility.prm: what linear elements with the
 full and with the mean volumetric strain and quadratic elements cost and give as
-the Poisson ratio approaches 1/2. Prints the table of doc/incompressibility.md.
+the Poisson ratio approaches 1/2. Prints the table of doc/material.md.
 """
 
 import argparse
