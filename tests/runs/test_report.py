@@ -289,9 +289,9 @@ def unfinished_runs():
     check_says(report(directory)[0], "Broken off")  # the number is another's now
     with open(running) as file:
         fcntl.flock(file, fcntl.LOCK_EX)
-        check_says(report(directory)[0], "The run is going on")
+        check_says(report(directory)[0], "The run is still running")
     running.write_text(f"process {os.getpid()} on elsewhere\n")
-    check_says(report(directory)[0], "The run may be going on")
+    check_says(report(directory)[0], "The run may still be running")
     running.unlink()
     (directory / "checkpoint" / "3").mkdir(parents=True)
     (directory / "checkpoint" / "3" / "manifest.json").write_text(

@@ -4,6 +4,7 @@
 """The subcommands of the program that are scripts: python3 -m crevasse NAME ..."""
 
 import importlib
+import os
 import sys
 
 NAMES = ("advise", "figures", "report")
@@ -14,6 +15,8 @@ def main(words):
     if not words or words[0] not in NAMES:
         print(f"python3 -m crevasse {'|'.join(NAMES)} ...", file=sys.stderr)
         return 2
+    if os.environ.get("OMPI_COMM_WORLD_RANK", "0") != "0":
+        return 0  # of mpirun: the first process does it
     try:
         command = importlib.import_module(f"crevasse.{words[0]}")
     except ImportError as missing:

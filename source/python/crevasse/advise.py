@@ -238,8 +238,6 @@ def advise(options, stop):
 
 
 def main(words):
-    if os.environ.get("OMPI_COMM_WORLD_RANK", "0") != "0":
-        return 0  # the first process starts the runs on all of them
     try:
         options = arguments(words)
         advise(options, Stop(options.wall_time))

@@ -89,7 +89,7 @@ class Errors:
         return max((differences[name] for name in self.counting()), default=0.)
 
     def differences(self, one, reference):
-        """{quantity: relative difference}: infinite if it cannot be told, 0 for
+        """{quantity: relative difference}: infinite if unknown, 0 for
         what vanishes in the reference."""
         key = one.name, reference.name
         if key not in self.known:

@@ -14,8 +14,7 @@ import signal
 import subprocess
 import time
 
-# Where mpirun was called for advise, a run is started by mpirun anew: without what
-# it has told this process.
+# mpirun starts the runs if it started advise. They must not inherit its variables.
 OF_MPIRUN = re.compile(r"PMIX_|ORTE_|OMPI_(COMM|UNIVERSE|APP|FIRST|NUM|FILE|ARGV|"
                        r"COMMAND)|OMPI_MCA_(orte|ess|pmix|shmem|initial|mpi_)")
 ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1",

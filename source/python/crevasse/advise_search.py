@@ -175,8 +175,8 @@ class Search:
                 self.errors.difference(point.run, self.reference.run))
 
     def diverges(self, family, quantity, error):
-        """Whether a quantity keeps changing as all cells are halved; None if that
-        cannot be told yet. At a tip each halving changes the stress by
+        """Whether a quantity keeps changing as all cells are halved; None if
+        unknown yet. At a tip each halving changes the stress by
         1 - 1/sqrt(2) of itself."""
         changes = [self.errors.differences(a.run, b.run)[quantity]
                    for a, b in zip(family.points, family.points[1:])]
@@ -203,7 +203,7 @@ class Search:
 
     def leave_out_diverging(self, error):
         for name in self.errors.counting():
-            # What cannot be told yet counts for nothing, unless it will be told.
+            # The unknown counts for nothing, unless a run can tell.
             verdicts = [False if verdict is None and not family.ended
                         and len(family.points) < 3 else verdict
                         for family in self.families if family.halves_cells

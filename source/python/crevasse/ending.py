@@ -12,7 +12,7 @@ import socket
 from crevasse.results import number
 from crevasse.wording import plural, significant
 
-# good: periodic; plain: nothing was demanded, or it goes on; bad: all others.
+# good: periodic; plain: no tolerance, or still running; bad: all others.
 Ending = collections.namedtuple("Ending", "kind, heading, sentences")
 
 
@@ -50,7 +50,7 @@ def finished(run):
     tolerance = run.parameter("Periodic state/Tolerance")
     if converged:
         if not run.summary.get("effects", {}).get("viscosity", {}).get("on", 1):
-            return Ending("good", "Done: the body is elastic, one period tells all",
+            return Ending("good", "Done: the body is elastic, one period is enough",
                           [])
         return Ending("good", f"Done: the stress is periodic after {periods}", [
             f"Its estimated error is {significant(error, 3)} of the largest stress "
@@ -61,12 +61,12 @@ def finished(run):
                 "largest component; the estimated distance to the periodic stress "
                 f"is {significant(error, 3)}." if error is not None else
                 f"In the last period it changed by {significant(change, 3)} of the "
-                "largest component; how far it is from the periodic stress cannot "
-                "be told.")
+                "largest component; its distance from the periodic stress is "
+                "unknown.")
     if number(tolerance) == 0:
         return Ending("plain", f"Done: {periods} computed, as asked for", [
-            "[Periodic state] Tolerance = 0 demands no periodic stress, and "
-            "whether this one is was not judged. " + measured])
+            "With [Periodic state] Tolerance = 0 the run does not check whether the "
+            "stress is periodic. " + measured])
     return Ending("bad", f"Not converged: the stress is not periodic after {periods}",
                   [measured + f" [Periodic state] Tolerance = {tolerance}."])
 
@@ -74,7 +74,7 @@ def finished(run):
 def stopped(run, message):
     return Ending("bad", "Stopped before the end", [
         sentence(message), reached(run), checkpoint(run),
-        "What follows is what the run had written by then."])
+        "This report shows what the run had written by then."])
 
 
 def failed(run, message):
@@ -82,7 +82,7 @@ def failed(run, message):
     if not run.finished:
         return Ending("bad", "Failed: the run ended with an error", [
             sentence(message), reached(run), checkpoint(run),
-            "What follows is what the run had written by then."])
+            "This report shows what the run had written by then."])
     converged = run.summary.get("converged")
     heading = ("Done, but the result is in doubt" if converged else
                "Not converged: the stress is not periodic after "
@@ -91,7 +91,7 @@ def failed(run, message):
 
 
 def going_on(run):
-    """None if no process is at it."""
+    """None if no process runs it."""
     path = run.directory / "running"
     try:
         words = path.read_text(errors="replace").split()
@@ -100,21 +100,21 @@ def going_on(run):
         return None
     at_it = is_locked(path)
     if host != socket.gethostname() or at_it is None:
-        return Ending("plain", "The run may be going on", [
-            f"The file running says: by process {process} on {host}, which cannot "
-            "be seen from here. If it does not run there, it was killed. "
+        return Ending("plain", "The run may still be running", [
+            f"The file running names process {process} on {host}, another machine. "
+            "If this process does not run any more, it was killed. "
             + reached(run), checkpoint(run)])
     if not at_it:
         return None
-    return Ending("plain", "The run is going on", [
-        f"Process {process} is at it. {reached(run)} Make the report again when it "
-        "is done; a file named stop in the output directory stops it."])
+    return Ending("plain", "The run is still running", [
+        f"Process {process} runs it. {reached(run)} Repeat the report when it is "
+        "done; a file named stop in the output directory stops it."])
 
 
 def is_locked(path):
     """As long as the run lives it holds a lock on this file, which a kill or the end
     of its machine releases; its number may be another process's by now. None if
-    that cannot be told."""
+    that is unknown."""
     try:
         with open(path) as file:
             fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
@@ -126,10 +126,10 @@ def is_locked(path):
 
 
 def killed(run):
-    return Ending("bad", "Broken off: the run was killed, or its machine failed", [
+    return Ending("bad", "Broken off: the run was killed, or the machine failed", [
         "There is no summary, no message and no process that writes here. "
         + reached(run), checkpoint(run),
-        "What follows is what the run had written by then."])
+        "This report shows what the run had written by then."])
 
 
 def reached(run):
@@ -148,15 +148,15 @@ def checkpoint(run):
     numbers = [int(path.name) for path in (run.directory / "checkpoint").glob("*")
                if path.name.isdigit()]
     if not numbers:
-        return "There is no checkpoint: the run has to begin anew."
+        return "There is no checkpoint: start the run again."
     path = run.directory / "checkpoint" / str(max(numbers)) / "manifest.json"
     try:  # the first line is the checksum of the others
         manifest = json.loads(path.read_text(errors="replace").split("\n", 1)[1])
         place = f"before step {manifest['step'] + 1} of period {manifest['period']}"
     except (OSError, ValueError, IndexError, KeyError, TypeError):
         place = "which cannot be read"
-    return (f"Checkpoint {max(numbers)}, {place}: the same command with --resume "
-            "goes on from it.")
+    return (f"Checkpoint {max(numbers)}, {place}: repeat the command with "
+            "--resume.")
 
 
 def sentence(message):

@@ -151,7 +151,7 @@ def lip_intervals(run):
 
 
 def largest_stress(run):
-    """Of the run: with it noise is told from pressure."""
+    """Of the run: much smaller pressures are noise."""
     sizes = [run.summary_number("extremes", "stress") or 0,
              abs(run.tables["contact.csv"]["largest_pressure"]).max()]
     for name, table in run.tables.items():

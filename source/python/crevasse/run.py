@@ -16,7 +16,7 @@ from crevasse.results import (ResultsError, named_points, number, read_parameter
 
 Period = collections.namedtuple("Period", "number, begin, end")
 
-# Tables in which "nan" has a meaning: it cannot be told.
+# Tables in which "nan" means unknown.
 MAY_BE_UNKNOWN = {"periods.csv": ("stress_change", "stress_error_estimate")}
 ROW_A_STEP = ("probe_", "contact.", "crack_tip.", "load_work.")
 TABLES_OF_EFFECTS = {"contact": "contact.csv", "stress intensity": "crack_tip.csv"}

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Crevasse authors
 
-"""Reads summary.json. What has not the shape that the pages rely on is left out,
-and told: a file may be damaged, or edited, and still be JSON."""
+"""Reads summary.json. Parts without the expected shape are left out and
+reported: a damaged or edited file may still be JSON."""
 
 import json
 import math

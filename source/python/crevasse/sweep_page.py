@@ -91,12 +91,12 @@ def points_to_come(directory, rows):
     planned = re.findall(r"^  \d+ of (\d+): ", text, re.M)
     if not planned or int(planned[-1]) <= len(rows):
         return ""
-    return (f"Not finished: {len(rows)} of {planned[-1]} points are done. The same "
-            "command again goes on with the others.")
+    return (f"Not finished: {len(rows)} of {planned[-1]} points are done. Repeat the "
+            "command to continue.")
 
 
 def words(row, names):
-    """The parameters of a point, for those who hover over it."""
+    """The parameters of a point, shown when hovering over it."""
     return [f"{name.split('/')[-1]} = {row[name]}" for name in names]
 
 
@@ -217,7 +217,7 @@ def finding_charts(findings, lines, along):
 
 
 def scene_of(directory, rows):
-    """One of the runs, whose scene all have in common but for what varies."""
+    """One of the runs. The scenes differ in the varied parameters only."""
     for name in ["reference", *(row["point"] for row in rows)]:
         try:
             return Run(directory / name)
