@@ -9,52 +9,35 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <optional>
 #include <regex>
 
 namespace Crevasse
 {
   namespace
   {
-    /** Someone may take the option for one that is followed by a scene. */
-    std::string
-    print_format_problem(const std::string &format)
-    {
-      if (format == "prm" || format == "json" || format == "markdown")
-        return "";
-      return "\"" + Text::shorten(format) +
-             "\" is no format: prm, json or markdown. The scene comes before "
-             "the option.";
-    }
-
-
-
-    /** "3600", "1:00:00", "2-12:00:00" (days first, as in batch systems);
-     * nothing if it is none of these. */
-    std::optional<double>
+    /** "3600", "1:00:00", "2-12:00:00" (days first, as in batch systems).
+     * @throw CLI::ValidationError */
+    double
     seconds_in(const std::string &text)
     {
       static const std::regex clock(
         "(?:(\\d{1,4})-)?(\\d{1,4}):([0-5]?\\d):([0-5]?\\d)");
+      double      seconds = Text::to_number(text).value_or(0.);
       std::smatch parts;
-      if (!std::regex_match(text, parts, clock))
-        return Text::to_number(text);
-      const auto part = [&parts](const unsigned int k) {
-        return parts[k].matched ? std::stod(parts[k]) : 0.;
-      };
-      return ((24. * part(1) + part(2)) * 60. + part(3)) * 60. + part(4);
-    }
-
-
-
-    std::string
-    wall_time_problem(const std::string &text)
-    {
-      if (seconds_in(text).value_or(0.) > 0.)
-        return "";
-      return "\"" + Text::shorten(text) +
-             "\" is no time: write seconds, hours:minutes:seconds, or "
-             "days-hours:minutes:seconds, as 3600, 1:00:00 or 2-12:00:00.";
+      if (std::regex_match(text, parts, clock))
+        {
+          const auto part = [&parts](const unsigned int k) {
+            return parts[k].matched ? std::stod(parts[k]) : 0.;
+          };
+          seconds = ((24. * part(1) + part(2)) * 60. + part(3)) * 60. + part(4);
+        }
+      if (seconds > 0.)
+        return seconds;
+      throw CLI::ValidationError(
+        "--wall-time",
+        "\"" + Text::shorten(text) +
+          "\" is no time: write seconds, hours:minutes:seconds, or "
+          "days-hours:minutes:seconds, as 3600, 1:00:00 or 2-12:00:00.");
     }
 
 
@@ -103,12 +86,11 @@ namespace Crevasse
         .add_option_function<std::string>(
           "--wall-time",
           [&command](const std::string &text) {
-            command.wall_time = *seconds_in(text);
+            command.wall_time = seconds_in(text);
           },
           "Stop early enough to be done after this time: seconds, "
           "hours:minutes:seconds, or days-hours:minutes:seconds")
-        ->type_name("TIME")
-        ->check(wall_time_problem);
+        ->type_name("TIME");
     }
 
 
@@ -141,7 +123,7 @@ namespace Crevasse
                     "values, as prm or json")
         ->type_name("FORMAT")
         ->expected(0, 1)
-        ->check(print_format_problem);
+        ->check(CLI::IsMember({"prm", "json", "markdown"}));
     }
 
 

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <set>
 
 namespace Crevasse
 {
@@ -46,30 +45,6 @@ namespace Crevasse
     {
       return scene.periodic_state.method == "march" &&
              scene.periodic_state.start_from == "rest";
-    }
-
-
-
-    /** The parameters that change what is computed, and not only how. */
-    std::vector<std::string>
-    parameters_of_problem(const std::vector<std::string> &names)
-    {
-      static const std::set<std::string> of_mesh  = {"Subdivisions",
-                                                     "Refinements"};
-      static const std::set<std::string> sections = {
-        GeometryParameters::section,
-        BoundaryParameters::section,
-        MaterialParameters::section,
-        LoadParameters::section};
-      std::vector<std::string> found;
-      for (const std::string &name : names)
-        {
-          const auto slash = name.find('/');
-          if (sections.count(name.substr(0, slash)) > 0 &&
-              of_mesh.count(name.substr(slash + 1)) == 0)
-            found.push_back(name);
-        }
-      return found;
     }
 
 
@@ -177,7 +152,7 @@ namespace Crevasse
              ", " + std::to_string(scenes.points.size()) +
              (scenes.points.size() == 1 ? " point" : " points"));
     log.line("  " + describe_reference());
-    const auto of_problem = parameters_of_problem(plan.parameters());
+    const auto of_problem = plan.parameters_of_problem();
     if (needs_reference() && !of_problem.empty())
       log.line("  note: " + Text::join(of_problem, ", ") +
                " changes the problem itself: errors against one reference "
