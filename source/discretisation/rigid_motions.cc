@@ -26,8 +26,7 @@ namespace Crevasse
 
   namespace
   {
-    /** More are a mesh whose nodes are not merged; the matrix below is dense.
-     */
+    /** More are a mesh with unmerged nodes; the matrix below is dense. */
     constexpr unsigned int largest_number_of_parts = 300;
 
 

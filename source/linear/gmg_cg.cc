@@ -383,15 +383,6 @@ namespace Crevasse
 
 
   template <int dim>
-  std::shared_ptr<const MultigridLevels<dim>>
-  GmgCg<dim>::levels() const
-  {
-    return shared_levels;
-  }
-
-
-
-  template <int dim>
   std::string
   GmgCg<dim>::preconditioner_description() const
   {

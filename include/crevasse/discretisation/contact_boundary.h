@@ -69,7 +69,10 @@ namespace Crevasse
 
     /** The free nodes, in the order of their dofs. */
     const std::vector<LipNode<dim>> &
-    nodes() const;
+    nodes() const
+    {
+      return lip_nodes;
+    }
 
     /** The least u_N at any point of the lip. @throw SceneError if it is not
      * finite or positive. */
