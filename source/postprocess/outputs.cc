@@ -145,16 +145,6 @@ namespace Crevasse
                                      directory);
     if (scene.output.load_work)
       add<LoadWork<dim>>(body.loads, steps, file("load_work.csv"), goes_on);
-    const RecordedSteps problems =
-      parse_recorded_steps(scene.output.contact_problems);
-    if (!problems.empty())
-      problem_export = add<ProblemExport>(
-        [&solvers]() -> const SignoriniProblem & {
-          return solvers.current().problem();
-        },
-        problems,
-        log,
-        directory);
     extremes = add<Extremes>(periods_are_iterates, start);
     add<PeriodTable>(file("periods.csv"), goes_on);
     add<Progress<dim>>(log,
@@ -226,8 +216,6 @@ namespace Crevasse
   void
   Outputs<dim>::finish(Summary &summary)
   {
-    if (problem_export != nullptr)
-      problem_export->report_missing();
     summary["extremes"]["stress"] = extremes->stress;
     // With singular functions some unknowns are no displacements.
     if (body.space.singular_shapes() == nullptr)

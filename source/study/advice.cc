@@ -31,8 +31,6 @@ namespace Crevasse
                                           "Linear solver/Type=automatic")};
       if (!scene.contact.relaxation_table.empty())
         settings.push_back(advised("Contact/Relaxation table="));
-      if (!scene.output.contact_problems.empty())
-        settings.push_back(advised("Output/Contact problems="));
       return settings;
     }
   } // namespace

@@ -15,7 +15,6 @@
 #include <crevasse/postprocess/elastic_comparison.h>
 #include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/probe.h>
-#include <crevasse/postprocess/problem_export.h>
 #include <crevasse/postprocess/progress.h>
 #include <crevasse/postprocess/tables.h>
 #include <crevasse/time/integrator.h>
@@ -118,7 +117,6 @@ namespace Crevasse
     CrackTipTable     *crack_tip_table = nullptr;
     FieldWriter<dim>  *fields          = nullptr;
     Extremes          *extremes        = nullptr;
-    ProblemExport     *problem_export  = nullptr;
   };
 } // namespace Crevasse
 
