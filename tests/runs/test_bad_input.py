@@ -438,8 +438,8 @@ CASES = [
          ["Output/Elastic comparison=closed"]),
     Case("more_memory_than_there_is", 2,
          ["needs about .* GB of memory on a machine that has .* GB left, most "
-          "of it for the search of the periodic state: lower .Periodic state. "
-          "Anderson depth", "about 0 unknowns fit; the mesh has 30"],
+          "of it for: fields. To change that, .* .Periodic state. Anderson "
+          "depth", "about 0 unknowns fit; the mesh has 30"],
          ["Periodic state/Method=anderson",
           "Periodic state/Anderson depth=1000000000"]),
     Case("mesh_that_no_memory_holds", 2,  # refused before it is made
