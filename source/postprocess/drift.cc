@@ -35,12 +35,4 @@ namespace Crevasse
     archive.section("drift");
     archive.nodal(start);
   }
-
-
-
-  const Vector &
-  Drift::last_period() const
-  {
-    return drift;
-  }
 } // namespace Crevasse

@@ -53,14 +53,6 @@ namespace Crevasse
 
 
   double
-  ElasticComparison::stress_difference() const
-  {
-    return last_period;
-  }
-
-
-
-  double
   ElasticComparison::drift_difference(const Vector &drift) const
   {
     const double factor         = reference.drift_factor;

@@ -157,24 +157,6 @@ namespace Crevasse
 
 
   template <int dim>
-  const std::vector<Observer *> &
-  Outputs<dim>::observers() const
-  {
-    return all;
-  }
-
-
-
-  template <int dim>
-  const std::vector<std::string> &
-  Outputs<dim>::tables() const
-  {
-    return names_of_tables;
-  }
-
-
-
-  template <int dim>
   double
   Outputs<dim>::stress_rounding() const
   {

@@ -113,24 +113,6 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  double
-  ContactTable<dim>::largest_opening() const
-  {
-    return opening;
-  }
-
-
-
-  template <int dim>
-  double
-  ContactTable<dim>::largest_displacement() const
-  {
-    return displacement;
-  }
-
-
-
   PeriodTable::PeriodTable(const std::string &file_name, const bool goes_on)
     : table(open_table(file_name,
                        {"period",

@@ -52,11 +52,17 @@ namespace Crevasse
             const std::string                      &directory);
 
     const std::vector<Observer *> &
-    observers() const;
+    observers() const
+    {
+      return all;
+    }
 
     /** The names of the tables that go on from step to step. */
     const std::vector<std::string> &
-    tables() const;
+    tables() const
+    {
+      return names_of_tables;
+    }
 
     /** Writes the fields, prints what was found, and adds it to the summary:
      * extremes, drift, elastic_comparison. */

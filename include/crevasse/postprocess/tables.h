@@ -54,11 +54,17 @@ namespace Crevasse
 
     /** The largest opening seen so far, or in the last period. */
     double
-    largest_opening() const;
+    largest_opening() const
+    {
+      return opening;
+    }
 
     /** The largest displacement likewise, of the whole body. */
     double
-    largest_displacement() const;
+    largest_displacement() const
+    {
+      return displacement;
+    }
 
   private:
     const ContactBoundary<dim> &lip;
