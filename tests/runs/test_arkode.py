@@ -130,7 +130,8 @@ for name, events in itertools.product(("arkode explicit", "arkode implicit"),
 print("  order 5 does not see the kinks: only with events")
 quotients = table(CONTACT + EVENTS, "arkode explicit", 5, TOLERANCES[:4],
                   reference, scale, cost)
-check(max(quotients) < 10, f"order 5, with events: {quotients}")
+# The root is interpolated on a step that has seen the kink.
+check(max(quotients) < 20, f"order 5, with events: {quotients}")
 
 # c) Relaxation times of 600 and 6e-4 side by side, under a load that stays. As
 # soon as the fast one has let go the body creeps at half its stiffness. A step
