@@ -223,9 +223,9 @@ namespace
 
 
   /** nohup has SIGHUP ignored, and shells SIGINT for what runs in the
-   * background. */
+   * background; MPI may take signals for itself. */
   void
-  note_ignored_signals(int, char **, char **)
+  note_ignored_signals()
   {
     for (std::size_t i = 0; i < std::size(signals_to_stop); ++i)
       {
@@ -234,15 +234,6 @@ namespace
         ignored[i] = action.sa_handler == SIG_IGN;
       }
   }
-
-
-
-  // Before libraries are initialised: UCX, which Open MPI loads, takes SIGHUP
-  // for itself, on Debian 13 as soon as it is there.
-  [[gnu::section(".preinit_array"),
-    gnu::used]] void (*const before_libraries)(int,
-                                               char **,
-                                               char **) = note_ignored_signals;
 } // namespace
 
 
@@ -250,6 +241,7 @@ namespace
 int
 main(int argc, char **argv)
 {
+  note_ignored_signals();
   // A checkpoint may be asked for before the run can write one, which is no
   // reason to end.
   std::signal(SIGUSR1, SIG_IGN);

@@ -7,6 +7,7 @@
 #include <crevasse/base/version.h>
 #include <crevasse/linear/abandoned_factors.h>
 #include <crevasse/simulation/adaptive_run.h>
+#include <crevasse/simulation/conclusion.h>
 #include <crevasse/study/stress_samples.h>
 #include <crevasse/study/sweep_run.h>
 

@@ -13,7 +13,7 @@
 namespace Crevasse
 {
   /** By which factor estimates of memory may be wrong (doc/scaling.md). */
-  constexpr double memory_uncertainty = 1.5;
+  constexpr double memory_uncertainty = 1.3;
 
   /**
    * Bytes, on all ranks, of a stiffness and what solves with it: the matrix and
