@@ -90,6 +90,7 @@ namespace Crevasse
     const unsigned int n = scene.refinement.readapt_every;
     const RunOutput    output{log, checkpoints, directory};
     RunState           state;
+    state.timer = since_set_up;
     if (checkpoints.is_resuming())
       {
         state.serialize(checkpoints.resumed());

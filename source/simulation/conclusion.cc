@@ -225,7 +225,7 @@ namespace Crevasse
                                      "projected sor");
       message << " or \"Tolerance\"";
       if (can_resume)
-        message << " and go on by --resume";
+        message << " and continue by --resume";
       if (setup.scene.periodic_state.method == "march")
         message
           << ", set Method = automatic, which mostly needs fewer periods,";

@@ -172,7 +172,9 @@ namespace Crevasse
     for (const auto &[name, seconds] : state.seconds)
       if (name != "total")
         summary["seconds"][name] = seconds;
-    summary["seconds"]["total"]     = total;
+    summary["seconds"]["total"] = total;
+    summary["processor_seconds"] =
+      Utilities::MPI::max(state.timer.cpu_time(), communicator);
     const std::vector<double> peaks = peak_memory_of_ranks(communicator);
     if (!peaks.empty())
       {

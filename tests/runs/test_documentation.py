@@ -94,12 +94,12 @@ def test_parameters():
 
 
 def test_scenes_named():
-    """Each scene file that the pages speak of is there, and each one that is
-    there is spoken of."""
-    named = set(re.findall(r"prm/[\w/]+\.prm", page("README.md")))
+    """Each scene file that the page names is there, and each one that is there
+    is named."""
+    named = set(re.findall(r"\bprm/[\w/]+\.prm", SCENES))
     there = {str(path.relative_to(SOURCE))
              for path in (SOURCE / "prm").rglob("*.prm")}
-    check(named == there, f"README.md and prm/ differ: {named ^ there}")
+    check(named == there, f"doc/scenes.md and prm/ differ: {named ^ there}")
 
 
 def test_first_scene():

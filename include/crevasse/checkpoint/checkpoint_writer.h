@@ -37,7 +37,7 @@ namespace Crevasse
     void
     between_steps(const unsigned int period, const unsigned int step) override;
 
-    /** Keeps what a run with more periods can go on from. */
+    /** Keeps what a run with more periods can resume from. */
     void
     at_end_of_search(const unsigned int period) override;
 

@@ -7,6 +7,8 @@
 #include <crevasse/model/solver_statistics.h>
 #include <crevasse/periodic/observed_periods.h>
 
+#include <deal.II/base/timer.h>
+
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -49,6 +51,8 @@ namespace Crevasse
     unsigned int methods_left = 0;
     bool         was_resumed  = false; ///< this stage of the run
     MeshStage    stage;
+
+    dealii::Timer timer; ///< since the set-up of the meshes
 
     bool
     has_begun() const

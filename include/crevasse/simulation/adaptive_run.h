@@ -7,6 +7,8 @@
 #include <crevasse/simulation/adapted_mesh.h>
 #include <crevasse/simulation/run_stage.h>
 
+#include <deal.II/base/timer.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -58,6 +60,7 @@ namespace Crevasse
             const double                 error,
             RunState                    &state);
 
+    const dealii::Timer                  since_set_up;
     const Scene                          scene;
     Log                                 &log;
     Checkpoints                         &checkpoints;

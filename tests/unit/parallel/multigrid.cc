@@ -333,7 +333,7 @@ namespace
           family.push_back(solve<dim>(
             {degree, n, tip ? 3U : 0U, jump, VolumetricStrain::full}));
         // Where materials meet at edges, convergence is slower:
-        // doc/multigrid.md.
+        // doc/scaling.md.
         check_alike(family, jump == 1. ? 14 : 34, jump == 1. ? 3 : 6);
       };
     check_kind("uniform", false, 1.);
