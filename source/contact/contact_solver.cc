@@ -137,22 +137,6 @@ namespace Crevasse
 
 
 
-  std::string
-  ContactSolver::last_sets() const
-  {
-    return "";
-  }
-
-
-
-  std::string
-  ContactSolver::linear_trouble() const
-  {
-    return "";
-  }
-
-
-
   void
   ContactSolver::set_force_scale(const double largest_nodal_force)
   {
@@ -239,22 +223,6 @@ namespace Crevasse
 
 
 
-  bool
-  ContactSolver::can_refine() const
-  {
-    return false;
-  }
-
-
-
-  bool
-  ContactSolver::asks_for_refinement() const
-  {
-    return refines;
-  }
-
-
-
   void
   ContactSolver::refine(LinearSolver &linear_solver,
                         const Vector &right_hand_side,
@@ -266,14 +234,6 @@ namespace Crevasse
     defect.sadd(-1., 1., right_hand_side);
     linear_solver.solve(correction, defect, residual_target());
     solution += correction;
-  }
-
-
-
-  double
-  ContactSolver::accuracy() const
-  {
-    return largest_error;
   }
 
 
@@ -293,22 +253,6 @@ namespace Crevasse
   void
   ContactSolver::start_from(const std::vector<bool> &)
   {
-  }
-
-
-
-  std::vector<bool>
-  ContactSolver::first_set() const
-  {
-    return {};
-  }
-
-
-
-  std::vector<dealii::Vector<double>> *
-  ContactSolver::known_columns()
-  {
-    return nullptr;
   }
 
 
@@ -344,50 +288,10 @@ namespace Crevasse
 
 
 
-  const Certificate &
-  ContactSolver::worst_certificate() const
-  {
-    return maxima;
-  }
-
-
-
   bool
   ContactSolver::has_bounds() const
   {
     return problem.n_bounds() > 0;
-  }
-
-
-
-  std::size_t
-  ContactSolver::n_solves() const
-  {
-    return solves;
-  }
-
-
-
-  std::size_t
-  ContactSolver::n_iterations() const
-  {
-    return iterations;
-  }
-
-
-
-  std::size_t
-  ContactSolver::n_linear_solves() const
-  {
-    return 0;
-  }
-
-
-
-  std::size_t
-  ContactSolver::n_linear_iterations() const
-  {
-    return 0;
   }
 
 

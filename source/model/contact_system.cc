@@ -94,8 +94,6 @@ namespace Crevasse
                                              parameters.tolerance);
     if (settings.contact_choice.name == "projected sor")
       return std::make_unique<ProjectedSor>(problem,
-                                            make_sweep(problem,
-                                                       settings.unknown_blocks),
                                             settings.relaxation_factor(matrix),
                                             parameters.tolerance,
                                             parameters.maximum_iterations);

@@ -5,7 +5,6 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/contact/relaxation_factor.h>
-#include <crevasse/discretisation/node_blocks.h>
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/linear_choice.h>
@@ -27,18 +26,12 @@ namespace Crevasse
                   const SolverChoice  &choice,
                   dealii::TimerOutput &phases)
     {
-      SolverSettings settings{scene.contact,
-                              scene.linear_solver,
-                              choice.linear,
-                              choice.contact,
-                              phases,
-                              {},
-                              {}};
-      const bool     sweeps = settings.contact_choice.name == "projected sor" ||
-                          !scene.contact.relaxation_table.empty();
-      if (sweeps && scene.contact.relaxed_together == "node")
-        settings.unknown_blocks = node_blocks(body.space);
-      return settings;
+      return {scene.contact,
+              scene.linear_solver,
+              choice.linear,
+              choice.contact,
+              phases,
+              {}};
     }
 
 
@@ -350,8 +343,7 @@ namespace Crevasse
     const UnilateralBounds none;
     const SignoriniProblem unconstrained(matrix, none);
     return find_relaxation_factor(unconstrained,
-                                  *make_sweep(unconstrained,
-                                              solver_settings.unknown_blocks),
+                                  Sweep(unconstrained),
                                   forces,
                                   1e-8 * norm,
                                   scene.contact.maximum_iterations);

@@ -205,9 +205,9 @@ namespace Crevasse
                       "Method for the contact inequality. \"condensed active "
                       "set\" reduces it to the lip, \"active set\" works on "
                       "all unknowns, \"projected sor\" is the method of the "
-                      "paper, by the first process if there are several; "
-                      "\"automatic\" takes the condensed one, or \"active "
-                      "set\" if the lip or the mesh is very large.",
+                      "paper, for one process; \"automatic\" takes the "
+                      "condensed one, or \"active set\" if the lip or the "
+                      "mesh is very large.",
                       Patterns::Selection("automatic|projected sor|active set|"
                                           "condensed active set"));
     prm.add_parameter("Relaxation factor",
@@ -215,10 +215,6 @@ namespace Crevasse
                       "Over-relaxation factor of the projected SOR method; "
                       "\"automatic\" searches for the best one. Allowed: "
                       "automatic, or a number greater than 0 and less than 2");
-    prm.add_parameter("Relaxed together",
-                      relaxed_together,
-                      "What the projected SOR method relaxes at once.",
-                      Patterns::Selection("unknown|node"));
     prm.add_parameter("Tolerance",
                       tolerance,
                       "Largest error that the certificate of a solution may "
@@ -451,12 +447,6 @@ namespace Crevasse
                       "Whether the work of the loads in the displacement is "
                       "recorded at every step, for studies of convergence in "
                       "the energy norm.");
-    prm.add_parameter("Contact problems",
-                      contact_problems,
-                      "Steps whose contact problem is written to files in the "
-                      "formats of Matrix Market and PETSc, for other solvers. "
-                      "Allowed: a list such as 1: 10; 3: 0 of periods, counted "
-                      "from 1, and steps in them, counted from 0");
     prm.add_parameter("Checkpoint every",
                       checkpoint_every,
                       "Number of periods after which a checkpoint is written, "

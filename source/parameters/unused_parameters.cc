@@ -143,7 +143,6 @@ namespace Crevasse
         {here, "Solver", !has_contact(scene), no_contact},
         {here, "Relaxation factor", !has_contact(scene), no_contact},
         {here, "Relaxation factor", !sor, why},
-        {here, "Relaxed together", !sor && !table, why},
         {here, "Maximum iterations", condensed && !table, why},
         {LinearSolverParameters::section,
          "Tolerance",

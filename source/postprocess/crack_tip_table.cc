@@ -113,20 +113,4 @@ namespace Crevasse
   {
     conclusion(*this, summary);
   }
-
-
-
-  const TipHistory &
-  CrackTipTable::last_period() const
-  {
-    return history;
-  }
-
-
-
-  const std::vector<CrackTipTable::Values> &
-  CrackTipTable::values() const
-  {
-    return of_last_period;
-  }
 } // namespace Crevasse

@@ -54,15 +54,6 @@ namespace Crevasse
 
 
   template <int dim>
-  const Vector &
-  Drift<dim>::last_period() const
-  {
-    return drift;
-  }
-
-
-
-  template <int dim>
   double
   Drift<dim>::largest_closing(const double accuracy) const
   {

@@ -57,14 +57,6 @@ namespace Crevasse
 
 
 
-  double
-  ElasticComparison::stress_difference() const
-  {
-    return last_period;
-  }
-
-
-
   void
   ElasticComparison::summarise(Summary &summary)
   {

@@ -68,24 +68,6 @@ namespace Crevasse
 
   template <int dim>
   double
-  Extremes<dim>::largest_stress() const
-  {
-    return stress;
-  }
-
-
-
-  template <int dim>
-  double
-  Extremes<dim>::largest_displacement() const
-  {
-    return displacement;
-  }
-
-
-
-  template <int dim>
-  double
   Extremes<dim>::stress_rounding() const
   {
     if (stress == 0.)

@@ -100,14 +100,14 @@ namespace Crevasse
 
     const UnilateralBounds none;
     const SignoriniProblem problem(matrix, none);
-    const auto sweep = make_sweep(problem, systems.settings().unknown_blocks);
-    const auto count = [&](const double factor, const double goal) {
+    const Sweep            sweep(problem);
+    const auto             count = [&](const double factor, const double goal) {
       return count_sor_iterations(
-        problem, *sweep, loads, factor, goal, scene.contact.maximum_iterations);
+        problem, sweep, loads, factor, goal, scene.contact.maximum_iterations);
     };
 
     const double best = find_relaxation_factor(
-      problem, *sweep, loads, target_1980, scene.contact.maximum_iterations);
+      problem, sweep, loads, target_1980, scene.contact.maximum_iterations);
     std::vector<double> factors = scene.contact.relaxation_table;
     factors.push_back(best);
     std::sort(factors.begin(), factors.end());

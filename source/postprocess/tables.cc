@@ -133,15 +133,6 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  double
-  ContactTable<dim>::largest_displacement() const
-  {
-    return displacement;
-  }
-
-
-
   PeriodTable::PeriodTable(const std::string &file_name,
                            const bool         is_continuing)
     : table(open_table(file_name,

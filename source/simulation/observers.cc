@@ -6,7 +6,6 @@
 #include <crevasse/postprocess/elastic_reference.h>
 #include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/load_work.h>
-#include <crevasse/postprocess/problem_export.h>
 #include <crevasse/postprocess/progress.h>
 #include <crevasse/simulation/observers.h>
 
@@ -49,16 +48,6 @@ namespace Crevasse
     const bool is_continuing = state.has_tables();
     const bool of_last       = work.start.choice.periods_are_iterates();
 
-    if (const RecordedSteps problems =
-          parse_recorded_steps(scene.output.contact_problems);
-        !problems.empty())
-      add<ProblemExport>(
-        [&work]() -> const SignoriniProblem & {
-          return work.systems.most_recent().problem();
-        },
-        problems,
-        log,
-        output.directory);
     extremes = add<Extremes<dim>>(body, of_last, state, log);
     for (const ProbeEvaluator<dim> &probe : setup.probes)
       add<ProbeTable<dim>>(probe,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/simulation/memory_prediction.h>
+#include <crevasse/simulation/memory_report.h>
 #include <crevasse/simulation/sizes.h>
 
 #include <deal.II/base/mpi.h>
@@ -71,7 +71,7 @@ namespace Crevasse
                       sizes.largest_cell);
         log.line(text);
       }
-    describe_memory(body, steps, scene, choice, log);
+    report_memory(body, steps, scene, choice, log);
   }
 
 

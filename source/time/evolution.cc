@@ -76,15 +76,6 @@ namespace Crevasse
 
 
   template <int dim>
-  const SecularFlow *
-  Evolution<dim>::secular_flow() const
-  {
-    return flow;
-  }
-
-
-
-  template <int dim>
   void
   Evolution<dim>::assemble_loading(const double                t,
                                    const MaterialState<dim>   &material,
@@ -217,15 +208,6 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  Evolution<dim>::stress_scale() const
-  {
-    return elastic_stress;
-  }
-
-
-
-  template <int dim>
   void
   Evolution<dim>::strain_per_stress(const Vector &r, Vector &scale) const
   {
@@ -248,33 +230,6 @@ namespace Crevasse
                                            last.contact_forces,
                                            last.stiffness_factor,
                                            values);
-  }
-
-
-
-  template <int dim>
-  const State &
-  Evolution<dim>::state() const
-  {
-    return last;
-  }
-
-
-
-  template <int dim>
-  const Vector &
-  Evolution<dim>::right_hand_side() const
-  {
-    return loading;
-  }
-
-
-
-  template <int dim>
-  std::size_t
-  Evolution<dim>::n_rate_evaluations() const
-  {
-    return rate_evaluations;
   }
 
 

@@ -61,22 +61,6 @@ namespace Crevasse
 
 
 
-  bool
-  Sdirk2::has_error_estimate() const
-  {
-    return true;
-  }
-
-
-
-  bool
-  Sdirk2::has_matrix_of_step() const
-  {
-    return true;
-  }
-
-
-
   double
   Sdirk2::stability_limit() const
   {

@@ -48,14 +48,6 @@ namespace Crevasse
 
 
 
-  bool
-  Trapezoid::has_matrix_of_step() const
-  {
-    return true;
-  }
-
-
-
   double
   Trapezoid::stability_limit() const
   {

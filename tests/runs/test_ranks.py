@@ -81,25 +81,6 @@ def test_flat_cells():
                         "residual of flat cells")
 
 
-def test_projected_sor():
-    # The first rank sweeps for all. Unknowns have another order there.
-    for label, settings in {
-            "by unknowns": ["Contact/Relaxation table=1.5"],
-            "by nodes": ["Contact/Relaxed together=node"],
-            "one function": ["Discretisation/Singular functions=1"]}.items():
-        common = COMMON[1:] + ["Contact/Relaxation factor=1.8"] + settings
-        reference = run(SCENE, "sor_" + label.replace(" ", "_"), common)
-        # The table is a long search, with messages in each of its sweeps.
-        for n_ranks in ((2, 3) if label == "by nodes" else (2,)):
-            results = run_on(n_ranks, SCENE,
-                             f"sor_{label.replace(' ', '_')}_{n_ranks}", common)
-            for table in ("probe_C.csv", "contact.csv"):
-                compare_tables(results, reference, table)
-            if label == "by unknowns":
-                rows = results.table("relaxation.csv")["iterations"]
-                check(len(rows) == 2, "rows of the relaxation table")
-
-
 def test_more_ranks_than_cells():
     # A mesh that begins with four cells, of which some ranks have none.
     scene = SOURCE / "prm/studies/crack_tip_adaptive.prm"
@@ -118,7 +99,10 @@ def test_more_ranks_than_cells():
 def test_refusals():
     for settings, alternative in {
             ("Contact/Solver=automatic", "Linear solver/Type=cholesky"):
-            "mumps"}.items():
+            "mumps",
+            ("Contact/Solver=projected sor",): "Solver = automatic",
+            ("Contact/Solver=automatic", "Contact/Relaxation table=1.5"):
+            "Relaxation table"}.items():
         arguments = [SCENE, "--output", "results/refused"]
         for setting in settings:
             arguments += ["--set", setting]
@@ -147,7 +131,6 @@ def test_lone_failure():
 
 test_same_results()
 test_flat_cells()
-test_projected_sor()
 test_more_ranks_than_cells()
 test_refusals()
 test_lone_failure()

@@ -269,8 +269,6 @@ def test_refusals():
             "with [Periodic state] Secular split = on")
     refused(again + ["Material/Viscosity=none"],
             "with [Material] Viscosity = none")
-    refused(again + ["Output/Contact problems=1: 1"],
-            "with [Output] Contact problems")
     # On all ranks alike.
     code, _, error = execute_on(3, SCENE, "--check", "--set", TIP, "--set",
                                 "Refinement/Target unknowns=100", "--set",

@@ -22,7 +22,8 @@ namespace Crevasse
   LinearSolverChoice
   choose_linear_solver(const Scene &scene, const Body<dim> &body);
 
-  /** The contact solver of a scene on a body. Collective. */
+  /** The contact solver of a scene on a body. Collective.
+   * @throw SceneError if it works on one process only and there are more. */
   template <int dim>
   ContactSolverChoice
   choose_contact_solver(const Scene              &scene,

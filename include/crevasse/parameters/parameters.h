@@ -133,9 +133,7 @@ namespace Crevasse
 
     std::string solver = "automatic";
     /** A number in ]0,2[ or "automatic" (dichotomy). */
-    std::string relaxation_factor = "automatic";
-    /** unknown | node: what projected SOR relaxes together. */
-    std::string  relaxed_together   = "unknown";
+    std::string  relaxation_factor  = "automatic";
     double       tolerance          = 1e-12;
     unsigned int maximum_iterations = 100000;
     /** Factors of a table of iterations against the factor (paper, Table 1);
@@ -231,8 +229,6 @@ namespace Crevasse
      * elastic one of an open or closed lip. */
     std::string elastic_comparison = "none";
     bool        load_work          = false;
-    /** "period: step; ...": contact problems that are written to files. */
-    std::string contact_problems;
     /** Periods from one checkpoint to the next; 0: only on request. */
     unsigned int checkpoint_every = 0;
 

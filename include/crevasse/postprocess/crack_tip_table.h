@@ -89,11 +89,17 @@ namespace Crevasse
 
     /** K_I of the last period. */
     const TipHistory &
-    last_period() const;
+    last_period() const
+    {
+      return history;
+    }
 
     /** All numbers of the last period. */
     const std::vector<Values> &
-    values() const;
+    values() const
+    {
+      return of_last_period;
+    }
 
   private:
     bool

@@ -42,7 +42,10 @@ namespace Crevasse
 
     /** q(T n) − q(T (n−1)); constrained entries are zero. After the run. */
     const Vector &
-    last_period() const;
+    last_period() const
+    {
+      return drift;
+    }
 
   private:
     double

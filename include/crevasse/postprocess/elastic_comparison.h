@@ -53,7 +53,10 @@ namespace Crevasse
     /** Largest |s − F s_el| over the last period and all points, relative to
      * the largest stress. */
     double
-    stress_difference() const;
+    stress_difference() const
+    {
+      return last_period;
+    }
 
     /** Largest |q(t+T) − q(t) − T (F̄/τ) u_el|, relative to the largest
      * displacement of T (F̄/τ) u_el or, if that vanishes, of F u_el. */

@@ -40,11 +40,17 @@ namespace Crevasse
     summarise(Summary &summary) override;
 
     double
-    largest_stress() const;
+    largest_stress() const
+    {
+      return stress;
+    }
 
     /** Of an unknown. */
     double
-    largest_displacement() const;
+    largest_displacement() const
+    {
+      return displacement;
+    }
 
   private:
     double

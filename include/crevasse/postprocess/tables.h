@@ -65,7 +65,10 @@ namespace Crevasse
 
     /** The largest displacement likewise, of the whole body. */
     double
-    largest_displacement() const;
+    largest_displacement() const
+    {
+      return displacement;
+    }
 
   private:
     const ContactBoundary<dim> &lip;

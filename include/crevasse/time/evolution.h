@@ -74,7 +74,10 @@ namespace Crevasse
 
     /** The flow that is split off; null: none. */
     const SecularFlow *
-    secular_flow() const;
+    secular_flow() const
+    {
+      return flow;
+    }
 
     void
     rate(const double t, const Vector &r, Vector &rate) override;
@@ -99,7 +102,10 @@ namespace Crevasse
                      Vector            &values) override;
 
     double
-    stress_scale() const override;
+    stress_scale() const override
+    {
+      return elastic_stress;
+    }
 
     void
     strain_per_stress(const Vector &r, Vector &scale) const override;
@@ -118,14 +124,23 @@ namespace Crevasse
 
     /** What the last evaluation has solved. */
     const State &
-    state() const;
+    state() const
+    {
+      return last;
+    }
 
     /** b of the last evaluation. */
     const Vector &
-    right_hand_side() const;
+    right_hand_side() const
+    {
+      return loading;
+    }
 
     std::size_t
-    n_rate_evaluations() const;
+    n_rate_evaluations() const
+    {
+      return rate_evaluations;
+    }
 
     /** Shows what the last evaluation has solved, where the next one starts. */
     void

@@ -39,10 +39,16 @@ namespace Crevasse
             Vector       *error) override;
 
     bool
-    has_error_estimate() const override;
+    has_error_estimate() const override
+    {
+      return true;
+    }
 
     bool
-    has_matrix_of_step() const override;
+    has_matrix_of_step() const override
+    {
+      return true;
+    }
 
     double
     stability_limit() const override;

@@ -37,7 +37,10 @@ namespace Crevasse
             Vector       *error) override;
 
     bool
-    has_matrix_of_step() const override;
+    has_matrix_of_step() const override
+    {
+      return true;
+    }
 
     double
     stability_limit() const override;

@@ -108,7 +108,7 @@ class Advice:
         self.errors = Errors(self.runs, self.scene, quantities)
         self.period = Period(self.scene, self.target)
         self.common = {"Contact/Solver": "automatic", "Linear solver/Type": "automatic"}
-        for name in ("Contact/Relaxation table", "Output/Contact problems"):
+        for name in ("Contact/Relaxation table",):
             if self.scene.get(name):
                 self.common[name] = ""
         self.own = self.own_error = None

@@ -13,7 +13,6 @@
 #include <crevasse/contact/projected_newton.h>
 #include <crevasse/contact/projected_sor.h>
 #include <crevasse/contact/unconstrained.h>
-#include <crevasse/discretisation/node_blocks.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/linear/amg_cg.h>
 #include <crevasse/linear/cholesky.h>
@@ -40,20 +39,6 @@ namespace
     return size > 0. ? q.linfty_norm() / size : q.linfty_norm();
   }
 
-  /** Pairs of unknowns, as if they were nodes. */
-  UnknownBlocks
-  pairs(const unsigned int n)
-  {
-    UnknownBlocks blocks;
-    for (unsigned int i = 0; i < n; i += 2)
-      {
-        blocks.emplace_back(1, i);
-        if (i + 1 < n)
-          blocks.back().push_back(i + 1);
-      }
-    return blocks;
-  }
-
   using Solvers = std::map<std::string, std::unique_ptr<ContactSolver>>;
 
   void
@@ -76,15 +61,8 @@ namespace
           std::make_unique<CondensedActiveSet>(problem, cholesky, 1e-12);
         solvers["active set"] =
           std::make_unique<ActiveSet>(problem, cholesky, 1e-12, 1e-3, 100);
-        solvers["projected SOR"] = std::make_unique<ProjectedSor>(
-          problem, make_sweep(problem, {}), 1.3, 1e-13, 100000);
-        solvers["projected SOR by blocks"] =
-          std::make_unique<ProjectedSor>(problem,
-                                         make_sweep(problem,
-                                                    pairs(random.b.size())),
-                                         1.3,
-                                         1e-13,
-                                         100000);
+        solvers["projected SOR"] =
+          std::make_unique<ProjectedSor>(problem, 1.3, 1e-13, 100000);
         for (auto &[name, solver] : solvers)
           {
             Vector              q(random.b.size());
@@ -260,15 +238,8 @@ namespace
       std::make_unique<ActiveSet>(problem, cholesky, tolerance, 1e-3, 100);
     solvers["active set, AMG"] =
       std::make_unique<ActiveSet>(problem, amg, tolerance, 1e-3, 100);
-    solvers["projected SOR"] = std::make_unique<ProjectedSor>(
-      problem, make_sweep(problem, {}), 1.9, tolerance, 100000);
-    solvers["projected SOR by nodes"] =
-      std::make_unique<ProjectedSor>(problem,
-                                     make_sweep(problem,
-                                                node_blocks(plate.space)),
-                                     1.9,
-                                     tolerance,
-                                     100000);
+    solvers["projected SOR"] =
+      std::make_unique<ProjectedSor>(problem, 1.9, tolerance, 100000);
 
     const Vector reference =
       solution_of(*solvers["condensed active set, Cholesky"]);

@@ -58,9 +58,8 @@ namespace
         if (best > 1e-9)
           ++unsolved;
 
-        ProjectedSor solver(
-          problem, make_sweep(problem, {}), 1.3, 1e-13, 100000);
-        Vector q(n);
+        ProjectedSor solver(problem, 1.3, 1e-13, 100000);
+        Vector       q(n);
         solver.solve(random.b, q, forces);
         largest_certificate =
           std::max(largest_certificate, solver.worst_certificate().worst());
@@ -80,9 +79,9 @@ namespace
   {
     const RandomProblem    random(7, n, n_bounds, 1.);
     const SignoriniProblem problem(random.matrix, random.bounds);
-    ProjectedSor solver(problem, make_sweep(problem, {}), 1.3, 1e-13, 100000);
-    Vector       q(n);
-    std::vector<double> forces;
+    ProjectedSor           solver(problem, 1.3, 1e-13, 100000);
+    Vector                 q(n);
+    std::vector<double>    forces;
     solver.solve(random.b, q, forces);
 
     const auto worst = [&](const Vector &candidate) {
@@ -102,7 +101,7 @@ namespace
     bool refused = false;
     try
       {
-        ProjectedSor hasty(problem, make_sweep(problem, {}), 1.3, 1e-13, 3);
+        ProjectedSor hasty(problem, 1.3, 1e-13, 3);
         q = 0.;
         hasty.solve(random.b, q, forces);
       }
@@ -120,9 +119,9 @@ namespace
   {
     const RandomProblem    random(3, n, n_bounds, 1.);
     const SignoriniProblem problem(random.matrix, random.bounds);
-    ProjectedSor solver(problem, make_sweep(problem, {}), 1.3, 1e-12, 10000);
-    Vector       q(n), zero(n);
-    std::vector<double> forces;
+    ProjectedSor           solver(problem, 1.3, 1e-12, 10000);
+    Vector                 q(n), zero(n);
+    std::vector<double>    forces;
     solver.solve(random.b, q, forces);
     const double size = q.linfty_norm();
     solver.solve(zero, q, forces);
@@ -153,13 +152,13 @@ namespace
     const UnilateralBounds none;
     const SignoriniProblem problem(matrix, none);
     Vector                 b(m);
-    b                   = 1.;
-    const auto   sweep  = make_sweep(problem, {});
+    b = 1.;
+    const Sweep  sweep(problem);
     const double theory = 2. / (1. + std::sin(dealii::numbers::PI / (m + 1)));
     const double found =
-      find_relaxation_factor(problem, *sweep, b, 1e-8, 100000);
+      find_relaxation_factor(problem, sweep, b, 1e-8, 100000);
     const auto count = [&](const double factor) {
-      return count_sor_iterations(problem, *sweep, b, factor, 1e-8, 100000)
+      return count_sor_iterations(problem, sweep, b, factor, 1e-8, 100000)
         .iterations;
     };
     check("the factor found needs at most 5 % more iterations than theory's",

@@ -7,7 +7,6 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/contact/active_set.h>
 #include <crevasse/contact/condensed_active_set.h>
-#include <crevasse/contact/projected_sor.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/linear/abandoned_factors.h>
 #include <crevasse/linear/amg_cg.h>
@@ -124,13 +123,6 @@ namespace
     check_solver("condensed active set, MUMPS", condensed);
     check_solver("active set, MUMPS", with_mumps);
     check_solver("active set, AMG", with_amg);
-    // One rank sweeps for all, in another order than by itself.
-    if (dim == 2 && degree == 1)
-      {
-        ProjectedSor sor(
-          problem, make_sweep(problem, {}), 1.8, tolerance, 100000);
-        check_solver("projected SOR", sor);
-      }
   }
 
   /** What works on one rank only says so, and what to do. */

@@ -10,7 +10,7 @@
 #include <crevasse/material/phi_functions.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/time/arkode.h>
-#include <crevasse/time/arkode_failure.h>
+#include <crevasse/time/arkode_driver.h>
 #include <crevasse/time/contact_events.h>
 #include <crevasse/time/exponential_heun.h>
 #include <crevasse/time/predictor_corrector.h>
