@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <ctime>
 #include <filesystem>
@@ -87,7 +88,7 @@ namespace Crevasse
           struct sigaction without_us = {};
           without_us.sa_handler       = SIG_DFL;
           sigaction(signal, &without_us, nullptr);
-          raise(signal); // as soon as this handler returns
+          std::raise(signal); // as soon as this handler returns
         }
       errno = error;
     }
