@@ -68,37 +68,26 @@ namespace Crevasse
                        const double         stiffness_factor)
   {
     const Running running(timer);
-    scales_of_solutions.judge_by_load(load / stiffness_factor);
-    if (stiffness_factor == 1.)
-      solve_and_certify(right_hand_side, solution);
-    else
+    if (!(stiffness_factor > 0.))
+      throw NumericalError("The stiffness factor k(t) is " +
+                           std::to_string(stiffness_factor) +
+                           "; it must be positive.");
+    scales_of_solutions.set_force_scale(load / stiffness_factor);
+    if (stiffness_factor != 1.)
       {
-        if (!(stiffness_factor > 0.))
-          throw NumericalError("The stiffness factor k(t) is " +
-                               std::to_string(stiffness_factor) +
-                               "; it must be positive.");
         scaled_right_hand_side = right_hand_side;
         scaled_right_hand_side /= stiffness_factor;
-        solve_and_certify(scaled_right_hand_side, solution);
       }
-    contact_forces = forces;
-    for (double &force : contact_forces)
-      force *= stiffness_factor;
-  }
+    const Vector &b =
+      stiffness_factor == 1. ? right_hand_side : scaled_right_hand_side;
 
-
-
-  void
-  ContactSolver::solve_and_certify(const Vector &right_hand_side,
-                                   Vector       &solution)
-  {
-    std::size_t n_new     = iterate(right_hand_side, solution);
-    Certificate certified = certify(right_hand_side, solution);
+    std::size_t n_new     = iterate(b, solution);
+    Certificate certified = certify(b, solution);
     if (!accepts(certified) && can_refine() && !refines)
       {
         refines = true; // from now on: the matrix will not get better
-        n_new += iterate(right_hand_side, solution);
-        certified = certify(right_hand_side, solution);
+        n_new += iterate(b, solution);
+        certified = certify(b, solution);
       }
     if (!accepts(certified))
       fail(certified, n_new);
@@ -108,6 +97,9 @@ namespace Crevasse
     maxima.merge(certified);
     largest_error =
       std::max({largest_error, force_accuracy(), displacement_accuracy()});
+    contact_forces = forces;
+    for (double &force : contact_forces)
+      force *= stiffness_factor;
   }
 
 
@@ -162,7 +154,7 @@ namespace Crevasse
 
 
   void
-  ContactSolver::judge_by_load(const double largest_nodal_force)
+  ContactSolver::set_force_scale(const double largest_nodal_force)
   {
     load = largest_nodal_force;
   }

@@ -196,7 +196,7 @@ namespace Crevasse
     {
       // Degree, range of eigenvalues and the iterations that estimate them.
       // With degree 4 there are a quarter fewer iterations, but each costs two
-      // thirds more (doc/multigrid.md).
+      // thirds more (doc/scaling.md).
       typename Smoother::AdditionalData settings(2, 10., 12);
       for (unsigned int level = 1; level < solver.shared_levels->n_levels();
            ++level)

@@ -39,7 +39,7 @@ namespace Crevasse
     signorini_problem =
       std::make_unique<SignoriniProblem>(*linear_operator, bounds);
     contact = make_contact_solver();
-    contact->judge_by_load(settings.largest_load);
+    contact->set_force_scale(settings.largest_load);
   }
 
 

@@ -128,6 +128,16 @@ namespace Crevasse
 
 
 
+  template <int dim>
+  SolverChoice
+  choose_solvers(const Scene &scene, const Body<dim> &body)
+  {
+    const LinearSolverChoice linear = choose_linear_solver(scene, body);
+    return {linear, choose_contact_solver(scene, body, linear)};
+  }
+
+
+
 #define INSTANTIATE(dim)                                                     \
   template double n_unknowns_of_first_mesh<dim>(const Body<dim> &);          \
   template double n_matrix_entries<dim>(const double, const unsigned int);   \
@@ -141,6 +151,10 @@ namespace Crevasse
   template ContactSolverChoice choose_contact_solver<dim>(                   \
     const Scene &, const Body<dim> &, const LinearSolverChoice &)
 
+  template SolverChoice
+  choose_solvers<2>(const Scene &, const Body<2> &);
+  template SolverChoice
+  choose_solvers<3>(const Scene &, const Body<3> &);
   INSTANTIATE(2);
   INSTANTIATE(3);
 

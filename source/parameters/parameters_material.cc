@@ -24,8 +24,7 @@ namespace Crevasse
                       Patterns::Selection("plane stress|plane strain"));
     // The same of all coefficients.
     const std::string formula =
-      " or a formula of x, y, z, t, theta (the change of temperature) and "
-      "material (the material id of the cell in a mesh file) with such values";
+      " or a formula of x, y, z, t, theta, material with such values";
 
     prm.add_parameter("Young modulus",
                       young_modulus,
@@ -38,12 +37,10 @@ namespace Crevasse
                       "number of at least -0.999, less than 0.5" +
                         formula);
     const std::string matrix =
-      "a symmetric matrix, its rows separated by semicolons and the entries "
-      "of a row by commas, each a number or formula as above. Its rows and "
-      "columns are those of the components 11, 22, 12 (plane stress), 11, 22, "
-      "33, 12 (plane strain, or plane stress that follows from them), or 11, "
-      "22, 33, 12, 13, 23 (three dimensions); shear strains are engineering "
-      "strains";
+      "a symmetric matrix of numbers or formulas, its rows separated by "
+      "semicolons and the entries of a row by commas. Components: 11, 22, 12 "
+      "(plane stress), 11, 22, 33, 12 (plane stress or strain), 11, 22, 33, "
+      "12, 13, 23 (three dimensions), with engineering shear strains";
     prm.add_parameter("Stiffness matrix",
                       stiffness_matrix,
                       "Stiffness, in units of stress, instead of Young modulus "

@@ -162,11 +162,11 @@ namespace Crevasse
 
   template <int dim>
   ElasticComparison::Reference
-  elastic_reference(const Scene      &scene,
-                    const Body<dim>  &body,
-                    Solvers<dim>     &solvers,
-                    const StepList   &steps,
-                    const Integrator *integrator)
+  elastic_reference(const Scene             &scene,
+                    const Body<dim>         &body,
+                    ContactSystemCache<dim> &systems,
+                    const StepList          &steps,
+                    const Integrator        *integrator)
   {
     const LoadFactors factors =
       load_factors(body, steps, integrator, scene.output.elastic_comparison);
@@ -180,7 +180,7 @@ namespace Crevasse
       reference.drift_factor =
         factors.integral / *body.law.uniform_relaxation_time();
     reference.displacement = elastic_displacement(
-      scene, body, solvers, loads, scene.output.elastic_comparison == "closed");
+      scene, body, systems, loads, scene.output.elastic_comparison == "closed");
     body.points.initialize(reference.stress);
     const MaterialState<dim> material = body.material.at(0.);
     body.strain_operator.for_each_strain(
@@ -209,13 +209,13 @@ namespace Crevasse
   template ElasticComparison::Reference
   elastic_reference<2>(const Scene &,
                        const Body<2> &,
-                       Solvers<2> &,
+                       ContactSystemCache<2> &,
                        const StepList &,
                        const Integrator *);
   template ElasticComparison::Reference
   elastic_reference<3>(const Scene &,
                        const Body<3> &,
-                       Solvers<3> &,
+                       ContactSystemCache<3> &,
                        const StepList &,
                        const Integrator *);
 } // namespace Crevasse

@@ -66,7 +66,7 @@ namespace Crevasse
 
 
   void
-  ProblemExport::report_missing() const
+  ProblemExport::summarise(Summary &)
   {
     for (const auto &[period, step] : missing)
       log.line("  [Output] Contact problems: the run did not come to period " +

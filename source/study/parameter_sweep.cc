@@ -113,7 +113,7 @@ namespace Crevasse
     for (const SweepVariant &point : scenes.points)
       all.push_back(&point.scene);
     quantities = choose_quantities(command.sweep_request, all);
-    directory  = directory_of_study(command, scenes.reference.scene, "_sweep");
+    directory  = directory_of_sweep(command, scenes.reference.scene);
     table      = std::make_unique<SweepTable>(
       plan,
       quantities,
@@ -170,7 +170,7 @@ namespace Crevasse
   void
   ParameterSweep::run()
   {
-    const auto lock = take_study_directory(directory, communicator);
+    const auto lock = take_sweep_directory(directory, communicator);
     log.open_file(directory + "/sweep.log");
     log.line("Crevasse " CREVASSE_VERSION ": sweep of " +
              std::filesystem::path(command.scene_file).filename().string() +

@@ -1,10 +1,17 @@
 """Runs the program and reads what it wrote. A test is a Python program called
 with the paths of the program and of the source tree; it asserts, and prints
-the figures on which it judges."""
+the figures on which it judges.
 
+Runs are requests to a server that has loaded the program and forks
+(tests/runner); start() starts the program itself, for tests of signals, ranks,
+pipes and of the environment."""
+
+import atexit
 import csv
+import functools
 import json
 import math
+import os
 import pathlib
 import shutil
 import subprocess
@@ -14,6 +21,19 @@ from mpi_environment import ENVIRONMENT
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
+
+# The tier: the preset "full" sets this.
+FULL = os.environ.get("CREVASSE_TESTS") == "full"
+
+
+def full(test):
+    """Marks a test that the preset "full" runs and the default tier does not."""
+    return test if FULL else lambda: print(f"{test.__name__}: in preset full")
+
+
+def tier(default, all_of_them):
+    """What a test goes through in the default tier, and in the preset "full"."""
+    return all_of_them if FULL else default
 
 
 class Failure(AssertionError):
@@ -38,8 +58,31 @@ class Results:
                 for i, column in enumerate(rows[0])}
 
 
-def execute(*arguments, **options):
-    """Runs the program; returns exit status, standard output and error."""
+@functools.cache
+def server():
+    """The scene server of this test, which ends with it."""
+    process = subprocess.Popen([PROGRAM.parent / "tests/runner/scene_server"],
+                               text=True, stdin=subprocess.PIPE,
+                               stdout=subprocess.PIPE, env=ENVIRONMENT)
+    process.seconds = []
+    atexit.register(lambda: print(f"{len(process.seconds)} runs, "
+                                  f"{sum(process.seconds):.1f} s of CPU time"))
+    return process
+
+
+def execute(*arguments, cwd="."):
+    """Runs the program; returns exit status (or minus the signal that ended it),
+    standard output and error."""
+    request = {"arguments": list(map(str, arguments)),
+               "directory": os.path.abspath(cwd)}
+    print(json.dumps(request), file=server().stdin, flush=True)
+    answer = json.loads(server().stdout.readline())
+    server().seconds.append(answer["cpu"])
+    return answer["status"], answer["output"], answer["error"]
+
+
+def start(*arguments, **options):
+    """As execute(), by a start of the program."""
     process = subprocess.run([str(PROGRAM), *map(str, arguments)], text=True,
                              capture_output=True, stdin=subprocess.DEVNULL,
                              timeout=300, **options)

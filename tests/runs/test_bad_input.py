@@ -5,7 +5,6 @@ import json
 import pathlib
 import re
 import shutil
-from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
 from crevasse_run import SOURCE, check, execute, overrides
@@ -578,13 +577,12 @@ def test_cases():
         text = (MESHES / f"edge_crack_{version}.msh").read_text()
         path = pathlib.Path(f"broken_off_{version}.msh")
         path.write_text(text[:text.rindex(" ") - 10])
-    # Most of the time goes into waiting for MPI to start.
-    with ThreadPoolExecutor(max_workers=4) as pool:
-        for case, result in zip(CASES, pool.map(execute_case, CASES)):
-            check_messages(case.name, *result, case.status, case.messages)
-            directory = pathlib.Path("results") / case.name
-            check(directory.exists() == case.creates_directory,
-                  f"{case.name}: is there an output directory?")
+    for case in CASES:
+        check_messages(case.name, *execute_case(case), case.status,
+                       case.messages)
+        directory = pathlib.Path("results") / case.name
+        check(directory.exists() == case.creates_directory,
+              f"{case.name}: is there an output directory?")
 
 
 def test_missing_scene():
@@ -785,14 +783,13 @@ def test_unused_parameters():
     """What is set but has no effect is told, and nothing else."""
     scene = pathlib.Path("unused.prm")
     scene.write_text(SCENE)
-    with ThreadPoolExecutor(max_workers=4) as pool:
-        found = pool.map(lambda case: warnings_of(scene, case[0]), UNUSED)
-        for (settings, expected), warnings in zip(UNUSED, found):
-            print(f"--- {settings}", *warnings, sep="\n")
-            check(len(warnings) == len(expected), f"{settings}: {warnings}")
-            for pattern in expected:
-                check(any(re.match(pattern, warning) for warning in warnings),
-                      f"{settings}: no warning like {pattern}")
+    for settings, expected in UNUSED:
+        warnings = warnings_of(scene, settings)
+        print(f"--- {settings}", *warnings, sep="\n")
+        check(len(warnings) == len(expected), f"{settings}: {warnings}")
+        for pattern in expected:
+            check(any(re.match(pattern, warning) for warning in warnings),
+                  f"{settings}: no warning like {pattern}")
 
     scene.write_text(MESH_SCENE)
     names = ("Width", "Height", "Crack length", "Subdivisions")

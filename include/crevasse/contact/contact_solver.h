@@ -52,7 +52,7 @@ namespace Crevasse
 
     /** Makes known by which force errors are to be judged: see Scales. */
     void
-    judge_by_load(const double largest_nodal_force);
+    set_force_scale(const double largest_nodal_force);
 
     /** Which of the locally owned bounds bear more than rounding in the last
      * solution; empty before there is one. */
@@ -186,16 +186,13 @@ namespace Crevasse
     Certificate
     certify(const Vector &right_hand_side, const Vector &solution);
 
-    void
-    solve_and_certify(const Vector &right_hand_side, Vector &solution);
-
     bool
     accepts(const Certificate &certificate) const;
 
     [[noreturn]] void
     fail(const Certificate &certified, const std::size_t n_iterations) const;
 
-    double              load = 0.; ///< see judge_by_load()
+    double              load = 0.; ///< see set_force_scale()
     Scales              scales_of_solutions;
     Vector              scaled_right_hand_side; ///< empty until one is scaled
     Vector              defect;     ///< empty until a solution is refined

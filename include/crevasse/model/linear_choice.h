@@ -29,6 +29,18 @@ namespace Crevasse
                         const Body<dim>          &body,
                         const LinearSolverChoice &linear_solver);
 
+  /** What solves the linear systems and the contact problems of a run. */
+  struct SolverChoice
+  {
+    LinearSolverChoice  linear;
+    ContactSolverChoice contact;
+  };
+
+  /** Both for a scene on a body. Collective. @throw SceneError see above */
+  template <int dim>
+  SolverChoice
+  choose_solvers(const Scene &scene, const Body<dim> &body);
+
   /** That of the mesh without its refinements, roughly: the coarsest one of
    * geometric multigrid, unless that is refined itself. */
   template <int dim>

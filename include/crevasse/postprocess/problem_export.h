@@ -49,7 +49,7 @@ namespace Crevasse
 
     /** Says in the log which steps the run has not come to. */
     void
-    report_missing() const;
+    summarise(Summary &) override;
 
   private:
     const CurrentProblem problem;

@@ -57,7 +57,8 @@ namespace Crevasse
     serialize(StateArchive &archive) override;
 
   private:
-    bool   goes_on = false; ///< the last evaluation was at the last step's end
+    bool is_continuing =
+      false; ///< the last evaluation was at the last step's end
     Vector stage_rate;
   };
 } // namespace Crevasse

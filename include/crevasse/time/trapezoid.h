@@ -52,8 +52,9 @@ namespace Crevasse
     serialize(StateArchive &archive) override;
 
   private:
-    bool   goes_on = false; ///< the last evaluation was at the last step's end
-    Vector last_rate;       ///< there
+    bool is_continuing =
+      false;          ///< the last evaluation was at the last step's end
+    Vector last_rate; ///< there
   };
 } // namespace Crevasse
 
