@@ -378,7 +378,7 @@ CASES = [
          ["Gmsh says: Unknown entity 1 of dimension 9"],
          [contradiction("entity_of_9_dimensions")], scene=MESH_SCENE),
     Case("boundary_without_cell", 2,
-         ["element 4: the nodes 1, 6 are no face of a cell"],
+         ["element 3: the nodes 1, 6 are no face of a cell"],
          [contradiction("boundary_without_cell")], scene=MESH_SCENE),
     Case("two_boundary_ids", 2,
          ["curve 2 belongs to the physical groups 2 and 3; each belongs to one"],
