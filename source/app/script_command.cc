@@ -45,7 +45,10 @@ namespace Crevasse
        "Find the cheapest settings of a scene that reach an error; write them "
        "as a scene"},
       {"report", "Make one page of the results of a run or a sweep"},
-      {"figures", "Draw the figures of a run or a sweep"}};
+      {"figures", "Draw the figures of a run or a sweep"},
+      {"temperature",
+       "Convert a temperature that another program computed for [Loads] "
+       "Temperature"}};
     return commands;
   }
 

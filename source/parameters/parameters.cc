@@ -90,7 +90,8 @@ namespace Crevasse
       " for a built-in shape, except ids that another role names, and none "
       "for a mesh file";
     const std::string allowed =
-      ". Allowed: automatic, none, or boundary ids separated by commas";
+      ". Allowed: automatic, none, or boundary ids separated by commas; of a "
+      "Gmsh file also names of physical groups";
 
     prm.add_parameter("Clamped",
                       clamped,
@@ -156,9 +157,8 @@ namespace Crevasse
                       "with the columns t, x, y, theta (t, x, y, z, theta in "
                       "three dimensions): a rectangular grid of points, the "
                       "same at each instant, between which is interpolated; "
-                      "or fields on meshes of their own with a scalar theta, "
-                      "temperature or T at their points: a .vtu or .pvtu "
-                      "file, or a .pvd file for several instants");
+                      "or an .h5 file, made of the fields of another program "
+                      "by \"crevasse temperature\"");
     prm.add_parameter("Body force",
                       body_force,
                       "Force per volume, in units of stress / length; nothing: "

@@ -25,7 +25,15 @@ namespace Crevasse
     check_formulas("Traction", traction);
     check_formulas("Body force", body_force);
 
-    if (Temperature<2>::is_file(temperature))
+    const std::string suffix = Text::suffix(temperature);
+    if (suffix == ".pvd" || suffix == ".vtu" || suffix == ".pvtu")
+      problems.add(section,
+                   "Temperature",
+                   temperature,
+                   "fields of other programs are converted before they are "
+                   "read: \"crevasse temperature " +
+                     temperature + " --output temperature.h5\"");
+    else if (Temperature<2>::is_file(temperature))
       checker.demand_file("Temperature", temperature);
     else
       checker.demand_readable("Temperature", temperature, [&]() {
@@ -36,8 +44,7 @@ namespace Crevasse
         catch (const SceneError &error)
           {
             throw SceneError(std::string(error.what()) +
-                             " (names of files end in .csv, .vtu, .pvtu or "
-                             ".pvd)");
+                             " (names of files end in .csv or .h5)");
           }
       });
   }

@@ -7,7 +7,7 @@ import importlib
 import os
 import sys
 
-NAMES = ("advise", "figures", "report")
+NAMES = ("advise", "figures", "report", "temperature")
 FILE_FAILURE = 4
 
 
@@ -21,8 +21,8 @@ def main(words):
         command = importlib.import_module(f"crevasse.{words[0]}")
     except ImportError as missing:
         print(f"crevasse {words[0]}: {missing}. It needs Debian's packages "
-              "python3-jinja2, python3-matplotlib and python3-meshio, and Debian's "
-              "own /usr/bin/python3.", file=sys.stderr)
+              "python3-h5py, python3-jinja2, python3-matplotlib and "
+              "python3-meshio, and Debian's own /usr/bin/python3.", file=sys.stderr)
         return FILE_FAILURE
     try:
         return command.main(words[1:])
