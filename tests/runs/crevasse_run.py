@@ -93,7 +93,7 @@ def execute(*arguments, cwd=".", seconds=300):
                "directory": os.path.abspath(cwd), "seconds": seconds}
     print(json.dumps(request), file=server().stdin, flush=True)
     line = server().stdout.readline()
-    check(line, "the scene server has ended")
+    check(line, f"the scene server ended: {line or server().wait()}")
     answer = json.loads(line)
     server().n_runs += 1
     return answer["status"], answer["output"], answer["error"]
