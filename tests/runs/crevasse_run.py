@@ -17,11 +17,14 @@ import resource
 import shutil
 import subprocess
 import sys
+import tempfile
 
 from mpi_environment import ENVIRONMENT
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
+
+SESSIONS = tempfile.TemporaryDirectory(prefix="crevasse_")
 
 # The tier: the preset "full" sets this.
 FULL = os.environ.get("CREVASSE_TESTS") == "full"
@@ -61,10 +64,12 @@ class Results:
 
 @functools.cache
 def server():
-    """The scene server of this test, which ends with it."""
-    process = subprocess.Popen([PROGRAM.parent / "tests/runner/scene_server"],
-                               text=True, stdin=subprocess.PIPE,
-                               stdout=subprocess.PIPE, env=ENVIRONMENT)
+    """The scene server of this test, which ends with it. Open MPI removes a
+    directory that other tests may just be using, unless each has its own."""
+    process = subprocess.Popen(
+        [PROGRAM.parent / "tests/runner/scene_server"], text=True,
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        env=dict(ENVIRONMENT, OMPI_MCA_orte_tmpdir_base=SESSIONS.name))
     process.n_runs = 0
     atexit.register(lambda: process.communicate())
     return process
