@@ -7,7 +7,7 @@ import re
 import shutil
 import subprocess
 
-from crevasse_run import PROGRAM, SOURCE, check, execute, run
+from crevasse_run import PROGRAM, SOURCE, check, execute, run, start
 
 SCENE = """\
 set Title = A = b, c
@@ -81,8 +81,9 @@ def test_questions():
                  "--output DIR", "crevasse prm/raous1980.prm",
                  "4  cannot read or write a file"):
         check(text in output, f"--help does not speak of {text}")
-    check(re.fullmatch(r"crevasse \d+\.\d+\.\d+\n", succeed("--version")),
-          "--version")
+    status, output, error = start("--version")
+    check(status == 0 and error == ""
+          and re.fullmatch(r"crevasse \d+\.\d+\.\d+\n", output), "--version")
 
 
 def test_mistakes():
