@@ -375,8 +375,7 @@ namespace Crevasse
     if (names.empty())
       return;
 
-    std::string message =
-      "The supports leave the body free to move as a rigid one:";
+    std::string message = "The supports leave rigid-body motions free:";
     for (const std::string &name : names)
       message += "\n  " + name;
     message +=

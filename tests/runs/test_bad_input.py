@@ -687,7 +687,7 @@ def test_not_yet_periodic():
                      "Periodic state/Tolerance=1e-8", "--set",
                      "Periodic state/Maximum periods=3")
     check_messages("periods to go", *result, 3,
-                   [r'"Maximum periods" \(about \d+ more if they go on to shrink'])
+                   [r'"Maximum periods" \(about \d+ more at the current rate'])
 
 
 UNUSED = [  # settings, and the warnings that they give

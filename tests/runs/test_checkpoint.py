@@ -280,7 +280,7 @@ def test_nobody_listens():
     process.wait(timeout=60)
     log = (directory / "log.txt").read_text()
     check(process.returncode == 5 and "standard output" in log
-          and "--resume goes on" in log, f"{process.returncode}\n{log}")
+          and "--resume continues" in log, f"{process.returncode}\n{log}")
 
 
 for test in (test_two_runs, test_nobody_listens, test_out_of_periods, test_begun_anew,

@@ -286,7 +286,7 @@ def test_print_parameters():
         check(f"subsection {section}\n" in prm, f"prm lacks {section}")
         check(f"\n## {section}\n" in markdown, f"markdown lacks {section}")
     check("| Crack length | `0.5` |" in markdown, "markdown lacks a parameter")
-    check("3 above, and 4 on the crack lip" in markdown
+    check("3 top, 4 crack lip" in markdown
           and '"automatic" is 3 for a built-in shape' in markdown,
           "markdown does not tell boundary ids")
     for line in markdown.splitlines():

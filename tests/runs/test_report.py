@@ -297,7 +297,7 @@ def unfinished_runs():
     (directory / "checkpoint" / "3" / "manifest.json").write_text(
         '123\n{"period": 2, "step": 7}')
     with open(log, "a") as file:
-        file.write("crevasse: stopped on request (SIGTERM); --resume goes on.\n")
+        file.write("crevasse: stopped on request (SIGTERM); --resume continues.\n")
     check_says(report(directory)[0], "Stopped before the end",
                "Checkpoint 3, before step 8 of period 2")
 

@@ -10,13 +10,11 @@ import pathlib
 import sys
 
 TARGET_LINES, TARGET_CODE = 50000, 36000
-LIMIT_LINES, LIMIT_CODE = 64600, 47800
+LIMIT_LINES, LIMIT_CODE = 57800, 42800
 LARGEST_SHARE = 1 / 7
 LONGEST_FILE = 400
 # Longer files and their lengths: they may only shrink.
 LONGER = {
-    "source/app/command_line.cc": 420,
-    "source/contact/contact_solver.cc": 438,
     "source/discretisation/stress_estimator.cc": 405,
     "source/parameters/parameters.cc": 471,
     "source/postprocess/crack_tip_analysis.cc": 412,

@@ -5,7 +5,6 @@
 #define crevasse_tests_tests_h
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +80,6 @@ run_tests(int                                                    argc,
         continue;
       current_test = name;
       heading      = name + ": ";
-      dealii::Timer timer;
       try
         {
           test();
@@ -91,7 +89,6 @@ run_tests(int                                                    argc,
           check("no exception", false);
           std::cerr << error.what() << std::endl;
         }
-      std::cerr << name << ": " << timer.wall_time() << " s" << std::endl;
     }
   std::cout.rdbuf(standard_output);
   return n_failures == 0 ? 0 : 1;
