@@ -129,12 +129,11 @@ namespace Crevasse
 
     template <int dim>
     Parts
-    estimate(const Body<dim>      &body,
-             const StepList       &steps,
-             const Scene          &scene,
-             const PeriodicChoice &choice)
+    estimate(const RunSetup<dim> &setup)
     {
-      const LinearSolverChoice solver = choose_linear_solver(scene, body);
+      const Body<dim>          &body   = setup.body;
+      const Scene              &scene  = setup.scene;
+      const LinearSolverChoice &solver = setup.solvers.linear;
       // Of the smallest scene, measured.
       const bool is_alone =
         Utilities::MPI::n_mpi_processes(body.space.communicator()) == 1;
@@ -145,12 +144,12 @@ namespace Crevasse
                  body.space.dof_handler().memory_consumption()),
           "make it coarser"},
          {"fields",
-          bytes_of_fields(body, steps, scene, choice),
+          bytes_of_fields(body, setup.steps, scene, setup.periodic_choice),
           "make the mesh coarser, or lower [Time integration] Steps per "
           "period, [Periodic state] Anderson depth or the number of "
           "[Output] Field times"},
          {"solver",
-          bytes_of_solvers(body, steps, scene, solver),
+          bytes_of_solvers(body, setup.steps, scene, solver),
           advice_on_solver(solver,
                            body.material.stiffness_varies(),
                            may_use_gmg(scene, body),
@@ -197,14 +196,10 @@ namespace Crevasse
 
   template <int dim>
   void
-  report_memory(const Body<dim>      &body,
-                const StepList       &steps,
-                const Scene          &scene,
-                const PeriodicChoice &choice,
-                Log                  &log)
+  report_memory(const RunSetup<dim> &setup, Log &log)
   {
-    const MPI_Comm communicator = body.space.communicator();
-    const Parts    parts        = estimate(body, steps, scene, choice);
+    const MPI_Comm communicator = setup.body.space.communicator();
+    const Parts    parts        = estimate(setup);
     const auto     megabytes    = [communicator](const double bytes) {
       return std::lround(1e-6 * Utilities::MPI::max(bytes, communicator));
     };
@@ -221,21 +216,13 @@ namespace Crevasse
           separator = ", ";
         }
     log.line(text);
-    require_enough(parts, body.space.n_unknowns(), communicator);
+    require_enough(parts, setup.body.space.n_unknowns(), communicator);
   }
 
 
 
   template void
-  report_memory<2>(const Body<2> &,
-                   const StepList &,
-                   const Scene &,
-                   const PeriodicChoice &,
-                   Log &);
+  report_memory<2>(const RunSetup<2> &, Log &);
   template void
-  report_memory<3>(const Body<3> &,
-                   const StepList &,
-                   const Scene &,
-                   const PeriodicChoice &,
-                   Log &);
+  report_memory<3>(const RunSetup<3> &, Log &);
 } // namespace Crevasse

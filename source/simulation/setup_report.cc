@@ -58,11 +58,10 @@ namespace Crevasse
       if (!choice.uses_fourier() && time.scheme == "trapezoid")
         {
           std::ostringstream text;
-          text
-            << "[Time integration] Scheme = trapezoid with steps of "
-            << in_relaxation_times
-            << " relaxation times: what relaxes so fast oscillates instead "
-               "of decaying; with Scheme = sdirk2 it decays";
+          text << "[Time integration] Scheme = trapezoid with steps of "
+               << in_relaxation_times
+               << " relaxation times: what relaxes so fast oscillates instead "
+                  "of decaying; with Scheme = sdirk2 it decays";
           all.push_back(text.str());
         }
       if (time.scheme == "exponential" && time.step_control != "adaptive")
@@ -140,8 +139,7 @@ namespace Crevasse
   {
     if (!setup.scene.title.empty())
       log.line(setup.scene.title);
-    describe_sizes(
-      setup.body, setup.steps, setup.scene, setup.periodic_choice, log);
+    describe_sizes(setup, log);
     log.line("  boundaries: " + describe_boundaries<dim>(setup.scene));
     for (const Effects::Effect &effect :
          setup.active_effects(setup.secular_split))

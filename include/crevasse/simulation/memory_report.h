@@ -5,10 +5,7 @@
 #define crevasse_simulation_memory_report_h
 
 #include <crevasse/base/log.h>
-#include <crevasse/model/body.h>
-#include <crevasse/parameters/scene.h>
-#include <crevasse/periodic/periodic_choice.h>
-#include <crevasse/time/step_list.h>
+#include <crevasse/simulation/run_setup.h>
 
 namespace Crevasse
 {
@@ -18,11 +15,7 @@ namespace Crevasse
    * with what would fit. */
   template <int dim>
   void
-  report_memory(const Body<dim>      &body,
-                const StepList       &steps,
-                const Scene          &scene,
-                const PeriodicChoice &choice,
-                Log                  &log);
+  report_memory(const RunSetup<dim> &setup, Log &log);
 } // namespace Crevasse
 
 #endif
