@@ -4,6 +4,7 @@
 #include <crevasse/app/command_line.h>
 #include <crevasse/app/failure.h>
 #include <crevasse/app/output_choice.h>
+#include <crevasse/app/script_command.h>
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/log.h>
 #include <crevasse/base/problems.h>
@@ -12,8 +13,8 @@
 #include <crevasse/checkpoint/scene_difference.h>
 #include <crevasse/parameters/scene_file.h>
 #include <crevasse/simulation/adaptive_run.h>
-#include <crevasse/study/advice.h>
 #include <crevasse/study/parameter_sweep.h>
+#include <crevasse/study/sweep_scenes.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -169,11 +170,25 @@ namespace
 
 
 
+  /** Those of the scene, if there is one, or else the defaults. */
   void
-  show_parameters(const std::string &format)
+  show_parameters(const Command &command)
   {
     std::ostringstream text;
-    print_parameters(text, format);
+    if (command.scene_file.empty())
+      print_parameters(text, command.print_format);
+    else if (command.print_format == "markdown")
+      throw SceneError(
+        "--print-parameters markdown describes the parameters; "
+        "those of a scene are printed as prm or json.");
+    else
+      {
+        const SweepVariant scene =
+          read_variant(command.scene_file, command.overrides);
+        text << (command.print_format == "prm"
+                   ? scene.used
+                   : scene.parameters.dump(2) + '\n');
+      }
     std::cout << text.str() << std::flush;
     if (!std::cout)
       throw FileError("Cannot write to the standard output.");
@@ -195,12 +210,10 @@ namespace
         StopRequests requests(MPI_COMM_WORLD, command.wall_time);
         if (command.sweep)
           ParameterSweep(command, for_failures, requests, log).run();
-        else if (command.advise)
-          Advice(command, for_failures, requests, log).run();
         else if (command.print_format.empty())
           read_and_run_scene(command, requests, log);
         else if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-          show_parameters(command.print_format);
+          show_parameters(command);
       }
     catch (const StoppedOnRequest &request)
       {
@@ -223,9 +236,9 @@ namespace
 
 
   /** nohup has SIGHUP ignored, and shells SIGINT for what runs in the
-   * background. */
+   * background; MPI may take signals for itself. */
   void
-  note_ignored_signals(int, char **, char **)
+  note_ignored_signals()
   {
     for (std::size_t i = 0; i < std::size(signals_to_stop); ++i)
       {
@@ -234,15 +247,6 @@ namespace
         ignored[i] = action.sa_handler == SIG_IGN;
       }
   }
-
-
-
-  // Before libraries are initialised: UCX, which Open MPI loads, takes SIGHUP
-  // for itself, on Debian 13 as soon as it is there.
-  [[gnu::section(".preinit_array"),
-    gnu::used]] void (*const before_libraries)(int,
-                                               char **,
-                                               char **) = note_ignored_signals;
 } // namespace
 
 
@@ -250,6 +254,9 @@ namespace
 int
 main(int argc, char **argv)
 {
+  if (is_script_command(argc, argv))
+    return run_script_command(argc, argv);
+  note_ignored_signals();
   // A checkpoint may be asked for before the run can write one, which is no
   // reason to end.
   std::signal(SIGUSR1, SIG_IGN);

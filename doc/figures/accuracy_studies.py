@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Copyright (C) 2026 by the Crevasse authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
 
 """What accuracy costs in seconds of the processor: meshes, contact solvers, time
 schemes and linear solvers, by one sweep each over scenes of prm/studies. Draws the
@@ -8,17 +8,14 @@ figures of doc/accuracy.md. What a sweep has computed is not computed again."""
 
 import csv
 import os
-import pathlib
 import subprocess
 import sys
 
-sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
+from study import ROOT, study_options  # first: finds the package
 
-from plotting import (BLUE, GREEN, GREY, INK, PURPLE, VERMILION, pyplot, save,
-                      study_options)
-from work_precision import name_costs
+from crevasse.plotting import BLUE, GREEN, GREY, INK, PURPLE, VERMILION, pyplot, save
+from crevasse.work_precision import name_costs
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 ORANGE, SKY, BROWN = "#E69F00", "#56B4E9", "#8C510A"
 SECONDS = "seconds of the processor"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Copyright (C) 2026 by the Crevasse authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
 
 """How a crack grows: sweeps the scene prm/crack_growth.prm over the crack length,
 interpolates the growth a period between lengths, integrates dN = da / (da/dN), and
@@ -9,17 +9,15 @@ again."""
 
 import csv
 import json
-import pathlib
 import subprocess
 import sys
 
-sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
-
 import numpy
 
-from plotting import BLUE, INK, VERMILION, pyplot, save, study_options
+from study import ROOT, study_options  # first: finds the package
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from crevasse.plotting import BLUE, INK, VERMILION, pyplot, save
+
 SCENE = ROOT / "prm" / "crack_growth.prm"
 LENGTHS = [5 + 2.5 * k for k in range(13)]  # mm
 FACTOR, EXPONENT = 5.21e-13, 3  # the scene's fatigue

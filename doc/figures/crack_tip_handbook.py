@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Copyright (C) 2026 by the Crevasse authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
 
 """K_I against handbooks, on the scene prm/studies/crack_tip_handbook.prm: edge and
 centre cracks in a long strip, and the geometry SSLP101 of Code_Aster's validation
@@ -14,11 +14,8 @@ import pathlib
 import subprocess
 import sys
 
-sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
+from study import ROOT, existing_program  # first: finds the package
 
-from results import existing_program
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENE = ROOT / "prm" / "studies" / "crack_tip_handbook.prm"
 LENGTHS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6)
 MESHES = (4000, 8000)  # target unknowns

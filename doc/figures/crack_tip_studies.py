@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Copyright (C) 2026 by the Crevasse authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
 
 """What the accuracy of K_I costs, on the scene prm/studies/crack_tip_elastic.prm:
 errors of K_I and of the energy against unknowns and seconds for uniform, graded and
@@ -11,19 +11,16 @@ computed again."""
 import csv
 import json
 import os
-import pathlib
 import shutil
 import subprocess
 import sys
 
-sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
-
 import numpy
 
-from plotting import (BLUE, GREEN, GREY, INK, PURPLE, VERMILION, print_table,
-                      pyplot, save, study_options)
+from study import ROOT, print_table, study_options  # first: finds the package
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from crevasse.plotting import BLUE, GREEN, GREY, INK, PURPLE, VERMILION, pyplot, save
+
 SCENE = ROOT / "prm" / "studies" / "crack_tip_elastic.prm"
 K_I, ENERGY = 35.41196, 9.71931251e-3  # converged
 REPEATS = 2  # the shortest time counts

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-# Copyright (C) 2026 by the Crevasse authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
 
 """The study of prm/studies/incompressibility.prm: what linear elements with the
 full and with the mean volumetric strain and quadratic elements cost and give as
-the Poisson ratio approaches 1/2. Prints the table of doc/incompressibility.md.
+the Poisson ratio approaches 1/2. Prints the table of doc/material.md.
 """
 
 import argparse
@@ -12,13 +12,9 @@ import csv
 import json
 import pathlib
 import subprocess
-import sys
 
-sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
+from study import ROOT, existing_program  # first: finds the package
 
-from results import existing_program
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 COARSE_CELLS = 16  # along each side
 POISSON_RATIOS = (0.3, 0.49, 0.4999)
 ELEMENTS = ((1, "full"), (1, "mean"), (2, "full"))

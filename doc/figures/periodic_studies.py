@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Copyright (C) 2026 by the Crevasse authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
 
 """The studies of the methods that find the periodic state, on the scenes
 prm/studies/periodic_*.prm: periods and seconds to a true error of the stress of
@@ -11,19 +11,16 @@ that are finished are not computed again."""
 import csv
 import json
 import os
-import pathlib
 import shutil
 import subprocess
 import sys
 
-sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
-
 import numpy
 
-from plotting import (BLUE, GREY, INK, VERMILION, print_table, pyplot, save,
-                      study_options)
+from study import ROOT, print_table, study_options  # first: finds the package
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from crevasse.plotting import BLUE, GREY, INK, VERMILION, pyplot, save
+
 STUDIES = ROOT / "prm" / "studies"
 PERIOD, STEPS = 600, 40
 TOLERANCE = 1e-6

@@ -10,16 +10,15 @@ output directory are not repeated."""
 
 import csv
 import json
-import pathlib
 import shutil
 import statistics
 import subprocess
 import sys
 
-from plotting import (BLUE, GREEN, GREY, VERMILION, print_table, pyplot,
-                      save, study_options)
+from study import ROOT, print_table, study_options  # first: finds the package
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+from crevasse.plotting import BLUE, GREEN, GREY, VERMILION, pyplot, save
+
 sys.path.insert(0, str(ROOT / "tests/runs"))
 
 from mpi_environment import ENVIRONMENT

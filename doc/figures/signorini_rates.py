@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Copyright (C) 2026 by the Crevasse authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
 
 """The convergence study of prm/studies/signorini_rates.prm: energy error and end
 of the closed part of the lip on finer and finer meshes, Q1 and Q2, against the
@@ -14,11 +14,8 @@ import pathlib
 import subprocess
 import sys
 
-sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
+from study import ROOT, existing_program  # first: finds the package
 
-from results import existing_program
-
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 COARSE_CELLS = 4  # along each side
 
 
@@ -76,7 +73,7 @@ def print_table(runs, finest):
 
 def draw(runs, finest, path):
     try:
-        from plotting import pyplot
+        from crevasse.plotting import pyplot
     except ImportError as missing:
         sys.exit(f"{missing}. Figures need Debian's package python3-matplotlib.")
     figure, (left, middle, right) = pyplot.subplots(

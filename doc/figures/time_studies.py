@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-# Copyright (C) 2026 by the Crevasse authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
 
 """The studies of the time schemes, by sweeps over the scenes of prm/studies:
 the paper's comparison at equal numbers of contact problems, relaxation times
@@ -9,16 +9,12 @@ meshes. Draws the figures of doc/time_schemes.md. What a sweep has computed is
 not computed again."""
 
 import csv
-import pathlib
 import subprocess
-import sys
 
-sys.dont_write_bytecode = True  # leaves nothing behind in the source tree
+from study import ROOT, study_options  # first: finds the package
 
-from plotting import (BLUE, GREEN, GREY, INK, VERMILION, pyplot, save,
-                      study_options)
+from crevasse.plotting import BLUE, GREEN, GREY, INK, VERMILION, pyplot, save
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "prm" / "studies"
 SCHEME, STEPS = "Time integration/Scheme", "Time integration/Steps per period"
 EVENTS = "Time integration/Locate contact events"

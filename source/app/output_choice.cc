@@ -107,9 +107,8 @@ namespace Crevasse
       return;
     throw SceneError(
       "A run of this scene was begun in " + path +
-      " and has not ended: --resume goes on from its last checkpoint. To begin "
-      "anew choose another directory by --output DIR, or replace it by "
-      "--force.");
+      " and has not ended. Resume it from its last checkpoint by --resume, "
+      "choose another directory by --output DIR, or replace it by --force.");
   }
 
 
@@ -134,7 +133,7 @@ namespace Crevasse
       {
         throw FileError("--resume: " + name + " is not what a run writes (" +
                         error.what() +
-                        "). Without it the run goes on from its newest "
+                        "). Without it the run resumes from its newest "
                         "checkpoint.");
       }
   }
@@ -161,15 +160,15 @@ namespace Crevasse
     if (!summary.contains("scene") || !summary["scene"].is_object())
       throw FileError(
         "--resume: the run in " + path +
-        " has ended, but its summary.json does not tell with which scene; "
-        "another version of the program wrote it. Begin anew without "
-        "--resume, in another output directory.");
+        " has ended, but its summary.json does not hold the scene; another "
+        "version of the program wrote it. Start without --resume, in another "
+        "output directory.");
     require_same_scene(summary["scene"], parameters);
     return "the run in " + path + " has ended after " +
            std::to_string(periods) + (periods == 1 ? " period" : " periods") +
            (is_enough ? ", periodic."
                       : ", as many as [Periodic state] Maximum periods "
-                        "allows; raise it to go on.");
+                        "allows; raise it to continue.");
   }
 
 

@@ -11,12 +11,12 @@ namespace Crevasse
 {
   CsvTable::CsvTable(const std::string              &file_name,
                      const std::vector<std::string> &header,
-                     const bool                      goes_on)
+                     const bool                      is_continuing)
     : file_name(file_name)
     , n_columns(header.size())
-    , file(file_name, goes_on ? std::ios::app : std::ios::trunc)
+    , file(file_name, is_continuing ? std::ios::app : std::ios::trunc)
   {
-    if (!goes_on)
+    if (!is_continuing)
       {
         for (std::size_t i = 0; i < n_columns; ++i)
           file << (i > 0 ? "," : "") << header[i];

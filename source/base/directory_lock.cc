@@ -30,8 +30,8 @@ namespace Crevasse
 
 
 
-    /** The open file, or -1 if there can be none, which is told when the run
-     * comes to write its files.
+    /** The open file, or -1 if there can be none; the run reports this when
+     * it writes its files.
      * @throw FileError that names who writes there already. */
     int
     lock_file(const std::string &directory, const std::string &name)

@@ -23,12 +23,12 @@ namespace Crevasse
 
 
   void
-  Log::open_file(const std::string &file_name, const bool goes_on)
+  Log::open_file(const std::string &file_name, const bool is_continuing)
   {
     if (!first_rank)
       return;
     name = file_name;
-    file.open(name, goes_on ? std::ios::app : std::ios::trunc);
+    file.open(name, is_continuing ? std::ios::app : std::ios::trunc);
     file << earlier_lines << std::flush;
     earlier_lines.clear();
     require_written();

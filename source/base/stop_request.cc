@@ -5,10 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <chrono>
-#include <cstdint>
-#include <ctime>
 #include <filesystem>
 #include <iterator>
 
@@ -50,46 +47,16 @@ namespace Crevasse
 
 
     // Set by handlers, in whichever thread they run.
-    std::atomic<int>          asked_to_stop(0), asked_to_write(0);
-    std::atomic<std::int64_t> time_of_first(0); ///< request to stop; 0: none
-    static_assert(std::atomic<int>::is_always_lock_free &&
-                    std::atomic<std::int64_t>::is_always_lock_free,
+    std::atomic<int> asked_to_stop(0), asked_to_write(0);
+    static_assert(std::atomic<int>::is_always_lock_free,
                   "else handlers must not use them");
 
 
 
-    /** Since some moment before the program began. */
-    std::int64_t
-    milliseconds()
-    {
-      timespec now = {};
-      clock_gettime(CLOCK_MONOTONIC, &now);
-      return 1000 * std::int64_t(now.tv_sec) + now.tv_nsec / 1000000 + 1;
-    }
-
-
-
-    /** The first request is noted. The same one often comes twice: timeout
-     * sends it to the program and to its group, batch systems to whoever
-     * forwards it. What comes a second later is meant: then the signal does
-     * what it does without us. Nothing here but what a handler may do. */
     void
     note_stop(const int signal)
     {
-      constexpr std::int64_t patience = 1000;
-      const int              error    = errno;
-      const std::int64_t     now      = milliseconds();
-      std::int64_t           first    = 0;
-      if (time_of_first.compare_exchange_strong(first, now))
-        asked_to_stop = signal;
-      else if (now - first >= patience)
-        {
-          struct sigaction without_us = {};
-          without_us.sa_handler       = SIG_DFL;
-          sigaction(signal, &without_us, nullptr);
-          raise(signal); // as soon as this handler returns
-        }
-      errno = error;
+      asked_to_stop = signal;
     }
 
 
@@ -121,7 +88,6 @@ namespace Crevasse
     , wall_time(time_left(wall_time))
   {
     asked_to_stop = asked_to_write = 0;
-    time_of_first                  = 0;
     for (const int signal : signals_to_stop)
       {
         struct sigaction before = {};

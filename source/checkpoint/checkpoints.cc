@@ -232,7 +232,7 @@ namespace Crevasse
       "stopped on request (" + stop_requests.reason() + ")";
     if (!is_on())
       throw StoppedOnRequest(who + '.');
-    throw StoppedOnRequest(who + "; --resume goes on from " +
+    throw StoppedOnRequest(who + "; --resume continues from " +
                            all.name(manifest.number) + '.');
   }
 

@@ -6,7 +6,6 @@
 #include <crevasse/base/text.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/checkpoint/scene_difference.h>
-#include <crevasse/temperature/temperature_series.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -71,18 +70,13 @@ namespace Crevasse
 
 
 
-    /** Of all files that are read for one of that name; 0 if one cannot be
-     * read, which its reader tells better. */
-    template <typename FilesOf>
+    /** 0 if the file cannot be read, which its reader tells better. */
     std::uint32_t
-    checksum_of(const std::string &name, const FilesOf &files_of)
+    checksum_of(const std::string &name)
     {
       try
         {
-          std::string sums;
-          for (const std::string &file : files_of(name))
-            sums += std::to_string(checksum(read_text_file(file))) + ' ';
-          return checksum(sums);
+          return checksum(read_text_file(name));
         }
       catch (const std::runtime_error &)
         {
@@ -98,19 +92,16 @@ namespace Crevasse
   {
     std::ostringstream text;
     prm.print_parameters(text, dealii::ParameterHandler::ShortJSON);
-    Summary    scene = Summary::parse(text.str());
-    const auto add   = [&](const char *pointer, const auto &files_of) {
-      const Summary::json_pointer place(pointer);
-      const std::string           name =
-        scene.contains(place) ? scene[place].get<std::string>() : "";
-      std::error_code not_there;
-      if (!name.empty() && std::filesystem::is_regular_file(name, not_there))
-        scene["Content of files"][describe(pointer)] =
-          checksum_of(name, files_of);
-    };
-    add("/Geometry/Mesh file",
-        [](const std::string &name) { return std::vector{name}; });
-    add("/Loads/Temperature", files_of_temperature);
+    Summary scene = Summary::parse(text.str());
+    for (const char *pointer : {"/Geometry/Mesh file", "/Loads/Temperature"})
+      {
+        const Summary::json_pointer place(pointer);
+        const std::string           name =
+          scene.contains(place) ? scene[place].get<std::string>() : "";
+        std::error_code not_there;
+        if (!name.empty() && std::filesystem::is_regular_file(name, not_there))
+          scene["Content of files"][describe(pointer)] = checksum_of(name);
+      }
     return scene;
   }
 

@@ -70,14 +70,6 @@ namespace Crevasse
 
 
 
-  std::vector<bool>
-  ActiveSet::first_set() const
-  {
-    return active;
-  }
-
-
-
   std::string
   ActiveSet::linear_trouble() const
   {

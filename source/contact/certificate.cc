@@ -38,7 +38,7 @@ namespace Crevasse
 
 
   void
-  Scales::judge_by_load(const double largest_nodal_force)
+  Scales::set_force_scale(const double largest_nodal_force)
   {
     load = largest_nodal_force;
   }

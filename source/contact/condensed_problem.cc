@@ -92,30 +92,6 @@ namespace Crevasse
 
 
 
-  const std::vector<unsigned int> &
-  CondensedProblem::active_set() const
-  {
-    return active;
-  }
-
-
-
-  std::vector<dealii::Vector<double>> &
-  CondensedProblem::known_columns()
-  {
-    return columns;
-  }
-
-
-
-  unsigned int
-  CondensedProblem::n_rescues() const
-  {
-    return rescues;
-  }
-
-
-
   std::size_t
   CondensedProblem::memory_consumption() const
   {

@@ -68,37 +68,26 @@ namespace Crevasse
                        const double         stiffness_factor)
   {
     const Running running(timer);
-    scales_of_solutions.judge_by_load(load / stiffness_factor);
-    if (stiffness_factor == 1.)
-      solve_and_certify(right_hand_side, solution);
-    else
+    if (!(stiffness_factor > 0.))
+      throw NumericalError("The stiffness factor k(t) is " +
+                           std::to_string(stiffness_factor) +
+                           "; it must be positive.");
+    scales_of_solutions.set_force_scale(load / stiffness_factor);
+    if (stiffness_factor != 1.)
       {
-        if (!(stiffness_factor > 0.))
-          throw NumericalError("The stiffness factor k(t) is " +
-                               std::to_string(stiffness_factor) +
-                               "; it must be positive.");
         scaled_right_hand_side = right_hand_side;
         scaled_right_hand_side /= stiffness_factor;
-        solve_and_certify(scaled_right_hand_side, solution);
       }
-    contact_forces = forces;
-    for (double &force : contact_forces)
-      force *= stiffness_factor;
-  }
+    const Vector &b =
+      stiffness_factor == 1. ? right_hand_side : scaled_right_hand_side;
 
-
-
-  void
-  ContactSolver::solve_and_certify(const Vector &right_hand_side,
-                                   Vector       &solution)
-  {
-    std::size_t n_new     = iterate(right_hand_side, solution);
-    Certificate certified = certify(right_hand_side, solution);
+    std::size_t n_new     = iterate(b, solution);
+    Certificate certified = certify(b, solution);
     if (!accepts(certified) && can_refine() && !refines)
       {
         refines = true; // from now on: the matrix will not get better
-        n_new += iterate(right_hand_side, solution);
-        certified = certify(right_hand_side, solution);
+        n_new += iterate(b, solution);
+        certified = certify(b, solution);
       }
     if (!accepts(certified))
       fail(certified, n_new);
@@ -108,6 +97,9 @@ namespace Crevasse
     maxima.merge(certified);
     largest_error =
       std::max({largest_error, force_accuracy(), displacement_accuracy()});
+    contact_forces = forces;
+    for (double &force : contact_forces)
+      force *= stiffness_factor;
   }
 
 
@@ -145,24 +137,8 @@ namespace Crevasse
 
 
 
-  std::string
-  ContactSolver::last_sets() const
-  {
-    return "";
-  }
-
-
-
-  std::string
-  ContactSolver::linear_trouble() const
-  {
-    return "";
-  }
-
-
-
   void
-  ContactSolver::judge_by_load(const double largest_nodal_force)
+  ContactSolver::set_force_scale(const double largest_nodal_force)
   {
     load = largest_nodal_force;
   }
@@ -247,22 +223,6 @@ namespace Crevasse
 
 
 
-  bool
-  ContactSolver::can_refine() const
-  {
-    return false;
-  }
-
-
-
-  bool
-  ContactSolver::asks_for_refinement() const
-  {
-    return refines;
-  }
-
-
-
   void
   ContactSolver::refine(LinearSolver &linear_solver,
                         const Vector &right_hand_side,
@@ -274,14 +234,6 @@ namespace Crevasse
     defect.sadd(-1., 1., right_hand_side);
     linear_solver.solve(correction, defect, residual_target());
     solution += correction;
-  }
-
-
-
-  double
-  ContactSolver::accuracy() const
-  {
-    return largest_error;
   }
 
 
@@ -301,22 +253,6 @@ namespace Crevasse
   void
   ContactSolver::start_from(const std::vector<bool> &)
   {
-  }
-
-
-
-  std::vector<bool>
-  ContactSolver::first_set() const
-  {
-    return {};
-  }
-
-
-
-  std::vector<dealii::Vector<double>> *
-  ContactSolver::known_columns()
-  {
-    return nullptr;
   }
 
 
@@ -352,50 +288,10 @@ namespace Crevasse
 
 
 
-  const Certificate &
-  ContactSolver::worst_certificate() const
-  {
-    return maxima;
-  }
-
-
-
   bool
   ContactSolver::has_bounds() const
   {
     return problem.n_bounds() > 0;
-  }
-
-
-
-  std::size_t
-  ContactSolver::n_solves() const
-  {
-    return solves;
-  }
-
-
-
-  std::size_t
-  ContactSolver::n_iterations() const
-  {
-    return iterations;
-  }
-
-
-
-  std::size_t
-  ContactSolver::n_linear_solves() const
-  {
-    return 0;
-  }
-
-
-
-  std::size_t
-  ContactSolver::n_linear_iterations() const
-  {
-    return 0;
   }
 
 

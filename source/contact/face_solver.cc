@@ -61,28 +61,4 @@ namespace Crevasse
     iterations += result.n_iterations;
     return result.has_converged;
   }
-
-
-
-  std::size_t
-  FaceSolver::n_solves() const
-  {
-    return solves;
-  }
-
-
-
-  std::size_t
-  FaceSolver::n_iterations() const
-  {
-    return iterations;
-  }
-
-
-
-  const LinearSolver &
-  FaceSolver::linear_solver() const
-  {
-    return solver;
-  }
 } // namespace Crevasse

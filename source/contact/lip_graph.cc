@@ -68,22 +68,6 @@ namespace Crevasse
 
 
 
-  unsigned int
-  LipGraph::first() const
-  {
-    return first_local;
-  }
-
-
-
-  unsigned int
-  LipGraph::n_nodes() const
-  {
-    return neighbours.size();
-  }
-
-
-
   void
   LipGraph::gather(double *on_lip) const
   {

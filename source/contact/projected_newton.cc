@@ -22,14 +22,6 @@ namespace Crevasse
 
 
 
-  const std::vector<bool> &
-  ProjectedNewton::held_bounds() const
-  {
-    return held;
-  }
-
-
-
   void
   ProjectedNewton::project(Vector &solution) const
   {

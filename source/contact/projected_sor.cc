@@ -6,17 +6,15 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
-#include <utility>
 
 namespace Crevasse
 {
-  ProjectedSor::ProjectedSor(const SignoriniProblem      &problem,
-                             std::unique_ptr<const Sweep> sweep,
-                             const double                 relaxation_factor,
-                             const double                 tolerance,
-                             const unsigned int           maximum_iterations)
+  ProjectedSor::ProjectedSor(const SignoriniProblem &problem,
+                             const double            relaxation_factor,
+                             const double            tolerance,
+                             const unsigned int      maximum_iterations)
     : ContactSolver(problem, tolerance)
-    , sweep(std::move(sweep))
+    , sweep(problem)
     , relaxation_factor(relaxation_factor)
     , maximum_iterations(maximum_iterations)
   {
@@ -42,28 +40,19 @@ namespace Crevasse
     // costs a matrix-vector product, is worth asking for.
     constexpr unsigned int sweeps_between_certificates = 10;
     scale_by(right_hand_side, solution);
-    unsigned int n = 0;
-    while (n < maximum_iterations)
+    unsigned int next_certificate = 0;
+    for (unsigned int n = 1; n <= maximum_iterations; ++n)
       {
-        const SweepCount count =
-          sweep->sweep_until(right_hand_side,
-                             solution,
-                             relaxation_factor,
-                             force_accuracy() * scales.force(),
-                             maximum_iterations - n);
-        n += count.sweeps;
-        if (!std::isfinite(count.largest_residual) ||
-            is_solved(right_hand_side, solution))
+        const double residual =
+          sweep(right_hand_side, solution, relaxation_factor);
+        if (!std::isfinite(residual))
           return n;
-        // Nothing is small enough, and this many sweeps are for nothing else.
-        n += sweep
-               ->sweep_until(right_hand_side,
-                             solution,
-                             relaxation_factor,
-                             0.,
-                             std::min(sweeps_between_certificates - 1,
-                                      maximum_iterations - n))
-               .sweeps;
+        if (n < next_certificate ||
+            residual > force_accuracy() * scales.force())
+          continue;
+        if (is_solved(right_hand_side, solution))
+          return n;
+        next_certificate = n + sweeps_between_certificates;
       }
     return maximum_iterations;
   }

@@ -69,12 +69,4 @@ namespace Crevasse
   {
     return stiffness.diagonal();
   }
-
-
-
-  types::global_dof_index
-  SignoriniProblem::n_bounds() const
-  {
-    return n_all_bounds;
-  }
 } // namespace Crevasse

@@ -1,55 +1,61 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/contact/block_sweep.h>
-#include <crevasse/contact/point_sweep.h>
-#include <crevasse/contact/root_sweep.h>
 #include <crevasse/contact/sweep.h>
 
-#include <deal.II/base/mpi.h>
-
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Crevasse
 {
-  SweepCount
-  Sweep::sweep_until(const Vector      &right_hand_side,
-                     Vector            &solution,
-                     const double       relaxation_factor,
-                     const double       target,
-                     const unsigned int maximum_sweeps) const
+  Sweep::Sweep(const SignoriniProblem &problem)
+    : problem(problem)
+    , rows(problem.matrix())
+    , bound_of(rows.n, -1)
   {
-    SweepCount count;
-    while (count.sweeps < maximum_sweeps)
+    for (unsigned int k = 0; k < problem.bounds.dofs.size(); ++k)
+      bound_of[problem.bounds.dofs[k]] = k;
+  }
+
+
+
+  double
+  Sweep::operator()(const Vector &right_hand_side,
+                    Vector       &solution,
+                    const double  relaxation_factor) const
+  {
+    double *const       q        = solution.begin();
+    const double *const b        = right_hand_side.begin();
+    const double *const diagonal = problem.diagonal().begin();
+
+    double largest_residual = 0., sum = 0.;
+    for (int i = 0; i < rows.n; ++i)
       {
-        count.largest_residual =
-          (*this)(right_hand_side, solution, relaxation_factor);
-        ++count.sweeps;
-        if (count.largest_residual <= target ||
-            !std::isfinite(count.largest_residual))
-          break;
+        double residual = b[i];
+        for (int k = rows.starts[i]; k < rows.starts[i + 1]; ++k)
+          residual -= rows.values[k] * q[rows.columns[k]];
+
+        double    next  = q[i] + relaxation_factor * residual / diagonal[i];
+        const int bound = bound_of[i];
+        if (bound >= 0)
+          {
+            const double sign = problem.bounds.sign[bound];
+            const double gap  = problem.bounds.gap[bound];
+            if (sign * next <= gap)
+              {
+                // What pushes against the bound is a contact force; what a
+                // moving unknown still lacks counts by its movement.
+                next     = sign * gap;
+                residual = diagonal[i] * (next - q[i]);
+              }
+          }
+        q[i] = next;
+        sum += next;
+        largest_residual = std::max(largest_residual, std::abs(residual));
       }
-    return count;
-  }
-
-
-
-  std::unique_ptr<const Sweep>
-  make_sweep(const SignoriniProblem &problem, const UnknownBlocks &blocks)
-  {
-    if (dealii::Utilities::MPI::n_mpi_processes(
-          problem.stiffness.get_mpi_communicator()) > 1)
-      return std::make_unique<RootSweep>(problem, blocks);
-    return make_local_sweep(problem, blocks);
-  }
-
-
-
-  std::unique_ptr<const Sweep>
-  make_local_sweep(const SignoriniProblem &problem, const UnknownBlocks &blocks)
-  {
-    if (blocks.empty())
-      return std::make_unique<PointSweep>(problem);
-    return std::make_unique<BlockSweep>(problem, blocks);
+    // A diverged iterate shows in the sum; the maximum would overlook nan.
+    return std::isfinite(sum) ? largest_residual
+                              : std::numeric_limits<double>::infinity();
   }
 } // namespace Crevasse

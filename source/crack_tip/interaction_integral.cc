@@ -327,22 +327,6 @@ namespace Crevasse
 
 
 
-  const Vector &
-  InteractionIntegral::of_displacement() const
-  {
-    return functional;
-  }
-
-
-
-  const std::vector<double> &
-  InteractionIntegral::of_contact_forces() const
-  {
-    return lip_functional;
-  }
-
-
-
   double
   InteractionIntegral::value(const Vector              &displacement,
                              const std::vector<double> &contact_forces) const

@@ -203,38 +203,6 @@ namespace Crevasse
 
 
 
-  const CrackTip &
-  TipRegion::tip() const
-  {
-    return crack_tip;
-  }
-
-
-
-  const PlaneElasticity &
-  TipRegion::elasticity() const
-  {
-    return *plane_elasticity;
-  }
-
-
-
-  double
-  TipRegion::largest_radius() const
-  {
-    return end;
-  }
-
-
-
-  double
-  TipRegion::cell_radius() const
-  {
-    return end_of_tip_cells;
-  }
-
-
-
   double
   TipRegion::aligned_radius(const double at_most) const
   {

@@ -262,12 +262,4 @@ namespace Crevasse
     return apply(small, stress, contact_forces) -
            apply(large, stress, contact_forces);
   }
-
-
-
-  unsigned int
-  WilliamsFit::n_terms() const
-  {
-    return terms;
-  }
 } // namespace Crevasse

@@ -32,15 +32,6 @@ namespace Crevasse
 
 
   template <int dim>
-  const DoFHandler<dim> &
-  CellPolynomials<dim>::dof_handler() const
-  {
-    return dofs;
-  }
-
-
-
-  template <int dim>
   Vector
   CellPolynomials<dim>::coefficients() const
   {

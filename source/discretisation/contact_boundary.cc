@@ -378,15 +378,6 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  const std::vector<LipNode<dim>> &
-  ContactBoundary<dim>::nodes() const
-  {
-    return lip_nodes;
-  }
-
-
-
   template class ContactBoundary<2>;
   template class ContactBoundary<3>;
 } // namespace Crevasse

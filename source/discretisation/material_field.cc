@@ -265,37 +265,10 @@ namespace Crevasse
 
   template <int dim>
   bool
-  MaterialField<dim>::stiffness_varies() const
-  {
-    return stiffness_is_free;
-  }
-
-
-
-  template <int dim>
-  bool
   MaterialField<dim>::fluidity_varies() const
   {
     return std::find(fluidity_is_free.begin(), fluidity_is_free.end(), true) !=
            fluidity_is_free.end();
-  }
-
-
-
-  template <int dim>
-  bool
-  MaterialField<dim>::has_thermal_strain() const
-  {
-    return !free_strains.empty();
-  }
-
-
-
-  template <int dim>
-  bool
-  MaterialField<dim>::thermal_strain_varies() const
-  {
-    return thermal_strain_is_free;
   }
 
 

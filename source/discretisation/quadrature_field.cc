@@ -82,15 +82,6 @@ namespace Crevasse
 
   template <int dim>
   std::size_t
-  QuadratureField<dim>::n_local_points() const
-  {
-    return n_local;
-  }
-
-
-
-  template <int dim>
-  std::size_t
   QuadratureField<dim>::n_points() const
   {
     return partitioner->size() / n_components;

@@ -26,8 +26,7 @@ namespace Crevasse
 
   namespace
   {
-    /** More are a mesh whose nodes are not merged; the matrix below is dense.
-     */
+    /** More are a mesh with unmerged nodes; the matrix below is dense. */
     constexpr unsigned int largest_number_of_parts = 300;
 
 
@@ -155,7 +154,8 @@ namespace Crevasse
 
     /** The Gram matrix of what the rigid modes of all parts violate: support
      * constraints, and the ties between parts that share dofs. Its kernel is
-     * what these leave free. Mode m of part p has the index p n_modes + m. */
+     * the unconstrained motions. Mode m of part p has the index p n_modes + m.
+     */
     template <int dim>
     FullMatrix<double>
     constraint_gram_matrix(const Space<dim>                &space,
@@ -231,8 +231,8 @@ namespace Crevasse
 
 
 
-    /** Motions of the given modes alone that @p gram leaves free. They are
-     * then locked: what is found later is orthogonal to them. */
+    /** Motions of the given modes alone that @p gram does not constrain. They
+     * are then locked: later ones are orthogonal to them. */
     std::vector<std::vector<double>>
     find_and_lock(FullMatrix<double>              &gram,
                   const std::vector<unsigned int> &modes)
@@ -375,8 +375,7 @@ namespace Crevasse
     if (names.empty())
       return;
 
-    std::string message =
-      "The supports leave the body free to move as a rigid one:";
+    std::string message = "The supports leave rigid-body motions free:";
     for (const std::string &name : names)
       message += "\n  " + name;
     message +=

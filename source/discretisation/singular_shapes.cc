@@ -74,14 +74,6 @@ namespace Crevasse
 
 
 
-  const SingularFunctions &
-  SingularShapes::functions() const
-  {
-    return singular_functions;
-  }
-
-
-
   unsigned int
   SingularShapes::size() const
   {

@@ -246,78 +246,6 @@ namespace Crevasse
 
 
   template <int dim>
-  const Mesh<dim> &
-  Space<dim>::mesh() const
-  {
-    return *triangulation;
-  }
-
-
-
-  template <int dim>
-  std::shared_ptr<const Mesh<dim>>
-  Space<dim>::shared_mesh() const
-  {
-    return triangulation;
-  }
-
-
-
-  template <int dim>
-  const DoFHandler<dim> &
-  Space<dim>::dof_handler() const
-  {
-    return dofs;
-  }
-
-
-
-  template <int dim>
-  const FESystem<dim> &
-  Space<dim>::finite_element() const
-  {
-    return fe;
-  }
-
-
-
-  template <int dim>
-  const Mapping<dim> &
-  Space<dim>::mapping() const
-  {
-    return q1_mapping;
-  }
-
-
-
-  template <int dim>
-  const AffineConstraints<double> &
-  Space<dim>::constraints() const
-  {
-    return affine_constraints;
-  }
-
-
-
-  template <int dim>
-  const BoundaryRoles &
-  Space<dim>::roles() const
-  {
-    return boundary_roles;
-  }
-
-
-
-  template <int dim>
-  VolumetricStrain
-  Space<dim>::volumetric_strain() const
-  {
-    return volumetric;
-  }
-
-
-
-  template <int dim>
   MPI_Comm
   Space<dim>::communicator() const
   {
@@ -393,24 +321,6 @@ namespace Crevasse
 
 
   template <int dim>
-  const IndexSet &
-  Space<dim>::locally_owned_unknowns() const
-  {
-    return owned_unknowns;
-  }
-
-
-
-  template <int dim>
-  const IndexSet &
-  Space<dim>::locally_relevant_unknowns() const
-  {
-    return relevant_unknowns;
-  }
-
-
-
-  template <int dim>
   void
   Space<dim>::get_unknowns(
     const typename DoFHandler<dim>::active_cell_iterator &cell,
@@ -420,15 +330,6 @@ namespace Crevasse
     cell->get_dof_indices(indices);
     for (auto i = dofs.n_dofs(); i < n_unknowns(); ++i)
       indices.push_back(i);
-  }
-
-
-
-  template <int dim>
-  const hp::QCollection<dim> &
-  Space<dim>::quadratures() const
-  {
-    return rules;
   }
 
 
@@ -449,15 +350,6 @@ namespace Crevasse
     const typename Triangulation<dim>::active_cell_iterator &cell) const
   {
     return rules[rule(cell)];
-  }
-
-
-
-  template <int dim>
-  const Quadrature<dim - 1> &
-  Space<dim>::face_quadrature() const
-  {
-    return face_rule;
   }
 
 

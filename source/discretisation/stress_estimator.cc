@@ -277,15 +277,6 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  StressEstimator<dim>::largest_energy() const
-  {
-    return most_energy;
-  }
-
-
-
-  template <int dim>
   void
   StressEstimator<dim>::serialize(StateArchive &archive)
   {

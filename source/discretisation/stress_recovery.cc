@@ -67,15 +67,6 @@ namespace Crevasse
 
 
   template <int dim>
-  const DoFHandler<dim> &
-  StressRecovery<dim>::dof_handler() const
-  {
-    return nodal_dofs;
-  }
-
-
-
-  template <int dim>
   std::vector<Vector>
   StressRecovery<dim>::recover(const Vector &field) const
   {

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/base/text_file.h>
 #include <crevasse/grid/geometry.h>
-#include <crevasse/grid/gmsh_check.h>
+#include <crevasse/grid/gmsh_file.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <boost/serialization/vector.hpp>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 #include <sstream>
 
@@ -160,32 +161,110 @@ namespace Crevasse
 
 
 
-    /** Into a triangulation of its own: a distributed one does not survive
-     * triangles. */
+    /** A mesh as deal.II creates it. */
+    template <int dim>
+    struct CoarseMesh
+    {
+      std::vector<Point<dim>>        vertices;
+      std::vector<CellData<dim>>     cells;
+      std::vector<CellData<dim - 1>> boundary;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &vertices &cells &boundary;
+      }
+    };
+
+
+
+    template <int dim>
+    CoarseMesh<dim>
+    read_gmsh(const std::string &file_name)
+    {
+      const GmshMesh                      mesh = read_gmsh_file(file_name, dim);
+      CoarseMesh<dim>                     coarse;
+      std::map<std::size_t, unsigned int> vertex_of;
+      for (const auto &[number, node] : mesh.nodes)
+        {
+          vertex_of[number] = coarse.vertices.size();
+          coarse.vertices.emplace_back();
+          for (unsigned int d = 0; d < dim; ++d)
+            coarse.vertices.back()[d] = node[d];
+        }
+      for (const MeshElement &element : mesh.cells)
+        {
+          CellData<dim> cell;
+          for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+            cell.vertices[GeometryInfo<dim>::ucd_to_deal[v]] =
+              vertex_of.at(element.nodes[v]);
+          cell.material_id = element.group;
+          coarse.cells.push_back(cell);
+        }
+      for (const MeshElement &element : mesh.boundary)
+        {
+          CellData<dim - 1> face;
+          for (const unsigned int v : GeometryInfo<dim - 1>::vertex_indices())
+            face.vertices[GeometryInfo<dim - 1>::ucd_to_deal[v]] =
+              vertex_of.at(element.nodes[v]);
+          face.boundary_id = element.group;
+          coarse.boundary.push_back(face);
+        }
+      return coarse;
+    }
+
+
+
+    /** As GridIn does with what it has read. */
     template <int dim>
     void
-    read_mesh(const std::string &file_name, Triangulation<dim> &coarse)
+    create(CoarseMesh<dim> mesh, Triangulation<dim> &triangulation)
     {
-      const std::string where = "[Geometry] Mesh file = " + file_name + ": ";
+      SubCellData sub_cells;
+      if constexpr (dim == 2)
+        sub_cells.boundary_lines = mesh.boundary;
+      else
+        sub_cells.boundary_quads = mesh.boundary;
+      GridTools::delete_unused_vertices(mesh.vertices, mesh.cells, sub_cells);
+      GridTools::invert_cells_with_negative_measure(mesh.vertices, mesh.cells);
+      GridTools::consistently_order_cells(mesh.cells);
+      triangulation.create_triangulation(mesh.vertices, mesh.cells, sub_cells);
+    }
 
-      const bool is_gmsh =
-        std::filesystem::path(file_name).extension() == ".msh";
-      const std::string text = is_gmsh ? read_text_file(file_name) : "";
 
-      GridIn<dim> grid_in(coarse);
+
+    /** Into a triangulation of its own: a distributed one does not survive
+     * triangles. Collective; one rank reads a Gmsh file for all. */
+    template <int dim>
+    void
+    read_mesh(const std::string  &file_name,
+              const MPI_Comm      communicator,
+              Triangulation<dim> &triangulation)
+    {
+      const std::string where   = "[Geometry] Mesh file = " + file_name + ": ";
+      const bool        is_gmsh = Text::suffix(file_name) == ".msh";
+      const bool        is_reader =
+        Utilities::MPI::this_mpi_process(communicator) == 0;
       try
         {
+          CoarseMesh<dim> mesh;
+          collectively(communicator, [&]() {
+            if (is_gmsh && is_reader)
+              mesh = read_gmsh<dim>(file_name);
+            else if (!is_gmsh)
+              try
+                {
+                  GridIn<dim>(triangulation).read(file_name);
+                }
+              catch (const ExceptionBase &error)
+                {
+                  throw SceneError(reason(error)); // its type gets lost
+                }
+          });
           if (is_gmsh)
-            {
-              GmshCheck(text, dim).check();
-              std::istringstream stream(text);
-              // Without exceptions deal.II would go on after something that it
-              // could not read, for ever or until it crashes.
-              stream.exceptions(std::ios::failbit | std::ios::badbit);
-              grid_in.read_msh(stream);
-            }
-          else
-            grid_in.read(file_name);
+            create(Utilities::MPI::broadcast(communicator, mesh),
+                   triangulation);
         }
       catch (const std::exception &error)
         {
@@ -193,11 +272,11 @@ namespace Crevasse
             where + "cannot be read as a mesh: " + reason(error) +
             "\nAllowed: linear " +
             (dim == 2 ? "quadrilaterals in the plane x-y" : "hexahedra") +
-            ", in a Gmsh file (.msh, format 2 or 4, ASCII), or "
+            ", in a Gmsh file (.msh, format 2 or 4), or "
             "in another format that deal.II knows by the end of "
             "the file's name.");
         }
-      require_convex_cells(coarse, where);
+      require_convex_cells(triangulation, where);
     }
 
 
@@ -224,7 +303,7 @@ namespace Crevasse
     const bool         is_file = parameters.shape == Shape::mesh_file;
     Triangulation<dim> from_file;
     if (is_file)
-      read_mesh(parameters.mesh_file, from_file);
+      read_mesh(parameters.mesh_file, mesh.get_communicator(), from_file);
     if (look)
       {
         const double n = is_file ? from_file.n_active_cells()

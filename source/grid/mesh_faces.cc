@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/file_words.h>
+#include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/grid/mesh_faces.h>
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <tuple>
 
 namespace Crevasse
 {
   namespace
   {
+    struct Face
+    {
+      std::array<std::size_t, 4> nodes;    ///< sorted; of lines the last two
+      std::size_t                opposite; ///< the one across from the smallest
+      std::size_t                element;
+      unsigned int               group;
+    };
+
     using LocalFaces = std::vector<std::vector<unsigned int>>;
+
+
 
     /** The nodes of each face, in Gmsh's order of the nodes of a cell. */
     const LocalFaces &
@@ -33,160 +45,119 @@ namespace Crevasse
 
 
 
-    std::string
-    list_nodes(const std::array<int, 4> &nodes)
+    Face
+    make_face(const std::vector<std::size_t> &nodes, const MeshElement &element)
     {
-      std::vector<std::string> numbers;
-      for (const int node : nodes)
-        if (node >= 0)
-          numbers.push_back(std::to_string(node));
-      return "the nodes " + Text::join(numbers, ", ");
+      // Gmsh counts from 1.
+      Face face{{{0, 0, 0, 0}}, 0, element.number, element.group};
+      std::copy(nodes.rbegin(), nodes.rend(), face.nodes.rbegin());
+      if (nodes.size() == 4)
+        {
+          const auto smallest = std::min_element(nodes.begin(), nodes.end());
+          face.opposite       = nodes[(smallest - nodes.begin() + 2) % 4];
+        }
+      std::sort(face.nodes.begin(), face.nodes.end());
+      return face;
+    }
+
+
+
+    bool
+    is_before(const Face &a, const Face &b)
+    {
+      return std::tie(a.nodes, a.element) < std::tie(b.nodes, b.element);
+    }
+
+
+
+    [[noreturn]] void
+    refuse(const Face &face, const std::string &reason)
+    {
+      std::vector<std::string> nodes;
+      for (const std::size_t node : face.nodes)
+        if (node > 0)
+          nodes.push_back(std::to_string(node));
+      throw SceneError("element " + std::to_string(face.element) +
+                       ": the nodes " + Text::join(nodes, ", ") + ' ' + reason);
+    }
+
+
+
+    void
+    check_cells(const std::vector<Face> &faces)
+    {
+      for (std::size_t i = 1; i < faces.size(); ++i)
+        {
+          const Face &before = faces[i - 1], &face = faces[i];
+          if (face.nodes != before.nodes)
+            continue;
+          const std::string other = std::to_string(before.element);
+          if (face.opposite != before.opposite)
+            refuse(face,
+                   "of a face are in another order in the element " + other);
+          if (i > 1 && faces[i - 2].nodes == face.nodes)
+            refuse(face,
+                   "are a face of this cell and of two others, the elements " +
+                     std::to_string(faces[i - 2].element) + " and " + other);
+        }
+    }
+
+
+
+    void
+    check_boundary(const Face &face, const std::vector<Face> &of_cells)
+    {
+      const auto [begin, end] =
+        std::equal_range(of_cells.begin(),
+                         of_cells.end(),
+                         face,
+                         [](const Face &a, const Face &b) {
+                           return a.nodes < b.nodes;
+                         });
+      if (begin == end || begin->opposite != face.opposite)
+        refuse(face,
+               "are no face of a cell; only faces of cells can be boundary");
+      if (end - begin > 1)
+        refuse(face,
+               "are a face within the body, between the elements " +
+                 std::to_string(begin->element) + " and " +
+                 std::to_string((begin + 1)->element) +
+                 "; only its surface can be boundary (Gmsh: physical groups of "
+                 "the surface alone, Mesh.SaveAll = 0)");
     }
   } // namespace
 
 
 
-  MeshFaces::Face
-  MeshFaces::make_face(const std::vector<int> &nodes,
-                       const int               boundary_id,
-                       const unsigned int      line)
+  void
+  check_faces(const std::vector<MeshElement> &cells,
+              const std::vector<MeshElement> &boundary)
   {
-    Face face{{{-1, -1, -1, -1}}, -1, boundary_id, line};
-    std::copy(nodes.rbegin(), nodes.rend(), face.nodes.rbegin());
-    if (nodes.size() == 4)
+    std::vector<Face> of_cells, of_boundary;
+    for (const MeshElement &cell : cells)
+      for (const auto &local_face : local_faces(cell.nodes.size()))
+        {
+          std::vector<std::size_t> nodes;
+          for (const unsigned int i : local_face)
+            nodes.push_back(cell.nodes[i]);
+          of_cells.push_back(make_face(nodes, cell));
+        }
+    std::sort(of_cells.begin(), of_cells.end(), is_before);
+    check_cells(of_cells);
+
+    for (const MeshElement &element : boundary)
       {
-        const auto smallest = std::min_element(nodes.begin(), nodes.end());
-        face.opposite       = nodes[(smallest - nodes.begin() + 2) % 4];
+        of_boundary.push_back(make_face(element.nodes, element));
+        check_boundary(of_boundary.back(), of_cells);
       }
-    std::sort(face.nodes.begin(), face.nodes.end());
-    return face;
-  }
-
-
-
-  void
-  MeshFaces::add_cell(const std::vector<int> &nodes, const unsigned int line)
-  {
-    for (const auto &local_face : local_faces(nodes.size()))
-      {
-        std::vector<int> face;
-        for (const unsigned int i : local_face)
-          face.push_back(nodes[i]);
-        of_cells.push_back(make_face(face, 0, line));
-      }
-  }
-
-
-
-  void
-  MeshFaces::add_boundary(const std::vector<int> &nodes,
-                          const int               id,
-                          const unsigned int      line)
-  {
-    of_boundary.push_back(make_face(nodes, id, line));
-  }
-
-
-
-  bool
-  MeshFaces::has_cells() const
-  {
-    return !of_cells.empty();
-  }
-
-
-
-  void
-  MeshFaces::sort(std::vector<Face> &faces)
-  {
-    std::sort(faces.begin(), faces.end(), [](const Face &a, const Face &b) {
-      return std::tie(a.nodes, a.line) < std::tie(b.nodes, b.line);
-    });
-  }
-
-
-
-  void
-  MeshFaces::check()
-  {
-    sort(of_cells);
-    check_cells();
-    for (const Face &boundary : of_boundary)
-      check_boundary(boundary);
-    sort(of_boundary);
-    check_boundary_ids();
-  }
-
-
-
-  void
-  MeshFaces::check_cells() const
-  {
-    for (std::size_t i = 1; i < of_cells.size(); ++i)
-      {
-        const Face &before = of_cells[i - 1], &face = of_cells[i];
-        if (face.nodes != before.nodes)
-          continue;
-        if (face.opposite != before.opposite)
-          FileWords::refuse(face.line,
-                            "this cell and that on line " +
-                              std::to_string(before.line) + " have " +
-                              list_nodes(face.nodes) +
-                              " of a face in different orders");
-        if (i > 1 && of_cells[i - 2].nodes == face.nodes)
-          FileWords::refuse(face.line,
-                            list_nodes(face.nodes) +
-                              " are a face of this cell and of two others, on "
-                              "the lines " +
-                              std::to_string(of_cells[i - 2].line) + " and " +
-                              std::to_string(before.line));
-      }
-  }
-
-
-
-  void
-  MeshFaces::check_boundary(const Face &boundary) const
-  {
-    const auto [begin, end] =
-      std::equal_range(of_cells.begin(),
-                       of_cells.end(),
-                       boundary,
-                       [](const Face &a, const Face &b) {
-                         return a.nodes < b.nodes;
-                       });
-    if (begin == end || begin->opposite != boundary.opposite)
-      FileWords::refuse(boundary.line,
-                        list_nodes(boundary.nodes) +
-                          " are no face of a cell; only faces of cells can be "
-                          "boundary");
-    if (end - begin > 1)
-      FileWords::refuse(boundary.line,
-                        list_nodes(boundary.nodes) +
-                          " are a face within the body, between the cells on "
-                          "the lines " +
-                          std::to_string(begin->line) + " and " +
-                          std::to_string((begin + 1)->line) +
-                          "; only its surface can be boundary (Gmsh: physical "
-                          "groups of the surface alone, Mesh.SaveAll = 0)");
-  }
-
-
-
-  void
-  MeshFaces::check_boundary_ids() const
-  {
+    std::sort(of_boundary.begin(), of_boundary.end(), is_before);
     for (std::size_t i = 1; i < of_boundary.size(); ++i)
-      {
-        const Face &before = of_boundary[i - 1], &face = of_boundary[i];
-        if (face.nodes == before.nodes &&
-            face.boundary_id != before.boundary_id)
-          FileWords::refuse(face.line,
-                            list_nodes(face.nodes) + " have the boundary id " +
-                              std::to_string(face.boundary_id) +
-                              ", but on line " + std::to_string(before.line) +
-                              " " + std::to_string(before.boundary_id) +
-                              "; each belongs to one physical group at most");
-      }
+      if (const Face &before = of_boundary[i - 1], &face = of_boundary[i];
+          face.nodes == before.nodes && face.group != before.group)
+        refuse(face,
+               "have the boundary id " + std::to_string(face.group) +
+                 ", but in the element " + std::to_string(before.element) +
+                 " " + std::to_string(before.group) +
+                 "; each belongs to one physical group at most");
   }
 } // namespace Crevasse

@@ -228,14 +228,6 @@ namespace Crevasse
 
 
 
-  std::shared_ptr<const ComplexMumps::Ordering>
-  ComplexMumps::ordering() const
-  {
-    return order;
-  }
-
-
-
   const FullMatrix<std::complex<double>> &
   ComplexMumps::compliance() const
   {

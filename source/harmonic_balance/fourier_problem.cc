@@ -223,34 +223,33 @@ namespace Crevasse
 
   template <int dim>
   FourierResult
-  solve_fourier_problem(const Scene     &scene,
-                        const Body<dim> &body,
-                        const StepList  &steps,
-                        Solvers<dim>    &solvers,
-                        const double     smallest_relaxation_time)
+  solve_fourier_problem(const Scene             &scene,
+                        const Body<dim>         &body,
+                        const StepList          &steps,
+                        ContactSystemCache<dim> &systems,
+                        const double             smallest_relaxation_time)
   {
     FourierResult result;
     result.rule = scene.periodic_state.harmonics == HarmonicRule::exact
                     ? TimeRule::exact
                     : TimeRule::trapezoid;
-    dealii::TimerOutput &phases = solvers.settings().phases;
+    dealii::TimerOutput &phases = systems.settings().phases;
     const Harmonics harmonics(steps.period(), steps.n_steps(), result.rule);
     const UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
-    solvers.at(0.);
-    const Fourier<dim> fourier({body.space,
-                                body.points,
-                                body.strain_operator,
-                                body.material,
-                                body.loads,
-                                bounds,
-                                solvers.current().linear_solver()},
+    const Fourier<dim>     fourier({body.space,
+                                    body.points,
+                                    body.strain_operator,
+                                    body.material,
+                                    body.loads,
+                                    bounds,
+                                    systems.system_at(0.).linear_solver()},
                                harmonics);
 
     const Vector mean_load = fourier.mean_load();
     if (mean_load.linfty_norm() > fourier.negligible_load())
       {
         TimerOutput::Scope phase(phases, "secular problem");
-        result.flow = solve_secular_problem(body, mean_load, solvers);
+        result.flow = solve_secular_problem(body, mean_load, systems);
       }
     TimerOutput::Scope phase(phases, "harmonics");
     result.motion = fourier.solve(
@@ -268,17 +267,17 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                          \
-  template std::vector<std::string> fourier_obstacles<dim>(const Scene &,         \
-                                                           const Body<dim> &,     \
-                                                           const StepList &);     \
-  template void                     require_fourier<dim>(const Scene &,           \
-                                     const Body<dim> &,       \
-                                     const StepList &);       \
-  template FourierResult            solve_fourier_problem<dim>(const Scene &,     \
-                                                    const Body<dim> &, \
-                                                    const StepList &,  \
-                                                    Solvers<dim> &,    \
+#define INSTANTIATE(dim)                                                                  \
+  template std::vector<std::string> fourier_obstacles<dim>(const Scene &,                 \
+                                                           const Body<dim> &,             \
+                                                           const StepList &);             \
+  template void                     require_fourier<dim>(const Scene &,                   \
+                                     const Body<dim> &,               \
+                                     const StepList &);               \
+  template FourierResult            solve_fourier_problem<dim>(const Scene &,             \
+                                                    const Body<dim> &,         \
+                                                    const StepList &,          \
+                                                    ContactSystemCache<dim> &, \
                                                     const double)
 
   INSTANTIATE(2);

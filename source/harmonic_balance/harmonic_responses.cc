@@ -102,15 +102,6 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  unsigned int
-  HarmonicResponses<dim>::n_factorisations() const
-  {
-    return factorisations;
-  }
-
-
-
   template class HarmonicResponses<2>;
   template class HarmonicResponses<3>;
 } // namespace Crevasse

@@ -43,14 +43,6 @@ namespace Crevasse
 
 
 
-  unsigned int
-  Harmonics::n_instants() const
-  {
-    return n;
-  }
-
-
-
   double
   Harmonics::instant(const unsigned int j) const
   {

@@ -54,38 +54,6 @@ namespace Crevasse
 
 
 
-  unsigned int
-  LipPart::n_nodes() const
-  {
-    return node_dofs.size();
-  }
-
-
-
-  const std::vector<types::global_dof_index> &
-  LipPart::dofs() const
-  {
-    return node_dofs;
-  }
-
-
-
-  const std::vector<double> &
-  LipPart::signs() const
-  {
-    return node_signs;
-  }
-
-
-
-  const std::vector<double> &
-  LipPart::gaps() const
-  {
-    return node_gaps;
-  }
-
-
-
   template <typename Function>
   void
   LipPart::for_each_local(const Function &f) const

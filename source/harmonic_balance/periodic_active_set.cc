@@ -24,14 +24,6 @@ namespace Crevasse
 
 
 
-  unsigned int
-  PeriodicActiveSet::n_sets() const
-  {
-    return sets;
-  }
-
-
-
   PeriodicActiveSet::Set
   PeriodicActiveSet::first_set() const
   {

@@ -41,22 +41,6 @@ namespace Crevasse
 
 
 
-  const PeriodicContact::Statistics &
-  PeriodicContact::statistics() const
-  {
-    return last_statistics;
-  }
-
-
-
-  const PeriodicContactCertificate &
-  PeriodicContact::certificate() const
-  {
-    return last_certificate;
-  }
-
-
-
   PeriodicContactSolution
   PeriodicContact::solve(const PeriodicContactProblem &problem)
   {

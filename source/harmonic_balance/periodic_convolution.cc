@@ -114,38 +114,6 @@ namespace Crevasse
 
 
 
-  unsigned int
-  PeriodicConvolution::n_nodes() const
-  {
-    return p;
-  }
-
-
-
-  unsigned int
-  PeriodicConvolution::n_instants() const
-  {
-    return N;
-  }
-
-
-
-  const FullMatrix<double> &
-  PeriodicConvolution::elastic_compliance() const
-  {
-    return elastic;
-  }
-
-
-
-  double
-  PeriodicConvolution::largest_compliance() const
-  {
-    return largest;
-  }
-
-
-
   void
   PeriodicConvolution::vmult(dealii::Vector<double>       &result,
                              const dealii::Vector<double> &function) const

@@ -33,22 +33,6 @@ namespace Crevasse
 
 
 
-  const PeriodicState &
-  PeriodicInteriorPoint::state() const
-  {
-    return current;
-  }
-
-
-
-  unsigned int
-  PeriodicInteriorPoint::n_steps() const
-  {
-    return steps;
-  }
-
-
-
   double
   PeriodicInteriorPoint::gap() const
   {

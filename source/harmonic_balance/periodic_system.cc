@@ -44,30 +44,6 @@ namespace Crevasse
 
 
 
-  unsigned int
-  PeriodicSystem::n_solves() const
-  {
-    return solves;
-  }
-
-
-
-  unsigned int
-  PeriodicSystem::n_iterations() const
-  {
-    return iterations;
-  }
-
-
-
-  unsigned int
-  PeriodicSystem::largest_system() const
-  {
-    return largest;
-  }
-
-
-
   void
   PeriodicSystem::reinit(const std::vector<bool>      &active,
                          const dealii::Vector<double> &new_diagonal)

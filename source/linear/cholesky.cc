@@ -222,14 +222,6 @@ namespace Crevasse
 
 
 
-  std::shared_ptr<const Cholesky::Analysis>
-  Cholesky::analysis() const
-  {
-    return shared_analysis;
-  }
-
-
-
   std::size_t
   Cholesky::memory_consumption() const
   {

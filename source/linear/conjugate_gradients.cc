@@ -9,14 +9,6 @@
 
 namespace Crevasse
 {
-  bool
-  ConjugateGradients::is_direct() const
-  {
-    return false;
-  }
-
-
-
   std::string
   ConjugateGradients::description() const
   {

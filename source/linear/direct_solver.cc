@@ -7,14 +7,6 @@
 
 namespace Crevasse
 {
-  bool
-  DirectSolver::is_direct() const
-  {
-    return true;
-  }
-
-
-
   void
   DirectSolver::precondition(Vector &solution, const Vector &right_hand_side)
   {

@@ -196,7 +196,7 @@ namespace Crevasse
     {
       // Degree, range of eigenvalues and the iterations that estimate them.
       // With degree 4 there are a quarter fewer iterations, but each costs two
-      // thirds more (doc/multigrid.md).
+      // thirds more (doc/scaling.md).
       typename Smoother::AdditionalData settings(2, 10., 12);
       for (unsigned int level = 1; level < solver.shared_levels->n_levels();
            ++level)
@@ -378,15 +378,6 @@ namespace Crevasse
         bytes += A->memory_consumption() +
                  n_cycle_vectors * A->diagonal().memory_consumption();
     return bytes;
-  }
-
-
-
-  template <int dim>
-  std::shared_ptr<const MultigridLevels<dim>>
-  GmgCg<dim>::levels() const
-  {
-    return shared_levels;
   }
 
 

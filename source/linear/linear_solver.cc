@@ -58,28 +58,4 @@ namespace Crevasse
   {
     return description();
   }
-
-
-
-  std::size_t
-  LinearSolver::n_solves() const
-  {
-    return solves;
-  }
-
-
-
-  std::size_t
-  LinearSolver::n_iterations() const
-  {
-    return iterations;
-  }
-
-
-
-  double
-  LinearSolver::seconds() const
-  {
-    return wall_time;
-  }
 } // namespace Crevasse

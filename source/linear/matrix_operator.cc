@@ -27,14 +27,6 @@ namespace Crevasse
 
 
 
-  const MatrixOperator::Vector &
-  MatrixOperator::diagonal() const
-  {
-    return matrix_diagonal;
-  }
-
-
-
   std::vector<MatrixOperator::Indices>
   MatrixOperator::couplings(const Indices &rows, const Indices &columns) const
   {

@@ -271,15 +271,6 @@ namespace Crevasse
 
 
   template <int dim>
-  const typename StiffnessOperator<dim>::Vector &
-  StiffnessOperator<dim>::diagonal() const
-  {
-    return operator_diagonal;
-  }
-
-
-
-  template <int dim>
   std::vector<LinearOperator::Indices>
   StiffnessOperator<dim>::couplings(
     const LinearOperator::Indices &rows,
@@ -324,15 +315,6 @@ namespace Crevasse
   StiffnessOperator<dim>::get_mpi_communicator() const
   {
     return space.communicator();
-  }
-
-
-
-  template <int dim>
-  const LinearOperator::Matrix *
-  StiffnessOperator<dim>::matrix() const
-  {
-    return nullptr;
   }
 
 

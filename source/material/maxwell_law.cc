@@ -71,60 +71,6 @@ namespace Crevasse
 
 
   template <int dim>
-  const Property<VoigtMatrix<dim>> &
-  MaxwellLaw<dim>::stiffness() const
-  {
-    return K;
-  }
-
-
-
-  template <int dim>
-  const std::vector<typename MaxwellLaw<dim>::Branch> &
-  MaxwellLaw<dim>::branches() const
-  {
-    return maxwell_branches;
-  }
-
-
-
-  template <int dim>
-  const std::vector<typename MaxwellLaw<dim>::FreeStrain> &
-  MaxwellLaw<dim>::free_strains() const
-  {
-    return strains;
-  }
-
-
-
-  template <int dim>
-  const Expression &
-  MaxwellLaw<dim>::stiffness_factor() const
-  {
-    return k;
-  }
-
-
-
-  template <int dim>
-  const Expression &
-  MaxwellLaw<dim>::viscosity_factor() const
-  {
-    return eta_0;
-  }
-
-
-
-  template <int dim>
-  bool
-  MaxwellLaw<dim>::is_plane_stress() const
-  {
-    return plane_stress;
-  }
-
-
-
-  template <int dim>
   bool
   MaxwellLaw<dim>::has_spring() const
   {
@@ -133,15 +79,6 @@ namespace Crevasse
       creeping += branch.fraction;
     constexpr double rounding = 1e-12;
     return creeping < 1. - rounding;
-  }
-
-
-
-  template <int dim>
-  std::optional<double>
-  MaxwellLaw<dim>::uniform_relaxation_time() const
-  {
-    return uniform_tau;
   }
 
 

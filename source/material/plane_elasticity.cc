@@ -44,14 +44,6 @@ namespace Crevasse
 
 
   double
-  PlaneElasticity::shear_modulus() const
-  {
-    return mu;
-  }
-
-
-
-  double
   PlaneElasticity::kappa() const
   {
     return (lambda + 3. * mu) / (lambda + mu);

@@ -8,7 +8,7 @@
 #include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/model/body.h>
-#include <crevasse/model/mesh_room.h>
+#include <crevasse/model/solver_memory.h>
 #include <crevasse/model/tip_functions.h>
 #include <crevasse/parameters/built_in_boundary.h>
 

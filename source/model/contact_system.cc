@@ -39,7 +39,7 @@ namespace Crevasse
     signorini_problem =
       std::make_unique<SignoriniProblem>(*linear_operator, bounds);
     contact = make_contact_solver();
-    contact->judge_by_load(settings.largest_load);
+    contact->set_force_scale(settings.largest_load);
   }
 
 
@@ -95,12 +95,11 @@ namespace Crevasse
     switch (settings.contact_choice.type)
       {
         case ContactSolverType::projected_sor:
-          return std::make_unique<ProjectedSor>(
-            problem,
-            make_sweep(problem, settings.unknown_blocks),
-            settings.relaxation_factor(matrix),
-            parameters.tolerance,
-            parameters.maximum_iterations);
+          return std::make_unique<ProjectedSor>(problem,
+                                                settings.relaxation_factor(
+                                                  matrix),
+                                                parameters.tolerance,
+                                                parameters.maximum_iterations);
         case ContactSolverType::active_set:
           return std::make_unique<ActiveSet>(problem,
                                              linear_solver(),

@@ -12,17 +12,18 @@ namespace Crevasse
   {
     template <int dim>
     Vector
-    open_displacement(const Scene  &scene,
-                      Solvers<dim> &solvers,
-                      const Vector &loads)
+    open_displacement(const Scene             &scene,
+                      ContactSystemCache<dim> &systems,
+                      const Vector            &loads)
     {
       const UnilateralBounds none;
-      const SignoriniProblem unconstrained(solvers.current().stiffness(), none);
+      ContactSystem<dim>    &system = systems.system_at(0.);
+      const SignoriniProblem unconstrained(system.stiffness(), none);
       std::vector<double>    no_forces;
       Vector                 displacement;
       displacement.reinit(loads);
       Unconstrained(unconstrained,
-                    solvers.current().linear_solver(),
+                    system.linear_solver(),
                     scene.contact.tolerance)
         .solve(loads, displacement, no_forces);
       return displacement;
@@ -33,14 +34,14 @@ namespace Crevasse
 
   template <int dim>
   Vector
-  elastic_displacement(const Scene     &scene,
-                       const Body<dim> &body,
-                       Solvers<dim>    &solvers,
-                       const Vector    &loads,
-                       const bool       lip_closed)
+  elastic_displacement(const Scene             &scene,
+                       const Body<dim>         &body,
+                       ContactSystemCache<dim> &systems,
+                       const Vector            &loads,
+                       const bool               lip_closed)
   {
     if (!lip_closed)
-      return open_displacement(scene, solvers, loads);
+      return open_displacement(scene, systems, loads);
 
     // A closed lip is a symmetry plane. The other space's constraints agree
     // with this one's but for the lip, where the loads then do not count.
@@ -56,7 +57,7 @@ namespace Crevasse
                                   shapes != nullptr ? shapes->functions()
                                                                : SingularFunctions());
     const UnilateralBounds      none;
-    ContactSystem<dim>          closed(solvers.settings(),
+    ContactSystem<dim>          closed(systems.settings(),
                               closed_space,
                               body.points,
                               *body.material.at(0.).stiffness,
@@ -68,17 +69,17 @@ namespace Crevasse
     displacement.reinit(loads);
     closed.contact_solver().solve(closed_loads, displacement, no_forces);
 
-    solvers.add(closed.statistics());
+    systems.add(closed.statistics());
     return displacement;
   }
 
 
 
-#define INSTANTIATE(dim)                                       \
-  template Vector elastic_displacement<dim>(const Scene &,     \
-                                            const Body<dim> &, \
-                                            Solvers<dim> &,    \
-                                            const Vector &,    \
+#define INSTANTIATE(dim)                                               \
+  template Vector elastic_displacement<dim>(const Scene &,             \
+                                            const Body<dim> &,         \
+                                            ContactSystemCache<dim> &, \
+                                            const Vector &,            \
                                             const bool)
 
   INSTANTIATE(2);

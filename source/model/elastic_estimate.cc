@@ -9,21 +9,21 @@ namespace Crevasse
   template <int dim>
   void
   look_at_elastic_states(const Body<dim>           &body,
-                         Solvers<dim>              &solvers,
+                         ContactSystemCache<dim>   &systems,
                          const std::vector<double> &instants,
                          StressEstimator<dim>      &estimator)
   {
     Evolution<dim> evolution(body.strain_operator,
                              body.points,
                              body.loads,
-                             solvers);
+                             systems);
     for (const double t : instants)
       {
         evolution.elastic_state(t);
         estimator.look_at(t,
                           evolution.state().stress,
                           evolution.state().contact_forces,
-                          solvers.at(t).material,
+                          systems.at(t).material,
                           &evolution.state().displacement);
       }
   }
@@ -32,7 +32,7 @@ namespace Crevasse
 
 #define INSTANTIATE(dim)                                                 \
   template void look_at_elastic_states<dim>(const Body<dim> &,           \
-                                            Solvers<dim> &,              \
+                                            ContactSystemCache<dim> &,   \
                                             const std::vector<double> &, \
                                             StressEstimator<dim> &)
 

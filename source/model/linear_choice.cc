@@ -120,10 +120,35 @@ namespace Crevasse
                         const Body<dim>          &body,
                         const LinearSolverChoice &linear_solver)
   {
-    return choose_contact_solver(
-      scene.contact,
-      linear_solver,
-      Utilities::MPI::sum(body.lip.nodes().size(), body.space.communicator()));
+    const MPI_Comm    communicator = body.space.communicator();
+    const std::size_t n_bounds =
+      Utilities::MPI::sum(body.lip.nodes().size(), communicator);
+    const ContactSolverChoice choice =
+      choose_contact_solver(scene.contact, linear_solver, n_bounds);
+    if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+      {
+        if (choice.type == ContactSolverType::projected_sor && n_bounds > 0)
+          throw SceneError(
+            "[Contact] Solver = projected sor works on one process only, from "
+            "unknown to unknown. Set Solver = automatic, or start the program "
+            "without mpirun.");
+        if (!scene.contact.relaxation_table.empty())
+          throw SceneError(
+            "[Contact] Relaxation table: projected SOR, whose iterations it "
+            "counts, works on one process only. Leave the table empty, or "
+            "start the program without mpirun.");
+      }
+    return choice;
+  }
+
+
+
+  template <int dim>
+  SolverChoice
+  choose_solvers(const Scene &scene, const Body<dim> &body)
+  {
+    const LinearSolverChoice linear = choose_linear_solver(scene, body);
+    return {linear, choose_contact_solver(scene, body, linear)};
   }
 
 
@@ -141,6 +166,10 @@ namespace Crevasse
   template ContactSolverChoice choose_contact_solver<dim>(                   \
     const Scene &, const Body<dim> &, const LinearSolverChoice &)
 
+  template SolverChoice
+  choose_solvers<2>(const Scene &, const Body<2> &);
+  template SolverChoice
+  choose_solvers<3>(const Scene &, const Body<3> &);
   INSTANTIATE(2);
   INSTANTIATE(3);
 

@@ -284,9 +284,9 @@ namespace Crevasse
 
   template <int dim>
   SecularFlow
-  solve_secular_problem(const Body<dim> &body,
-                        const Vector    &mean_load,
-                        Solvers<dim>    &solvers)
+  solve_secular_problem(const Body<dim>         &body,
+                        const Vector            &mean_load,
+                        ContactSystemCache<dim> &systems)
   {
     const MaterialState<dim>      material = body.material.at(0.);
     std::optional<Viscosity<dim>> found;
@@ -319,10 +319,10 @@ namespace Crevasse
         // With a load of the size by which that solver judges: the mean, which
         // has the viscosity in it, may be of any other.
         const double factor =
-          solvers.settings().largest_load / mean_load.linfty_norm();
+          systems.settings().largest_load / mean_load.linfty_norm();
         Vector load = mean_load;
         load *= factor;
-        SecularFlow flow = solve(load, *tau, solvers.at(0.).contact_solver);
+        SecularFlow flow = solve(load, *tau, systems.at(0.).contact_solver);
         flow.velocity /= factor;
         flow.strain_rate /= factor;
         for (double &force : flow.contact_forces)
@@ -330,9 +330,9 @@ namespace Crevasse
         return flow;
       }
 
-    SolverSettings settings    = solvers.settings();
+    SolverSettings settings    = systems.settings();
     settings.relaxation_factor = [&](const SparseMatrix &matrix) {
-      return solvers.relaxation_factor(matrix, mean_load);
+      return systems.relaxation_factor(matrix, mean_load);
     };
     std::fill(bounds.gap.begin(), bounds.gap.end(), 0.);
     ContactSystem<dim> system(settings,
@@ -340,10 +340,10 @@ namespace Crevasse
                               body.points,
                               viscosity.sum,
                               bounds,
-                              &solvers.current());
-    system.contact_solver().judge_by_load(mean_load.linfty_norm());
+                              &systems.system_at(0.));
+    system.contact_solver().set_force_scale(mean_load.linfty_norm());
     const SecularFlow flow = solve(mean_load, 1., system.contact_solver());
-    solvers.add(system.statistics());
+    systems.add(system.statistics());
     return flow;
   }
 
@@ -358,7 +358,7 @@ namespace Crevasse
                                                   const bool);        \
   template SecularFlow  solve_secular_problem<dim>(const Body<dim> &, \
                                                   const Vector &,    \
-                                                  Solvers<dim> &)
+                                                  ContactSystemCache<dim> &)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -99,7 +99,8 @@ namespace Crevasse
         if (!id || *id == numbers::internal_face_boundary_id)
           throw SceneError(
             "must be \"automatic\", \"none\" or boundary ids "
-            "(integers of at least 0) separated by commas");
+            "(integers of at least 0) separated by commas; with a Gmsh file "
+            "also names of physical groups");
         ids.insert(*id);
       }
     return ids;

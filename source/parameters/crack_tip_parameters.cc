@@ -16,7 +16,7 @@ namespace Crevasse
     const Patterns::Double number;
     prm.add_parameter("Stress intensity",
                       stress_intensity,
-                      "Whether crack_tip.csv tells the stress intensity "
+                      "Whether crack_tip.csv has the stress intensity "
                       "factor K_I of each step.");
     add_selection("Method", method, prm);
     prm.add_parameter("Radius",

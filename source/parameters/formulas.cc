@@ -127,7 +127,7 @@ namespace Crevasse
     catch (const SceneError &error)
       {
         throw SceneError(std::string(error.what()) +
-                         " (names of files end in .csv, .vtu, .pvtu or .pvd)");
+                         " (names of files end in .csv or .h5)");
       }
   }
 

@@ -73,48 +73,46 @@ namespace Crevasse
   BoundaryParameters::add_parameters(ParameterHandler &prm)
   {
     const std::string ids =
-      " The built-in shapes have the ids 0 on the left, 1 on the right, 2 "
-      "below but for the crack lip, 3 above, and 4 on the crack lip, in three "
-      "dimensions 5 at z = 0 and 6 at z = Thickness; a mesh file has its own. "
-      "\"automatic\" is ";
+      " Sides of built-in shapes: 0 left, 1 right, 2 bottom, except the crack "
+      "lip, 3 top, 4 crack lip, 5 z = 0, 6 z = Thickness.";
+    const std::string automatic = " \"automatic\" is ";
     const std::string others =
-      " for a built-in shape, but for ids that another role names, and none "
+      " for a built-in shape, except ids that another role names, and none "
       "for a mesh file";
     const std::string allowed =
-      ". Allowed: automatic, none, or boundary ids separated by commas";
+      ". Allowed: automatic, none, or boundary ids separated by commas; of a "
+      "Gmsh file also names of physical groups";
 
     prm.add_parameter("Clamped",
                       clamped,
                       "Boundary ids where the displacement is zero." + ids +
-                        "none" + allowed);
+                        automatic + "none" + allowed);
     prm.add_parameter("Symmetry",
                       symmetry,
                       "Boundary ids of symmetry planes: the normal "
                       "displacement and the tangential traction are zero." +
-                        ids + "2 (and 0 with a centre crack)" + others +
+                        automatic + "2 (and 0 with a centre crack)" + others +
                         allowed);
     prm.add_parameter("Loaded",
                       loaded,
                       "Boundary ids that carry the traction of the section "
                       "Loads." +
-                        ids + "3" + others + allowed);
+                        automatic + "3" + others + allowed);
     prm.add_parameter("Contact",
                       contact,
                       "Boundary ids of crack lips, which may open but not go "
                       "through the crack plane." +
-                        ids + "4 (none without a crack)" + others + allowed);
+                        automatic + "4 (none without a crack)" + others +
+                        allowed);
     prm.add_parameter(
       "Fixed points",
       fixed_points,
-      "Mesh vertices that are held so that no rigid motion is left. A point is "
-      "fixed in all directions, or in the components, counted from 1, that "
-      "follow a colon; coordinates are in units of length. \"automatic\" holds "
-      "a built-in shape against the motions along the crack plane that clamped "
-      "sides and symmetry planes leave free: component 1 of the crack tip "
-      "(without a crack of 0, 0), in three dimensions component 3 of its end "
-      "at z = 0 and component 1 of both ends, each only as far as needed; in a "
-      "mesh file nothing. Allowed: automatic, none, or a list such as "
-      "0, 0; 1, 0: 2");
+      "Mesh vertices that are fixed against rigid-body motion, in all "
+      "directions or in the components, counted from 1, after a colon; "
+      "coordinates are in units of length. \"automatic\" prevents the motions "
+      "of a built-in shape along the crack plane that clamped sides and "
+      "symmetry planes allow, and is none for a mesh file. Allowed: automatic, "
+      "none, or a list such as 0, 0; 1, 0: 2");
     gap.add_parameter("Gap",
                       "The least normal displacement of the lip, in units of "
                       "length: 0 for a crack that is closed when nothing is "
@@ -150,9 +148,8 @@ namespace Crevasse
       "with the columns t, x, y, theta (t, x, y, z, theta in "
       "three dimensions): a rectangular grid of points, the "
       "same at each instant, between which is interpolated; "
-      "or fields on meshes of their own with a scalar theta, "
-      "temperature or T at their points: a .vtu or .pvtu "
-      "file, or a .pvd file for several instants",
+      "or an .h5 file, made of the fields of another program "
+      "by \"crevasse temperature\"",
       prm);
     body_force.add_parameter(
       "Body force",
@@ -177,9 +174,9 @@ namespace Crevasse
       "Singular functions",
       singular_functions,
       "Number of functions with the singularity of the crack tip that are "
-      "added to the finite elements: 1: that of a unit K_I, 2: and the other "
-      "one with the square root of r, which is needed where the viscous "
-      "Poisson ratio is not the elastic one, 3: and that with the power 3/2. "
+      "added to the finite elements: 1: that of a unit K_I, 2: also the other "
+      "one with the square root of r, for a viscous Poisson ratio other than "
+      "the elastic one, 3: also that with the power 3/2. "
       "Allowed: 0 to 3",
       any_count);
   }
@@ -196,10 +193,6 @@ namespace Crevasse
       "\"automatic\" searches for the best one. Allowed: "
       "automatic, or a number greater than 0 and less than 2",
       prm);
-    prm.add_parameter("Relaxed together",
-                      relaxed_together,
-                      "What the projected SOR method relaxes at once.",
-                      Patterns::Selection("unknown|node"));
     prm.add_parameter("Tolerance",
                       tolerance,
                       "Largest error that the certificate of a solution may "
@@ -231,9 +224,9 @@ namespace Crevasse
     prm.add_parameter("Tolerance",
                       tolerance,
                       "Factor by which conjugate gradients reduce the residual "
-                      "before the solver \"active set\" looks at its set "
-                      "again; how accurate the result is [Contact] Tolerance "
-                      "says. Allowed: a number greater than 0, at most 0.1");
+                      "before the solver \"active set\" updates its set; "
+                      "[Contact] Tolerance bounds the error of the result. "
+                      "Allowed: a number greater than 0, at most 0.1");
     prm.add_parameter("Memory for instants",
                       memory_for_instants,
                       "Memory in MiB for matrices, factors and material data "
@@ -360,16 +353,10 @@ namespace Crevasse
                       "Whether the work of the loads in the displacement is "
                       "recorded at every step, for studies of convergence in "
                       "the energy norm.");
-    prm.add_parameter("Contact problems",
-                      contact_problems,
-                      "Steps whose contact problem is written to files in the "
-                      "formats of Matrix Market and PETSc, for other solvers. "
-                      "Allowed: a list such as 1: 10; 3: 0 of periods, counted "
-                      "from 1, and steps in them, counted from 0");
     prm.add_parameter("Checkpoint every",
                       checkpoint_every,
                       "Number of periods after which a checkpoint is written, "
-                      "from which --resume goes on; 0: only when the run is "
+                      "from which --resume continues; 0: only when the run is "
                       "asked to stop, or by SIGUSR1. Allowed: an integer of at "
                       "least 0",
                       Patterns::Integer(0));

@@ -14,7 +14,17 @@ namespace Crevasse
 
     checker.demand_valid("Traction", traction);
     checker.demand_valid("Body force", body_force);
-    checker.demand_valid("Temperature", temperature);
+
+    const std::string suffix = Text::suffix(temperature.text());
+    if (suffix == ".pvd" || suffix == ".vtu" || suffix == ".pvtu")
+      problems.add(section,
+                   "Temperature",
+                   temperature.text(),
+                   "fields of other programs are converted before they are "
+                   "read: \"crevasse temperature " +
+                     temperature.text() + " --output temperature.h5\"");
+    else
+      checker.demand_valid("Temperature", temperature);
     if (temperature.is_valid() && !*temperature)
       checker.demand_file("Temperature", temperature.text());
   }

@@ -17,8 +17,7 @@ namespace Crevasse
     add_selection("Plane state", plane_state, prm);
     // The same of all coefficients.
     const std::string formula =
-      " or a formula of x, y, z, t, theta (the change of temperature) and "
-      "material (the material id of the cell in a mesh file) with such values";
+      " or a formula of x, y, z, t, theta, material with such values";
 
     young_modulus.add_parameter(
       "Young modulus",
@@ -33,12 +32,10 @@ namespace Crevasse
         formula,
       prm);
     const std::string matrix =
-      "a symmetric matrix, its rows separated by semicolons and the entries "
-      "of a row by commas, each a number or formula as above. Its rows and "
-      "columns are those of the components 11, 22, 12 (plane stress), 11, 22, "
-      "33, 12 (plane strain, or plane stress that follows from them), or 11, "
-      "22, 33, 12, 13, 23 (three dimensions); shear strains are engineering "
-      "strains";
+      "a symmetric matrix of numbers or formulas, its rows separated by "
+      "semicolons and the entries of a row by commas. Components: 11, 22, 12 "
+      "(plane stress), 11, 22, 33, 12 (plane stress or strain), 11, 22, 33, "
+      "12, 13, 23 (three dimensions), with engineering shear strains";
     stiffness_matrix.add_parameter(
       "Stiffness matrix",
       "Stiffness, in units of stress, instead of Young modulus "

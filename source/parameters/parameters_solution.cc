@@ -4,7 +4,6 @@
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/parameters.h>
-#include <crevasse/parameters/recorded_steps.h>
 
 namespace Crevasse
 {
@@ -181,8 +180,5 @@ namespace Crevasse
     const Checker checker(section, problems);
     for (const double time : field_times)
       checker.demand(time >= 0., "Field times", time, "must be at least 0");
-    checker.demand_readable("Contact problems", contact_problems, [&]() {
-      parse_recorded_steps(contact_problems);
-    });
   }
 } // namespace Crevasse

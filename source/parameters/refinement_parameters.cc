@@ -55,7 +55,7 @@ namespace Crevasse
       "Readapt every",
       readapt_every,
       "Number of periods after which the mesh is adapted anew to the stress "
-      "of the last of them, and the march goes on; 0: never. Allowed: an "
+      "of the last of them; 0: never. Allowed: an "
       "integer, at least 0",
       Patterns::Integer(0));
   }

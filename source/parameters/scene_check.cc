@@ -4,7 +4,6 @@
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/checker.h>
-#include <crevasse/parameters/recorded_steps.h>
 #include <crevasse/parameters/scene.h>
 
 namespace Crevasse
@@ -258,8 +257,6 @@ namespace Crevasse
              "flow");
       demand(scene.material.viscosity != ViscosityType::none,
              "with [Material] Viscosity = none: there is only one period");
-      demand(scene.output.contact_problems.empty(),
-             "with [Output] Contact problems, which are those of one mesh");
       demand(scene.discretisation.singular_functions == 0,
              "with [Discretisation] Singular functions: what they have caused "
              "in the viscous strain does not go over to another mesh");
@@ -298,28 +295,6 @@ namespace Crevasse
             scene.refinement.instants);
     }
 
-
-
-    /** Contact problems can be recorded only at steps that there will be. */
-    void
-    check_recorded_steps(const Scene &scene, Problems &problems)
-    {
-      if (problems.concern(OutputParameters::section, "Contact problems") ||
-          scene.time_integration.step_control != StepControlType::uniform)
-        return;
-      const unsigned int n_periods = scene.periodic_state.maximum_periods;
-      const unsigned int n_steps   = scene.time_integration.steps_per_period;
-      for (const auto &[period, step] :
-           parse_recorded_steps(scene.output.contact_problems))
-        if (period > n_periods || step > n_steps)
-          problems.add(OutputParameters::section,
-                       "Contact problems",
-                       std::to_string(period) + ": " + std::to_string(step),
-                       "must be within Periodic state/Maximum periods = " +
-                         std::to_string(n_periods) +
-                         " and Time integration/Steps per period = " +
-                         std::to_string(n_steps));
-    }
   } // namespace
 
 
@@ -363,6 +338,5 @@ namespace Crevasse
     check_fixed_steps(*this, problems);
     check_secular_split(*this, problems);
     check_readaptation(*this, problems);
-    check_recorded_steps(*this, problems);
   }
 } // namespace Crevasse

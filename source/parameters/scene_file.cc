@@ -3,6 +3,7 @@
 
 #include <crevasse/base/text_file.h>
 #include <crevasse/parameters/assignments.h>
+#include <crevasse/parameters/boundary_names.h>
 #include <crevasse/parameters/json_reader.h>
 #include <crevasse/parameters/prm_reader.h>
 #include <crevasse/parameters/scene_file.h>
@@ -88,6 +89,7 @@ namespace Crevasse
                    "Temperature",
                    scene.loads.temperature.text(),
                    prm);
+    replace_boundary_names(scene, problems);
     return scene;
   }
 

@@ -47,9 +47,10 @@ namespace Crevasse
       out << "# Parameters\n\n"
              "Written by `crevasse --print-parameters markdown`. All "
              "quantities are in the user's own\nconsistent units of length, "
-             "stress, time and temperature; what names no unit is a pure\n"
-             "number, a choice or a text. [Your first scene](scenes.md) tells "
-             "how scenes are written.\n";
+             "stress, time and temperature; values without a unit are pure "
+             "numbers,\nchoices or texts. [Scenes](scenes.md) explains "
+             "formulas: theta is the change of\ntemperature, material the "
+             "material id of the cell in a mesh file.\n";
       for (const Catalogue::Section &section : Catalogue(prm).sections)
         print_table(out, section);
     }

@@ -120,7 +120,6 @@ namespace Crevasse
         {here, "Solver", !has_contact(scene), no_contact},
         {here, "Relaxation factor", !has_contact(scene), no_contact},
         {here, "Relaxation factor", !solver.relaxes, why},
-        {here, "Relaxed together", !solver.relaxes && !table, why},
         {here, "Maximum iterations", !solver.counts_iterations && !table, why},
         {LinearSolverParameters::section,
          "Tolerance",

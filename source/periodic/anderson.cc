@@ -36,11 +36,13 @@ namespace Crevasse
 
 
   template <int dim>
-  Ending
+  ConvergenceStatus
   Anderson<dim>::run(Vector &r)
   {
-    const StatePart part(periods.pauses(),
-                         [this](StateArchive &archive) { serialize(archive); });
+    const SerializationScope part(periods.checkpointer(),
+                                  [this](StateArchive &archive) {
+                                    serialize(archive);
+                                  });
     forget();
     Vector image, next;
     coordinates.from_strain(r, start);
@@ -72,18 +74,18 @@ namespace Crevasse
           rests ? settings.slowness * change : estimated_error(change);
         periods.report(error);
         if (settings.tolerance > 0. && error <= settings.tolerance)
-          return Ending::converged;
+          return ConvergenceStatus::converged;
         if (stagnations > settings.most_stagnations)
           {
             coordinates.to_strain(next, r);
-            return Ending::stagnant;
+            return ConvergenceStatus::stagnant;
           }
         std::swap(start, next);
       }
     Vector next_strain(r);
     coordinates.to_strain(start, next_strain);
     periods.stop_before(next_strain);
-    return Ending::out_of_periods;
+    return ConvergenceStatus::out_of_periods;
   }
 
 

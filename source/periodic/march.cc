@@ -20,22 +20,23 @@ namespace Crevasse
 
 
   template <int dim>
-  Ending
+  ConvergenceStatus
   March<dim>::run(Vector &r)
   {
-    const StatePart part(periods.pauses(), [this](StateArchive &archive) {
-      archive.section("march");
-      contraction.serialize(archive);
-      archive.common(is_first);
-    });
-    periods.let_opening_excuse();
+    const SerializationScope part(periods.checkpointer(),
+                                  [this](StateArchive &archive) {
+                                    archive.section("march");
+                                    contraction.serialize(archive);
+                                    archive.common(is_first);
+                                  });
+    periods.ignore_drift_while_opening();
     for (; periods.may_go_on(); is_first = false)
       {
         const double change = periods.compute(r);
         if (!periods.has_memory())
           {
             periods.report(0.);
-            return Ending::converged;
+            return ConvergenceStatus::converged;
           }
         // max() gives back its first argument if that is nan.
         const double error = std::max({contraction.add(change, !is_first),
@@ -43,10 +44,10 @@ namespace Crevasse
                                        periods.return_defect()});
         periods.report(error);
         if (tolerance > 0. && error <= tolerance)
-          return Ending::converged;
+          return ConvergenceStatus::converged;
       }
     periods.stop_before(r);
-    return Ending::out_of_periods;
+    return ConvergenceStatus::out_of_periods;
   }
 
 

@@ -24,7 +24,7 @@ namespace Crevasse
     , defect(defect)
     , history(period_map.steps().period())
     , so_far(before)
-    , part(period_map.pauses(),
+    , part(period_map.checkpointer(),
            [this](StateArchive &archive) { serialize(archive); })
   {
   }
@@ -149,7 +149,7 @@ namespace Crevasse
             n_solves() - solves_before,
             seconds_before + timer.wall_time()};
     if (defect != nullptr)
-      so_far.return_defect = opening_excuses && lip_opens
+      so_far.return_defect = ignores_drift && lip_opens
                                ? 0.
                                : (*defect)(r_before, r, last.largest_stress);
     return change;
@@ -168,9 +168,9 @@ namespace Crevasse
 
   template <int dim>
   void
-  ObservedPeriods<dim>::let_opening_excuse()
+  ObservedPeriods<dim>::ignore_drift_while_opening()
   {
-    opening_excuses = true;
+    ignores_drift = true;
   }
 
 
@@ -209,10 +209,10 @@ namespace Crevasse
 
 
   template <int dim>
-  Pauses *
-  ObservedPeriods<dim>::pauses() const
+  Checkpointer *
+  ObservedPeriods<dim>::checkpointer() const
   {
-    return period_map.pauses();
+    return period_map.checkpointer();
   }
 
 

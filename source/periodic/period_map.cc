@@ -3,56 +3,24 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/periodic/period_map.h>
-#include <crevasse/time/forwarding_equation.h>
 
 #include <sstream>
 
 namespace Crevasse
 {
-  namespace
-  {
-    /** An equation whose time is brought into the period. A step that ends
-     * where something jumps sees what was before. */
-    class PeriodicEquation : public ForwardingEquation
-    {
-    public:
-      PeriodicEquation(RateEquation   &equation,
-                       const StepList &steps,
-                       const double    begin)
-        : ForwardingEquation(equation)
-        , steps(steps)
-        , begin(begin)
-      {
-      }
-
-    protected:
-      double
-      instant(const double t) const override
-      {
-        return t > begin && steps.jumps_at(t) ? steps.just_before(t)
-                                              : steps.within_period(t);
-      }
-
-    private:
-      const StepList &steps;
-      const double    begin; ///< of the step
-    };
-  } // namespace
-
-
-
   template <int dim>
   PeriodMap<dim>::PeriodMap(Evolution<dim> &evolution,
                             Integrator     *integrator,
                             StepControl    &step_control,
                             StepList       &steps,
-                            Pauses         *pauses)
+                            Checkpointer   *checkpointer)
     : evolution(evolution)
     , integrator(integrator)
     , step_control(step_control)
     , step_list(steps)
-    , those_who_pause(pauses)
+    , checkpointing(checkpointer)
   {
+    evolution.repeat(steps);
   }
 
 
@@ -93,12 +61,12 @@ namespace Crevasse
   void
   PeriodMap<dim>::stop_before(unsigned int period, Vector &r)
   {
-    unsigned int    first = 0;
-    const StatePart here(those_who_pause, [&](StateArchive &archive) {
+    unsigned int             first = 0;
+    const SerializationScope here(checkpointing, [&](StateArchive &archive) {
       serialize(archive, period, first, r);
     });
-    if (those_who_pause != nullptr)
-      those_who_pause->before_what_is_not_computed(period);
+    if (checkpointing != nullptr)
+      checkpointing->at_end_of_search(period);
   }
 
 
@@ -109,8 +77,8 @@ namespace Crevasse
   {
     const bool can_be_kept =
       step == 0 || !has_memory() || integrator->may_pause();
-    if (those_who_pause != nullptr && can_be_kept)
-      those_who_pause->between_steps(period, step);
+    if (checkpointing != nullptr && can_be_kept)
+      checkpointing->between_steps(period, step);
   }
 
 
@@ -121,8 +89,8 @@ namespace Crevasse
                           Vector                                    &r,
                           const std::function<void(const Sample &)> &observe)
   {
-    unsigned int    k = 0;
-    const StatePart here(those_who_pause, [&](StateArchive &archive) {
+    unsigned int             k = 0;
+    const SerializationScope here(checkpointing, [&](StateArchive &archive) {
       serialize(archive, period, k, r);
     });
     if (has_memory())
@@ -133,7 +101,20 @@ namespace Crevasse
           pause(period, k);
           if (k == 0)
             begin_period();
-          step(period, k, r, observe);
+          const double t = step_list.instant(k);
+          evolution.begin_step(t);
+          if (!has_memory())
+            evolution.elastic_state(t);
+          else
+            {
+              // The end of the last step was before the jump.
+              if (step_list.jumps_at(t))
+                integrator->restart();
+              step_control.start(*integrator, evolution, step_list, k, r, rate);
+            }
+          observe(sample(period, k, r));
+          if (has_memory())
+            step_control.advance(*integrator, evolution, step_list, k, rate, r);
         }
       catch (const NumericalError &error)
         {
@@ -148,30 +129,22 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  PeriodMap<dim>::step(const unsigned int                         period,
-                       const unsigned int                         k,
-                       Vector                                    &r,
-                       const std::function<void(const Sample &)> &observe)
+  Sample
+  PeriodMap<dim>::sample(const unsigned int period,
+                         const unsigned int k,
+                         const Vector      &r) const
   {
-    const double     t = step_list.instant(k);
-    PeriodicEquation f(evolution, step_list, t);
-    if (has_memory() && step_list.jumps_at(t))
-      integrator->restart(); // The end of the last step was before the jump.
-    if (has_memory())
-      step_control.start(*integrator, f, step_list, k, r, rate);
-    else
-      evolution.elastic_state(t);
-    observe({period,
-             k,
-             (period - 1) * step_list.period() + t,
-             t,
-             evolution.state(),
-             r,
-             evolution.right_hand_side(),
-             evolution.secular_flow()});
-    if (has_memory())
-      step_control.advance(*integrator, f, step_list, k, rate, r);
+    const bool   is_end = k == step_list.n_steps();
+    const double t      = step_list.instant(k);
+    return {period,
+            k,
+            is_end ? period * step_list.period()
+                   : (period - 1) * step_list.period() + t,
+            t,
+            evolution.state(),
+            r,
+            evolution.right_hand_side(),
+            evolution.secular_flow()};
   }
 
 
@@ -183,19 +156,10 @@ namespace Crevasse
                          const std::function<void(const Sample &)> &observe)
   {
     if (has_memory())
-      {
-        evolution.rate(0., r, rate);
-      }
+      evolution.rate(0., r, rate);
     else
       evolution.elastic_state(0.);
-    observe({period,
-             step_list.n_steps(),
-             period * step_list.period(),
-             step_list.period(),
-             evolution.state(),
-             r,
-             evolution.right_hand_side(),
-             evolution.secular_flow()});
+    observe(sample(period, step_list.n_steps(), r));
   }
 
 
@@ -210,10 +174,10 @@ namespace Crevasse
 
 
   template <int dim>
-  Pauses *
-  PeriodMap<dim>::pauses() const
+  Checkpointer *
+  PeriodMap<dim>::checkpointer() const
   {
-    return those_who_pause;
+    return checkpointing;
   }
 
 

@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace Crevasse
 {
@@ -14,9 +15,11 @@ namespace Crevasse
 
   template <int dim>
   ContactOnset<dim>::ContactOnset(const ContactBoundary<dim> &lip,
-                                  const SecularFlow          &flow)
+                                  const SecularFlow          &flow,
+                                  Log                        &log)
     : lip(lip)
     , communicator(flow.velocity.get_mpi_communicator())
+    , log(log)
   {
     constexpr double rounding = 1e-10;
     const double     opens    = rounding * flow.velocity.linfty_norm();
@@ -93,6 +96,31 @@ namespace Crevasse
     archive.maximum(pressed);
     archive.part_of_sum(last_force);
     archive.part_of_sum(impulse);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactOnset<dim>::summarise(Summary &summary)
+  {
+    const unsigned int n_nodes = n_opening_nodes();
+    const double       pressed = last_contact();
+
+    auto &secular                                = summary["secular"];
+    secular["mean_contact_force_of_last_period"] = mean_forces().first;
+    secular["opening_nodes"]                     = n_nodes;
+    secular["onset"]                             = onset();
+    // null: none of them was pressed at all
+    secular["last_contact_of_opening_nodes"] =
+      pressed >= 0. ? Summary(pressed) : Summary();
+    if (n_nodes == 0)
+      return;
+    std::ostringstream text;
+    text << "  the flow opens " << n_nodes
+         << " nodes of the lip: none touches after t_0 = " << onset()
+         << " at the latest (q of mean value zero)";
+    log.line(text.str());
   }
 
 

@@ -182,15 +182,15 @@ namespace Crevasse
 
 
   double
-  CrackTipAnalysis::relative_energy_error(Solvers<2>     &solvers,
-                                          const StepList &steps) const
+  CrackTipAnalysis::relative_energy_error(ContactSystemCache<2> &systems,
+                                          const StepList        &steps) const
   {
     StressEstimator<2> estimator(body.space,
                                  body.points,
                                  body.lip,
                                  scene.loads);
     look_at_elastic_states(body,
-                           solvers,
+                           systems,
                            instants_of_extreme_loads(body, steps),
                            estimator);
     const double error = estimator.relative_error();
@@ -238,19 +238,19 @@ namespace Crevasse
 
 
   std::unique_ptr<CrackTipTable>
-  CrackTipAnalysis::make_table(Solvers<2>        &solvers,
-                               const StepList    &steps,
-                               const std::string &file_name,
-                               const bool         goes_on) const
+  CrackTipAnalysis::make_table(ContactSystemCache<2>            &systems,
+                               const StepList                   &steps,
+                               const std::optional<SecularFlow> &flow,
+                               const CrackTipTable::File        &file,
+                               Log                              &log) const
   {
     std::optional<CrackTipTable::Integrals> integrals;
     if (choice.integral)
       {
-        solvers.at(0.); // makes it the current system
         const UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
         const auto             influence_on = [&](const Vector &functional) {
           return elastic_displacement<2>(
-            scene, body, solvers, functional, false);
+            scene, body, systems, functional, false);
         };
         const auto weight_function = [&](const double size) {
           const InteractionIntegral integral(
@@ -277,15 +277,17 @@ namespace Crevasse
           }
       }
     return std::make_unique<CrackTipTable>(
-      std::move(integrals),
-      fit,
-      energy,
-      [this](const double t) { return modulus(t); },
-      body.loads,
+      CrackTipTable::Evaluation{std::move(integrals),
+                                fit,
+                                energy,
+                                [this](const double t) { return modulus(t); },
+                                body.loads,
+                                relative_energy_error(systems, steps)},
       steps,
-      file_name,
-      goes_on,
-      relative_energy_error(solvers, steps));
+      file,
+      [this, &flow, &log](const CrackTipTable &table, Summary &summary) {
+        summarise(table, flow ? &*flow : nullptr, summary, log);
+      });
   }
 
 

@@ -9,24 +9,15 @@
 
 namespace Crevasse
 {
-  CrackTipTable::CrackTipTable(std::optional<Integrals> &&integrals,
-                               const WilliamsFit         &fit,
-                               const StrainEnergy        &energy,
-                               const Modulus             &modulus,
-                               const ExternalLoads<2>    &loads,
-                               const StepList            &steps,
-                               const std::string         &file_name,
-                               const bool                 goes_on,
-                               const double               relative_error)
-    : integrals(std::move(integrals))
-    , fit(fit)
-    , energy(energy)
-    , modulus(modulus)
-    , loads(loads)
+  CrackTipTable::CrackTipTable(Evaluation      &&evaluation,
+                               const StepList   &steps,
+                               const File       &file,
+                               const Conclusion &conclusion)
+    : by(std::move(evaluation))
     , steps(steps)
-    , relative_error(relative_error)
+    , conclusion(conclusion)
   {
-    if (file_name.empty())
+    if (file.name.empty())
       return;
     std::vector<std::string> columns = {"t", "K_I", "K_I_stress"};
     if (has_singular_function())
@@ -34,7 +25,7 @@ namespace Crevasse
     for (const char *name :
          {"K_I_error", "energy_release_rate", "strain_energy"})
       columns.push_back(name);
-    table = std::make_unique<CsvTable>(file_name, columns, goes_on);
+    table = std::make_unique<CsvTable>(file.name, columns, file.is_continuing);
   }
 
 
@@ -42,7 +33,7 @@ namespace Crevasse
   bool
   CrackTipTable::has_singular_function() const
   {
-    return integrals && integrals->singular;
+    return by.integrals && by.integrals->singular;
   }
 
 
@@ -53,29 +44,30 @@ namespace Crevasse
     const double t = steps.within_period(sample.instant);
     Values       values{};
     const auto  &g   = sample.state.contact_forces;
-    values.of_stress = fit.value(sample.state.stress, g);
-    if (integrals)
+    values.of_stress = by.fit.value(sample.state.stress, g);
+    if (by.integrals)
       {
         nodal_forces.reinit(sample.state.displacement, true);
-        loads.evaluate(t, nodal_forces);
-        values.intensity = integrals->large.value(nodal_forces, g);
+        by.loads.evaluate(t, nodal_forces);
+        values.intensity = by.integrals->large.value(nodal_forces, g);
         values.error =
           std::max(std::abs(values.intensity -
-                            integrals->small.value(nodal_forces, g)),
+                            by.integrals->small.value(nodal_forces, g)),
                    std::abs(values.intensity - values.of_stress));
         if (has_singular_function())
           values.of_singular_function =
-            integrals->singular->value(nodal_forces, g);
+            by.integrals->singular->value(nodal_forces, g);
       }
     else
       {
         values.intensity = values.of_stress;
-        values.error     = std::abs(fit.correction(sample.state.stress, g));
+        values.error     = std::abs(by.fit.correction(sample.state.stress, g));
       }
     values.error =
-      std::max(values.error, relative_error * std::abs(values.intensity));
-    values.release_rate = values.intensity * values.intensity / modulus(t);
-    values.energy = energy.value(t, sample.state.stress, sample.viscous_strain);
+      std::max(values.error, by.relative_error * std::abs(values.intensity));
+    values.release_rate = values.intensity * values.intensity / by.modulus(t);
+    values.energy =
+      by.energy.value(t, sample.state.stress, sample.viscous_strain);
     return values;
   }
 
@@ -116,17 +108,9 @@ namespace Crevasse
 
 
 
-  const TipHistory &
-  CrackTipTable::last_period() const
+  void
+  CrackTipTable::summarise(Summary &summary)
   {
-    return history;
-  }
-
-
-
-  const std::vector<CrackTipTable::Values> &
-  CrackTipTable::values() const
-  {
-    return of_last_period;
+    conclusion(*this, summary);
   }
 } // namespace Crevasse

@@ -6,11 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace Crevasse
 {
-  ElasticComparison::ElasticComparison(Reference &&reference)
+  ElasticComparison::ElasticComparison(Reference   &&reference,
+                                       const Vector *drift,
+                                       Log          &log)
     : reference(std::move(reference))
+    , drift(drift)
+    , log(log)
   {
   }
 
@@ -52,23 +57,42 @@ namespace Crevasse
 
 
 
-  double
-  ElasticComparison::stress_difference() const
+  void
+  ElasticComparison::summarise(Summary &summary)
   {
-    return last_period;
+    const double stress                                = stress_difference();
+    summary["elastic_comparison"]["stress_difference"] = stress;
+    char text[120];
+    std::snprintf(text,
+                  sizeof(text),
+                  "  periodic stress against F(t) s_el: difference %.2e of the "
+                  "largest stress",
+                  stress);
+    log.line(text);
+    if (drift == nullptr)
+      return;
+
+    const double of_drift                             = drift_difference();
+    summary["elastic_comparison"]["drift_difference"] = of_drift;
+    std::snprintf(text,
+                  sizeof(text),
+                  "  drift per period against T F_mean/tau u_el: difference "
+                  "%.2e",
+                  of_drift);
+    log.line(text);
   }
 
 
 
   double
-  ElasticComparison::drift_difference(const Vector &drift) const
+  ElasticComparison::drift_difference() const
   {
     const double factor         = reference.drift_factor;
     double       largest_factor = 0.;
     for (const double f : reference.factor)
       largest_factor = std::max(largest_factor, std::abs(f));
 
-    Vector difference = drift;
+    Vector difference = *drift;
     difference.add(-factor, reference.displacement);
     const double size =
       (std::abs(factor) > 1e-10 * largest_factor ? std::abs(factor)

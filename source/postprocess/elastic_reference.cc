@@ -162,11 +162,11 @@ namespace Crevasse
 
   template <int dim>
   ElasticComparison::Reference
-  elastic_reference(const Scene      &scene,
-                    const Body<dim>  &body,
-                    Solvers<dim>     &solvers,
-                    const StepList   &steps,
-                    const Integrator *integrator)
+  elastic_reference(const Scene             &scene,
+                    const Body<dim>         &body,
+                    ContactSystemCache<dim> &systems,
+                    const StepList          &steps,
+                    const Integrator        *integrator)
   {
     const LoadFactors factors =
       load_factors(body, steps, integrator, scene.output.elastic_comparison);
@@ -182,7 +182,7 @@ namespace Crevasse
     reference.displacement =
       elastic_displacement(scene,
                            body,
-                           solvers,
+                           systems,
                            loads,
                            scene.output.elastic_comparison ==
                              ComparedLip::closed);
@@ -214,13 +214,13 @@ namespace Crevasse
   template ElasticComparison::Reference
   elastic_reference<2>(const Scene &,
                        const Body<2> &,
-                       Solvers<2> &,
+                       ContactSystemCache<2> &,
                        const StepList &,
                        const Integrator *);
   template ElasticComparison::Reference
   elastic_reference<3>(const Scene &,
                        const Body<3> &,
-                       Solvers<3> &,
+                       ContactSystemCache<3> &,
                        const StepList &,
                        const Integrator *);
 } // namespace Crevasse

@@ -44,17 +44,18 @@ namespace Crevasse
   FieldWriter<dim>::FieldWriter(const Space<dim>           &space,
                                 const StressRecovery<dim>  &recovery,
                                 const ContactBoundary<dim> &lip,
-                                const StepList             &steps,
-                                const std::vector<double>  &times,
-                                const std::string          &directory)
+                                const FieldTimes           &times,
+                                const std::string          &directory,
+                                Log                        &log)
     : space(space)
     , recovery(recovery)
     , lip(lip)
     , directory(directory)
-    , wanted{steps.period()} // the end of the run
+    , log(log)
+    , wanted{times.steps.period()} // the end of the run
   {
-    for (const double t : times)
-      wanted.insert(steps.instant(steps.nearest(t)));
+    for (const double t : times.times)
+      wanted.insert(times.steps.instant(times.steps.nearest(t)));
   }
 
 
@@ -95,6 +96,18 @@ namespace Crevasse
         snapshot.state.serialize(archive);
         archive.at_points(snapshot.viscous_strain);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  FieldWriter<dim>::summarise(Summary &)
+  {
+    const unsigned int n = write();
+    log.line("  fields of " + std::to_string(n) +
+             (n == 1 ? " instant in " : " instants in ") + directory +
+             "/solution.pvd");
   }
 
 

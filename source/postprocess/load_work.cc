@@ -9,14 +9,14 @@ namespace Crevasse
   LoadWork<dim>::LoadWork(const ExternalLoads<dim> &loads,
                           const StepList           &steps,
                           const std::string        &file_name,
-                          const bool                goes_on)
+                          const bool                is_continuing)
     : loads(loads)
     , steps(steps)
     , table(file_name.empty() ? nullptr
                               : std::make_unique<CsvTable>(
                                   file_name,
                                   std::vector<std::string>{"t", "load_work"},
-                                  goes_on))
+                                  is_continuing))
   {
   }
 

@@ -61,8 +61,7 @@ namespace Crevasse
       static const std::regex ours(
         "summary\\.json(\\.part)?|log\\.txt|solution\\.pvd|used\\.prm|"
         "solution_[0-9.]+\\.p?vtu|(probe_.*|contact|periods|relaxation|"
-        "load_work|crack_tip)\\.csv|report\\.html|"
-        "contact_problem_[0-9_]+([a-z_]+\\.mtx|\\.petsc|\\.petsc\\.info)");
+        "load_work|crack_tip)\\.csv|report\\.html");
       std::vector<fs::path>  found;
       std::error_code        error;
       fs::directory_iterator entry(directory, error);

@@ -258,24 +258,6 @@ namespace Crevasse
 
 
   template <int dim>
-  const std::string &
-  ProbeEvaluator<dim>::name() const
-  {
-    return probe.name;
-  }
-
-
-
-  template <int dim>
-  bool
-  ProbeEvaluator<dim>::on_lip() const
-  {
-    return is_on_lip;
-  }
-
-
-
-  template <int dim>
   Tensor<1, dim>
   ProbeEvaluator<dim>::displacement(const Vector &displacement) const
   {

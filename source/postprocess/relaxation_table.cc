@@ -77,14 +77,14 @@ namespace Crevasse
 
   template <int dim>
   void
-  write_relaxation_table(const Scene       &scene,
-                         const Body<dim>   &body,
-                         Solvers<dim>      &solvers,
-                         const StepList    &steps,
-                         Log               &log,
-                         const std::string &directory)
+  write_relaxation_table(const Scene             &scene,
+                         const Body<dim>         &body,
+                         ContactSystemCache<dim> &systems,
+                         const StepList          &steps,
+                         Log                     &log,
+                         const std::string       &directory)
   {
-    const SparseMatrix &matrix = solvers.current().problem().matrix();
+    const SparseMatrix &matrix = systems.system_at(0.).problem().matrix();
     const Vector        loads =
       loads_at(body, steps.instant(step_of_largest_load(body, steps)));
     if (loads.linfty_norm() == 0.)
@@ -93,21 +93,21 @@ namespace Crevasse
         "there is nothing to iterate for. Set [Loads] or leave "
         "the table empty.");
     const Vector direct =
-      elastic_displacement(scene, body, solvers, loads, false);
+      elastic_displacement(scene, body, systems, loads, false);
     const double target = residual_norm(matrix, direct, loads);
     const double target_1980 =
       residual_norm(matrix, in_single_precision_of_1980(direct), loads);
 
     const UnilateralBounds none;
     const SignoriniProblem problem(matrix, none);
-    const auto sweep = make_sweep(problem, solvers.settings().unknown_blocks);
-    const auto count = [&](const double factor, const double goal) {
+    const Sweep            sweep(problem);
+    const auto             count = [&](const double factor, const double goal) {
       return count_sor_iterations(
-        problem, *sweep, loads, factor, goal, scene.contact.maximum_iterations);
+        problem, sweep, loads, factor, goal, scene.contact.maximum_iterations);
     };
 
     const double best = find_relaxation_factor(
-      problem, *sweep, loads, target_1980, scene.contact.maximum_iterations);
+      problem, sweep, loads, target_1980, scene.contact.maximum_iterations);
     std::vector<double> factors = scene.contact.relaxation_table;
     factors.push_back(best);
     std::sort(factors.begin(), factors.end());
@@ -159,14 +159,14 @@ namespace Crevasse
   template void
   write_relaxation_table<2>(const Scene &,
                             const Body<2> &,
-                            Solvers<2> &,
+                            ContactSystemCache<2> &,
                             const StepList &,
                             Log &,
                             const std::string &);
   template void
   write_relaxation_table<3>(const Scene &,
                             const Body<3> &,
-                            Solvers<3> &,
+                            ContactSystemCache<3> &,
                             const StepList &,
                             Log &,
                             const std::string &);

@@ -13,11 +13,11 @@ namespace Crevasse
     std::unique_ptr<CsvTable>
     open_table(const std::string              &file_name,
                const std::vector<std::string> &header,
-               const bool                      goes_on)
+               const bool                      is_continuing)
     {
       return file_name.empty()
                ? nullptr
-               : std::make_unique<CsvTable>(file_name, header, goes_on);
+               : std::make_unique<CsvTable>(file_name, header, is_continuing);
     }
   } // namespace
 
@@ -26,7 +26,7 @@ namespace Crevasse
   template <int dim>
   ProbeTable<dim>::ProbeTable(const ProbeEvaluator<dim> &probe,
                               const std::string         &file_name,
-                              const bool                 goes_on)
+                              const bool                 is_continuing)
     : probe(probe)
   {
     std::vector<std::string> header = {"t"};
@@ -36,7 +36,7 @@ namespace Crevasse
       header.push_back(std::string("s_") + voigt_name<dim>(c));
     if (probe.on_lip())
       header.insert(header.end(), {"opening", "pressure"});
-    table = open_table(file_name, header, goes_on);
+    table = open_table(file_name, header, is_continuing);
   }
 
 
@@ -73,12 +73,14 @@ namespace Crevasse
   ContactTable<dim>::ContactTable(const ContactBoundary<dim> &lip,
                                   const std::string          &file_name,
                                   const bool                  of_last_period,
-                                  const bool                  goes_on)
+                                  const bool                  is_continuing,
+                                  const double                opening_before)
     : lip(lip)
     , of_last_period(of_last_period)
+    , opening_before(opening_before)
     , table(open_table(file_name,
                        {"t", "closed_nodes", "force", "largest_pressure"},
-                       goes_on))
+                       is_continuing))
   {
   }
 
@@ -114,24 +116,25 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  ContactTable<dim>::largest_opening() const
+  void
+  ContactTable<dim>::summarise(Summary &summary)
   {
-    return opening;
+    summary["extremes"]["opening"] = largest_opening();
   }
 
 
 
   template <int dim>
   double
-  ContactTable<dim>::largest_displacement() const
+  ContactTable<dim>::largest_opening() const
   {
-    return displacement;
+    return std::max(opening_before, opening);
   }
 
 
 
-  PeriodTable::PeriodTable(const std::string &file_name, const bool goes_on)
+  PeriodTable::PeriodTable(const std::string &file_name,
+                           const bool         is_continuing)
     : table(open_table(file_name,
                        {"period",
                         "t_end",
@@ -139,7 +142,7 @@ namespace Crevasse
                         "stress_error_estimate",
                         "vi_solves",
                         "seconds"},
-                       goes_on))
+                       is_continuing))
   {
   }
 

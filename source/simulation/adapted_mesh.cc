@@ -4,9 +4,9 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/discretisation/refinement.h>
+#include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/elastic_estimate.h>
 #include <crevasse/model/largest_load.h>
-#include <crevasse/model/solvers.h>
 #include <crevasse/simulation/adapted_mesh.h>
 
 #include <deal.II/base/timer.h>
@@ -129,14 +129,19 @@ namespace Crevasse
     body.loads.survey(steps.survey_instants({}), body.space.communicator());
     body.material.survey(steps.survey_instants({}), steps.period());
 
-    Solvers<dim> solvers(
-      scene, body, steps, largest_load(body, steps), quiet, phases);
-    StressEstimator<dim> estimator(body.space,
+    ContactSystemCache<dim> systems(scene,
+                                    body,
+                                    choose_solvers(scene, body),
+                                    steps,
+                                    largest_load(body, steps),
+                                    quiet,
+                                    phases);
+    StressEstimator<dim>    estimator(body.space,
                                    body.points,
                                    body.lip,
                                    scene.loads);
     look_at_elastic_states(body,
-                           solvers,
+                           systems,
                            instants_of_estimate(scene, body, steps),
                            estimator);
     if (estimator.largest_energy() == 0.)

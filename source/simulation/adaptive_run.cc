@@ -5,6 +5,7 @@
 #include <crevasse/discretisation/state_transfer.h>
 #include <crevasse/simulation/adaptive_run.h>
 #include <crevasse/simulation/period_estimate.h>
+#include <crevasse/simulation/setup_report.h>
 #include <crevasse/simulation/sizes.h>
 
 #include <deal.II/base/timer.h>
@@ -49,7 +50,7 @@ namespace Crevasse
     , log(log)
     , checkpoints(checkpoints)
     , adapted(scene, communicator, log, checkpoints)
-    , simulation(std::make_unique<Simulation<dim>>(scene, adapted.mesh(), log))
+    , setup(std::make_unique<const RunSetup<dim>>(scene, adapted.mesh()))
   {
     if (checkpoints.is_resuming())
       serialize_summary(checkpoints.resumed());
@@ -67,7 +68,7 @@ namespace Crevasse
   void
   AdaptiveRun<dim>::describe() const
   {
-    simulation->describe();
+    Crevasse::describe(*setup, log);
   }
 
 
@@ -76,7 +77,7 @@ namespace Crevasse
   const Body<dim> &
   AdaptiveRun<dim>::discretised_body() const
   {
-    return simulation->discretised_body();
+    return setup->body;
   }
 
 
@@ -87,7 +88,9 @@ namespace Crevasse
                         const std::vector<Observer *> &others)
   {
     const unsigned int n = scene.refinement.readapt_every;
+    const RunOutput    output{log, checkpoints, directory};
     RunState           state;
+    state.timer = since_set_up;
     if (checkpoints.is_resuming())
       {
         state.serialize(checkpoints.resumed());
@@ -97,22 +100,21 @@ namespace Crevasse
       add_seconds(adapted.seconds(), state);
     if (n == 0)
       {
-        Leg all;
-        simulation->run(directory, state, all, others, summary, checkpoints);
+        run_stage(*setup, output, others, state, summary);
         return;
       }
     while (true)
       {
-        Leg leg;
-        leg.last_period = state.result.periods + n;
+        state.stage             = MeshStage();
+        state.stage.last_period = state.result.periods + n;
         auto estimate =
           std::make_unique<PeriodEstimate<dim>>(scene,
-                                                simulation->discretised_body(),
-                                                leg.last_period);
+                                                setup->body,
+                                                state.stage.last_period);
         std::vector<Observer *> observers = others;
         observers.push_back(estimate.get());
-        simulation->run(directory, state, leg, observers, summary, checkpoints);
-        if (leg.ends_run)
+        run_stage(*setup, output, observers, state, summary);
+        if (state.stage.ends_run)
           return;
         const dealii::Vector<float> squares = estimate->estimator().squares();
         const double error = estimate->estimator().relative_error();
@@ -144,7 +146,7 @@ namespace Crevasse
                             RunState                    &state)
   {
     Timer              timer;
-    const Body<dim>   &old        = simulation->discretised_body();
+    const Body<dim>   &old        = setup->body;
     const unsigned int n_branches = old.law.branches().size();
 
     const FieldNorms<dim> before =
@@ -161,11 +163,11 @@ namespace Crevasse
                                 n_branches);
     const double       moved_before =
       old.space.nodal_values(state.displacement).linfty_norm();
-    simulation.reset(); // its mesh is about to change
+    setup.reset(); // its mesh is about to change
     transfer.adapt();
-    simulation = std::make_unique<Simulation<dim>>(scene, adapted.mesh(), log);
+    setup = std::make_unique<const RunSetup<dim>>(scene, adapted.mesh());
 
-    const Body<dim> &body = simulation->discretised_body();
+    const Body<dim> &body = setup->body;
     body.strain_operator.initialize(state.displacement);
     body.points.initialize(state.viscous_strain, n_branches);
     transfer.take(body.space,

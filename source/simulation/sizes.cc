@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/simulation/memory_prediction.h>
+#include <crevasse/simulation/memory_report.h>
 #include <crevasse/simulation/sizes.h>
 
 #include <deal.II/base/mpi.h>
@@ -48,30 +48,26 @@ namespace Crevasse
 
   template <int dim>
   void
-  describe_sizes(const Body<dim>      &body,
-                 const StepList       &steps,
-                 const Scene          &scene,
-                 const PeriodicChoice &choice,
-                 Log                  &log)
+  describe_sizes(const RunSetup<dim> &setup, Log &log)
   {
-    const Sizes sizes(body);
+    const Sizes sizes(setup.body);
     log.line("  mesh: " + std::to_string(sizes.cells) + " cells, " +
              std::to_string(sizes.unknowns) + " unknowns, " +
              std::to_string(sizes.quadrature_points) + " quadrature points, " +
              std::to_string(sizes.contact_nodes) + " contact nodes");
     char text[120];
-    if (scene.refinement.strategy != RefinementStrategy::none)
+    if (setup.scene.refinement.strategy != RefinementStrategy::none)
       {
         std::snprintf(text,
                       sizeof(text),
                       "  refinement: %s, %u levels, cells from %.3g to %.3g",
-                      traits(scene.refinement.strategy).name,
+                      traits(setup.scene.refinement.strategy).name,
                       sizes.levels,
                       sizes.smallest_cell,
                       sizes.largest_cell);
         log.line(text);
       }
-    describe_memory(body, steps, scene, choice, log);
+    report_memory(setup, log);
   }
 
 
@@ -79,15 +75,7 @@ namespace Crevasse
   template Sizes::Sizes(const Body<2> &);
   template Sizes::Sizes(const Body<3> &);
   template void
-  describe_sizes<2>(const Body<2> &,
-                    const StepList &,
-                    const Scene &,
-                    const PeriodicChoice &,
-                    Log &);
+  describe_sizes<2>(const RunSetup<2> &, Log &);
   template void
-  describe_sizes<3>(const Body<3> &,
-                    const StepList &,
-                    const Scene &,
-                    const PeriodicChoice &,
-                    Log &);
+  describe_sizes<3>(const RunSetup<3> &, Log &);
 } // namespace Crevasse

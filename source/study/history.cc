@@ -69,52 +69,27 @@ namespace Crevasse
 
 
 
-    /** Of a column at the instants compared. */
-    double
-    mean(const std::vector<double>      &column,
-         const std::vector<std::size_t> &rows)
-    {
-      double sum = 0.;
-      for (const std::size_t row : rows)
-        sum += column[row];
-      return rows.empty() ? 0. : sum / rows.size();
-    }
-
-
-
-    /** @param free_constant Whether a constant of the displacements says
-     * nothing. */
     MeasuredError
     compare_with_run(const Quantity &quantity,
                      const History  &history,
                      const History  &reference,
-                     const double    period,
-                     const bool      free_constant)
+                     const double    period)
     {
-      const CommonInstants     common(history.instants(),
+      const CommonInstants common(history.instants(),
                                   reference.instants(),
                                   period);
-      std::vector<std::size_t> own_rows, reference_rows;
-      for (const auto &[i, j] : common.pairs)
-        {
-          own_rows.push_back(i);
-          reference_rows.push_back(j);
-        }
-      Extremes extremes;
-      bool     found = false;
+      Extremes             extremes;
+      bool                 found = false;
       for (const std::string &name : reference.columns())
         if (quantity.selects(name) && history.find(name) != nullptr)
           {
             found               = true;
             const auto &values  = *history.find(name);
             const auto &correct = *reference.find(name);
-            const bool centred = free_constant && name.compare(0, 2, "u_") == 0;
-            const double own   = centred ? mean(values, own_rows) : 0.;
-            const double other = centred ? mean(correct, reference_rows) : 0.;
             for (const double value : correct)
-              extremes.add(value - other, value - other);
+              extremes.add(value, value);
             for (const auto &[i, j] : common.pairs)
-              extremes.add(values[i] - own, correct[j] - other);
+              extremes.add(values[i], correct[j]);
           }
       if (!found)
         return MeasuredError::none("the runs have no such column");
@@ -249,7 +224,6 @@ namespace Crevasse
         history.begin_at_zero();
         correct.begin_at_zero();
       }
-    return compare_with_run(
-      quantity, history, correct, period, compared == Compared::periodic_state);
+    return compare_with_run(quantity, history, correct, period);
   }
 } // namespace Crevasse

@@ -52,7 +52,6 @@ namespace Crevasse
   {
     MeasuredError error;
     error.instants = instants;
-    error.size     = extremes.size;
     if (!extremes.finite)
       error.reason = "there are values that are not finite";
     else if (extremes.size == 0.)

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <set>
 
 namespace Crevasse
 {
@@ -46,30 +45,6 @@ namespace Crevasse
     {
       return scene.periodic_state.method == PeriodicMethodType::march &&
              scene.periodic_state.start_from == StartFrom::rest;
-    }
-
-
-
-    /** The parameters that change what is computed, and not only how. */
-    std::vector<std::string>
-    parameters_of_problem(const std::vector<std::string> &names)
-    {
-      static const std::set<std::string> of_mesh  = {"Subdivisions",
-                                                     "Refinements"};
-      static const std::set<std::string> sections = {
-        GeometryParameters::section,
-        BoundaryParameters::section,
-        MaterialParameters::section,
-        LoadParameters::section};
-      std::vector<std::string> found;
-      for (const std::string &name : names)
-        {
-          const auto slash = name.find('/');
-          if (sections.count(name.substr(0, slash)) > 0 &&
-              of_mesh.count(name.substr(slash + 1)) == 0)
-            found.push_back(name);
-        }
-      return found;
     }
 
 
@@ -113,7 +88,7 @@ namespace Crevasse
     for (const SweepVariant &point : scenes.points)
       all.push_back(&point.scene);
     quantities = choose_quantities(command.sweep_request, all);
-    directory  = directory_of_study(command, scenes.reference.scene, "_sweep");
+    directory  = directory_of_sweep(command, scenes.reference.scene);
     table      = std::make_unique<SweepTable>(
       plan,
       quantities,
@@ -170,14 +145,14 @@ namespace Crevasse
   void
   ParameterSweep::run()
   {
-    const auto lock = take_study_directory(directory, communicator);
+    const auto lock = take_sweep_directory(directory, communicator);
     log.open_file(directory + "/sweep.log");
     log.line("Crevasse " CREVASSE_VERSION ": sweep of " +
              std::filesystem::path(command.scene_file).filename().string() +
              ", " + std::to_string(scenes.points.size()) +
              (scenes.points.size() == 1 ? " point" : " points"));
     log.line("  " + describe_reference());
-    const auto of_problem = parameters_of_problem(plan.parameters());
+    const auto of_problem = plan.parameters_of_problem();
     if (needs_reference() && !of_problem.empty())
       log.line("  note: " + Text::join(of_problem, ", ") +
                " changes the problem itself: errors against one reference "

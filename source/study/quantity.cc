@@ -138,7 +138,6 @@ namespace Crevasse
     std::vector<Quantity>
     listed_quantities(const SweepRequest             &request,
                       const std::vector<std::string> &probes,
-                      const std::string              &option,
                       Problems                       &problems)
     {
       std::vector<Quantity> all;
@@ -146,7 +145,7 @@ namespace Crevasse
         {
           const std::string problem = problem_of({name, nullptr}, probes);
           if (!problem.empty())
-            problems.add(option + ' ' + Text::shorten(name) + ": " + problem);
+            problems.add("--error " + Text::shorten(name) + ": " + problem);
           else if (find(all, name) == nullptr)
             all.push_back({name, nullptr});
         }
@@ -246,15 +245,14 @@ namespace Crevasse
 
   std::vector<Quantity>
   choose_quantities(const SweepRequest               &request,
-                    const std::vector<const Scene *> &scenes,
-                    const std::string                &option)
+                    const std::vector<const Scene *> &scenes)
   {
     const std::vector<std::string> probes = probe_names(scenes);
     Problems                       problems;
     std::vector<Quantity>          all =
       request.error.empty() && !request.reference.empty()
                  ? default_quantities(probes, scenes)
-                 : listed_quantities(request, probes, option, problems);
+                 : listed_quantities(request, probes, problems);
     for (const std::string &text : request.exact)
       read_exact(text, probes, all, problems);
     problems.throw_if_any();

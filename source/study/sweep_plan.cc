@@ -3,6 +3,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
+#include <crevasse/parameters/scene.h>
 #include <crevasse/study/sweep_plan.h>
 
 #include <algorithm>
@@ -276,6 +277,28 @@ namespace Crevasse
   SweepPlan::parameters() const
   {
     return names;
+  }
+
+
+
+  std::vector<std::string>
+  SweepPlan::parameters_of_problem() const
+  {
+    static const std::set<std::string> of_mesh  = {"Subdivisions",
+                                                   "Refinements"};
+    static const std::set<std::string> sections = {GeometryParameters::section,
+                                                   BoundaryParameters::section,
+                                                   MaterialParameters::section,
+                                                   LoadParameters::section};
+    std::vector<std::string>           found;
+    for (const std::string &name : names)
+      {
+        const auto slash = name.find('/');
+        if (sections.count(name.substr(0, slash)) > 0 &&
+            of_mesh.count(name.substr(slash + 1)) == 0)
+          found.push_back(name);
+      }
+    return found;
   }
 
 

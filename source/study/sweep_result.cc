@@ -97,6 +97,7 @@ namespace Crevasse
     const std::map<std::string, std::string> elsewhere = {
       {"unknowns", "/unknowns"},
       {"periods", "/periods"},
+      {"processor_seconds", "/processor_seconds"},
       {"seconds", "/seconds/total"},
       {"seconds_time_stepping", "/seconds/time stepping"}};
     Summary costs = Summary::object();

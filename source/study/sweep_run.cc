@@ -7,10 +7,9 @@
 #include <crevasse/base/version.h>
 #include <crevasse/linear/abandoned_factors.h>
 #include <crevasse/simulation/adaptive_run.h>
+#include <crevasse/simulation/conclusion.h>
 #include <crevasse/study/stress_samples.h>
 #include <crevasse/study/sweep_run.h>
-
-#include <deal.II/base/timer.h>
 
 #include <filesystem>
 #include <optional>
@@ -109,7 +108,6 @@ namespace Crevasse
     Log log(communicator, true);
     log.open_file(folder.file("log.txt"));
     log.line("Crevasse " CREVASSE_VERSION ": a point of a sweep");
-    const Timer  timer;
     SweepRun     run;
     std::string &status = run.result.status = "refused";
     try
@@ -135,13 +133,10 @@ namespace Crevasse
         run.exception      = std::current_exception();
         log.line("crevasse: " + run.result.message);
       }
-    const double seconds = Utilities::MPI::max(timer.cpu_time(), communicator);
     collectively(communicator, [&]() {
       if (first_rank)
         read_costs(folder, run.result);
     });
-    if (run.result.has_results())
-      run.result.costs["processor_seconds"] = seconds;
     return run;
   }
 } // namespace Crevasse

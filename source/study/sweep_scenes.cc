@@ -76,6 +76,21 @@ namespace Crevasse
                            Text::join(plan.points()[p].values, ", ") +
                            "; each value may be listed once");
     }
+
+
+
+    /** The scene of the command line with what the sweep sets itself. */
+    SweepVariant
+    read_point(const Command &command, const std::vector<Override> &own)
+    {
+      // Fields of many points fill disks; whoever wants them says so.
+      std::vector<Override> overrides = {{"Output/Fields=none", "sweep"}};
+      overrides.insert(overrides.end(),
+                       command.overrides.begin(),
+                       command.overrides.end());
+      overrides.insert(overrides.end(), own.begin(), own.end());
+      return read_variant(command.scene_file, overrides);
+    }
   } // namespace
 
 
@@ -97,24 +112,8 @@ namespace Crevasse
 
 
 
-  SweepVariant
-  read_variant(const Command &command, const std::vector<Override> &own)
-  {
-    // Fields of many points fill disks; whoever wants them says so.
-    std::vector<Override> overrides = {{"Output/Fields=none", "sweep"}};
-    overrides.insert(overrides.end(),
-                     command.overrides.begin(),
-                     command.overrides.end());
-    overrides.insert(overrides.end(), own.begin(), own.end());
-    return read_variant(command.scene_file, overrides);
-  }
-
-
-
   std::string
-  directory_of_study(const Command     &command,
-                     const Scene       &scene,
-                     const std::string &ending)
+  directory_of_sweep(const Command &command, const Scene &scene)
   {
     if (!command.output_directory.empty())
       return command.output_directory;
@@ -122,13 +121,13 @@ namespace Crevasse
               ? scene.output_directory
               : "results/" +
                   std::filesystem::path(command.scene_file).stem().string()) +
-           ending;
+           "_sweep";
   }
 
 
 
   std::unique_ptr<DirectoryLock>
-  take_study_directory(const std::string &directory,
+  take_sweep_directory(const std::string &directory,
                        const MPI_Comm     communicator)
   {
     std::unique_ptr<DirectoryLock> lock;
@@ -150,10 +149,10 @@ namespace Crevasse
     std::vector<Override> own;
     for (const std::string &text : command.sweep_request.reference)
       own.push_back({text, "--reference"});
-    mistakes.collect([&]() { reference = read_variant(command, own); });
+    mistakes.collect([&]() { reference = read_point(command, own); });
     for (std::size_t p = 0; p < points.size(); ++p)
       mistakes.collect([&]() {
-        points[p] = read_variant(command, plan.overrides(plan.points()[p]));
+        points[p] = read_point(command, plan.overrides(plan.points()[p]));
       });
     mistakes.throw_if_any();
     refuse_equal_points(points, plan);

@@ -18,8 +18,8 @@ namespace Crevasse
       {"factorisations", "factorisations"},
       {"rate_evaluations", "rate evaluations"},
       {"seconds", "seconds"},
-      {"seconds_time_stepping", "of these time stepping"},
-      {"processor_seconds", "of the processor"}};
+      {"seconds_time_stepping", "stepping (s)"},
+      {"processor_seconds", "CPU (s)"}};
 
 
 

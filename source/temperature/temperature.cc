@@ -39,8 +39,7 @@ namespace Crevasse
   Temperature<dim>::is_file(const std::string &source)
   {
     const std::string suffix = Text::suffix(source);
-    return suffix == ".csv" || suffix == ".vtu" || suffix == ".pvtu" ||
-           suffix == ".pvd";
+    return suffix == ".csv" || suffix == ".h5";
   }
 
 

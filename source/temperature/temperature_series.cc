@@ -3,12 +3,13 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
+#include <crevasse/base/text_file.h>
 #include <crevasse/temperature/temperature_series.h>
-#include <crevasse/temperature/vtk_xml_file.h>
-#include <crevasse/temperature/vtu_reader.h>
 
-#include <filesystem>
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <hdf5.h>
 #include <map>
 
 namespace Crevasse
@@ -17,60 +18,113 @@ namespace Crevasse
 
   namespace
   {
-    /** The files of one instant by the number of their part. */
-    using Parts = std::map<std::string, std::string>;
+    /** @throw SceneError */
+    using Refuse = std::function<void(const std::string &)>;
 
-
-
-    /** The files of all instants that a .pvd names. */
-    std::map<double, Parts>
-    read_collection(const std::string &file_name)
+    /** The arrays of numbers of an HDF5 file. deal.II's classes check nothing
+     * in the optimised flavour. */
+    class NumberFile
     {
-      const VtkXmlFile file(file_name);
-      if (file.type() != "Collection")
-        file.refuse("its type is \"" + Text::shorten(file.type()) +
-                    "\"; a .pvd file must be a Collection.");
-      std::map<double, Parts> instants;
-      for (const auto &[name, data_set] : file.content())
-        if (name == "DataSet")
-          {
-            const std::string time =
-              VtkXmlFile::attribute(data_set, "timestep");
-            const std::string part  = VtkXmlFile::attribute(data_set, "part");
-            const std::string other = VtkXmlFile::attribute(data_set, "file");
-            const auto        t     = Text::to_number(time);
-            if (!t)
-              file.refuse("has a DataSet with timestep = \"" +
-                          Text::shorten(time) +
-                          "\"; it must be the instant within the period.");
-            if (!instants[*t].emplace(part, file.neighbour(other)).second)
-              file.refuse(
-                "has two DataSets for timestep = " + Text::from_number(*t) +
-                (part.empty() ? "" : ", part = " + part) + ".");
-          }
-      if (instants.empty())
-        file.refuse("names no DataSet.");
-      return instants;
-    }
+    public:
+      NumberFile(const std::string &name, const Refuse &refuse)
+        : refuse(refuse)
+      {
+        if (const std::string why = why_unreadable(name); !why.empty())
+          throw FileError("[Loads] Temperature = " + name + ": " + why);
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // messages are ours
+        file = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+        if (file < 0)
+          refuse(
+            "is not an HDF5 file, or a damaged one; the fields of "
+            "other programs are converted by \"crevasse temperature\".");
+      }
 
 
 
-    /** A reader says which file is wrong; the user has to know why it was read
-     * at all. */
-    void
-    tell_source(const std::string &file_name, const std::function<void()> &read)
+      NumberFile(const NumberFile &) = delete;
+
+
+
+      ~NumberFile()
+      {
+        H5Fclose(file);
+      }
+
+
+
+      /** All rows of a dataset with @p n_columns, one after the other. */
+      std::vector<double>
+      read(const std::string &name, const hsize_t n_columns) const
+      {
+        const hid_t set = H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0
+                            ? H5Dopen2(file, name.c_str(), H5P_DEFAULT)
+                            : -1;
+        if (set < 0)
+          refuse("has no dataset \"" + name + "\".");
+        const hid_t          space    = H5Dget_space(set);
+        std::vector<hsize_t> extents  = {0, 1};
+        const int            n_dims   = H5Sget_simple_extent_ndims(space);
+        const bool           is_table = n_dims == (n_columns > 1 ? 2 : 1);
+        if (is_table)
+          H5Sget_simple_extent_dims(space, extents.data(), nullptr);
+        H5Sclose(space);
+        std::vector<double> numbers;
+        if (is_table && extents[1] == n_columns)
+          numbers.resize(extents[0] * n_columns);
+        const bool is_read = !numbers.empty() && H5Dread(set,
+                                                         H5T_NATIVE_DOUBLE,
+                                                         H5S_ALL,
+                                                         H5S_ALL,
+                                                         H5P_DEFAULT,
+                                                         numbers.data()) >= 0;
+        H5Dclose(set);
+        if (!is_read)
+          refuse("its dataset \"" + name + "\" must be rows of " +
+                 std::to_string(n_columns) + " numbers" +
+                 (name.rfind("points", 0) == 0
+                    ? ", for Dimension = " + std::to_string(n_columns)
+                    : "") +
+                 ".");
+        if (!std::all_of(numbers.begin(), numbers.end(), [](const double x) {
+              return std::isfinite(x);
+            }))
+          refuse("its dataset \"" + name +
+                 "\" has a number that is not finite.");
+        return numbers;
+      }
+
+    private:
+      const Refuse &refuse;
+      hid_t         file;
+    };
+
+
+
+    template <int dim>
+    std::shared_ptr<const SimplexLocator<dim>>
+    read_simplices(const NumberFile  &file,
+                   const std::string &number,
+                   const Refuse      &refuse)
     {
-      try
+      const auto coordinates = file.read("points_" + number, dim);
+      const auto corners     = file.read("cells_" + number, dim + 1);
+
+      std::vector<Point<dim>> points(coordinates.size() / dim);
+      for (std::size_t i = 0; i < coordinates.size(); ++i)
+        points[i / dim][i % dim] = coordinates[i];
+      using Simplex = typename SimplexLocator<dim>::Simplex;
+      std::vector<Simplex> cells(corners.size() / (dim + 1));
+      for (std::size_t i = 0; i < corners.size(); ++i)
         {
-          read();
+          if (!(corners[i] >= 0. && corners[i] < points.size()))
+            refuse("its dataset \"cells_" + number + "\" has the entry " +
+                   Text::from_number(corners[i]) +
+                   "; allowed are integers from 0 to " +
+                   std::to_string(points.size() - 1) + ".");
+          cells[i / (dim + 1)][i % (dim + 1)] = corners[i];
         }
-      catch (const SceneError &error)
-        {
-          const std::string what   = error.what();
-          const bool        is_own = what.rfind(file_name + ": ", 0) == 0;
-          throw SceneError("[Loads] Temperature = " +
-                           (is_own ? what : file_name + ": its file " + what));
-        }
+      return std::make_shared<const SimplexLocator<dim>>(std::move(points),
+                                                         std::move(cells));
     }
   } // namespace
 
@@ -81,68 +135,35 @@ namespace Crevasse
                                             const double       period)
     : TemperatureFile<dim>(file_name, period)
   {
-    std::map<double, Parts> files{{0., {{"", file_name}}}};
-    if (Text::suffix(file_name) == ".pvd")
-      tell_source(file_name, [&]() { files = read_collection(file_name); });
-    std::vector<double> instants;
-    for (const auto &[t, parts] : files)
-      instants.push_back(t);
-    this->set_instants(instants);
+    const Refuse refuse = [this](const std::string &reason) {
+      this->refuse(reason);
+    };
+    const NumberFile file(file_name, refuse);
+    const auto       times = file.read("times", 1);
+    if (std::adjacent_find(times.begin(),
+                           times.end(),
+                           std::greater_equal<>()) != times.end())
+      refuse("its dataset \"times\" must be ascending.");
+    this->set_instants(times);
 
-    for (const auto &[t, parts] : files)
+    const auto mesh_of = file.read("mesh_of", 1);
+    if (mesh_of.size() != times.size())
+      refuse("its dataset \"mesh_of\" must have as many entries as \"times\".");
+    std::map<double, std::shared_ptr<const SimplexLocator<dim>>> meshes;
+    for (std::size_t i = 0; i < times.size(); ++i)
       {
-        std::vector<std::string> names;
-        for (const auto &[part, name] : parts)
-          names.push_back(name);
-        tell_source(file_name, [&]() { add_snapshot(names); });
+        auto &locator = meshes[mesh_of[i]];
+        if (locator == nullptr)
+          locator =
+            read_simplices<dim>(file, Text::from_number(mesh_of[i]), refuse);
+        const std::string name = "theta_" + std::to_string(i);
+        snapshots.push_back({locator, file.read(name, 1)});
+        if (const std::size_t n = snapshots.back().values.size();
+            n != locator->n_vertices())
+          refuse("its dataset \"" + name + "\" has " + std::to_string(n) +
+                 " rows for " + std::to_string(locator->n_vertices()) +
+                 " points.");
       }
-  }
-
-
-
-  std::vector<std::string>
-  files_of_temperature(const std::string &file_name)
-  {
-    std::vector<std::string> all = {file_name};
-    if (Text::suffix(file_name) == ".pvd")
-      for (const auto &[t, parts] : read_collection(file_name))
-        for (const auto &[part, name] : parts)
-          all.push_back(name);
-    const std::vector<std::string> named = all;
-    for (const std::string &name : named)
-      if (Text::suffix(name) == ".pvtu")
-        {
-          const VtkXmlFile file(name);
-          for (const auto &[element, piece] : file.content())
-            if (element == "Piece")
-              all.push_back(
-                file.neighbour(VtkXmlFile::attribute(piece, "Source")));
-        }
-    return all;
-  }
-
-
-
-  template <int dim>
-  void
-  TemperatureSeries<dim>::add_snapshot(const std::vector<std::string> &parts)
-  {
-    VertexField<dim> field;
-    for (const std::string &part : parts)
-      read_vtu(part, field);
-    if (field.mesh.corners.empty())
-      throw SceneError(parts[0] + ": has no cells of dimension " +
-                       std::to_string(dim) + ".");
-
-    Snapshot snapshot;
-    for (const Snapshot &other : snapshots)
-      if (other.locator->mesh() == field.mesh)
-        snapshot.locator = other.locator;
-    if (snapshot.locator == nullptr)
-      snapshot.locator =
-        std::make_shared<const CellLocator<dim>>(std::move(field.mesh));
-    snapshot.values = std::move(field.values);
-    snapshots.push_back(std::move(snapshot));
   }
 
 
@@ -153,18 +174,19 @@ namespace Crevasse
                                            const std::size_t instant) const
   {
     const Snapshot &snapshot = snapshots[instant];
-    const auto      value    = snapshot.locator->value(point, snapshot.values);
-    if (!value)
-      this->refuse(
-        "the body has the point " + Text::from_point(point) +
-        ", which lies outside of the mesh" +
-        (snapshots.size() == 1 ? ""
-                               : " of instant " + std::to_string(instant + 1) +
-                                   " of " + std::to_string(snapshots.size())) +
-        ", further than " + Text::from_number(CellLocator<dim>::largest_gap) +
-        " of the size of the cells there; the mesh must cover the "
-        "body, in the same unit of length.");
-    return *value;
+    double          value    = 0.;
+    if (!snapshot.locator->interpolate(point, snapshot.values, value))
+      this->refuse("the body has the point " + Text::from_point(point) +
+                   ", which lies outside of the mesh" +
+                   (snapshots.size() == 1
+                      ? ""
+                      : " of instant " + std::to_string(instant + 1) + " of " +
+                          std::to_string(snapshots.size())) +
+                   ", further than " +
+                   Text::from_number(SimplexLocator<dim>::largest_gap) +
+                   " of the size of the cells there; the mesh must cover the "
+                   "body, in the same unit of length.");
+    return value;
   }
 
 

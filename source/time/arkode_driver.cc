@@ -2,15 +2,14 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
+#include <crevasse/parameters/parameters.h>
 #include <crevasse/time/arkode_driver.h>
-#include <crevasse/time/arkode_failure.h>
 
-#include <deal.II/sundials/n_vector.h>
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <arkode/arkode_arkstep.h>
-#include <cmath>
-#include <limits>
+#include <sstream>
 #include <utility>
 
 namespace Crevasse
@@ -21,23 +20,71 @@ namespace Crevasse
 
   namespace
   {
-    /** Of the step that an error estimate asks for; ARKODE's own. */
-    constexpr double arkode_safety = 0.96;
-
-
-
-    std::unique_ptr<void, void (*)(void *)>
-    make_memory(const ARKRhsFn   explicit_function,
-                const ARKRhsFn   implicit_function,
-                const N_Vector   state,
-                const SUNContext context)
+    /** Without a communicator: the vectors have theirs. */
+    SUNContext
+    make_context()
     {
-      void *const memory =
-        ARKStepCreate(explicit_function, implicit_function, 0., state, context);
-      AssertThrow(memory != nullptr, dealii::ExcOutOfMemory(0));
-      return {memory, [](void *pointer) { ARKStepFree(&pointer); }};
+      SUNContext context = nullptr;
+#if DEAL_II_SUNDIALS_VERSION_GTE(7, 0, 0)
+      SUNContext_Create(SUN_COMM_NULL, &context);
+#else
+      SUNContext_Create(nullptr, &context);
+#endif
+      AssertThrow(context != nullptr, dealii::ExcOutOfMemory(0));
+      return context;
+    }
+
+
+
+    const char *
+    advice(const int code)
+    {
+      switch (code)
+        {
+          case ARK_TOO_MUCH_ACC:
+            return "the tolerances are below the rounding of the viscous "
+                   "strain. Raise [Time integration] Relative tolerance or "
+                   "Absolute tolerance; under a mean load [Periodic state] "
+                   "Secular split = on keeps the strain small";
+          case ARK_TOO_MUCH_WORK:
+            return "there are more than 1000000 steps from one sample to the "
+                   "next. Raise [Time integration] Relative tolerance, or "
+                   "choose Scheme = arkode implicit or sdirk2";
+          case ARK_ERR_FAILURE:
+            return "no step is short enough for the tolerances. Raise [Time "
+                   "integration] Relative tolerance or Absolute tolerance "
+                   "above the accuracy of the contact problems ([Contact] "
+                   "Tolerance), look at what jumps in time at this instant, or "
+                   "choose Step control = uniform";
+          case ARK_CONV_FAILURE:
+            return "an implicit stage was not solved. Choose Scheme = sdirk2";
+          case ARK_RHSFUNC_FAIL:
+          case ARK_FIRST_RHSFUNC_ERR:
+          case ARK_REPTD_RHSFUNC_ERR:
+          case ARK_UNREC_RHSFUNC_ERR:
+          case ARK_RTFUNC_FAIL:
+            return "a contact problem was not solved";
+          default:
+            return "this is an internal error. Choose Scheme = sdirk2 or heun, "
+                   "and report it";
+        }
     }
   } // namespace
+
+
+
+  std::string
+  describe_arkode_failure(const int          code,
+                          const double       t,
+                          const std::string &words)
+  {
+    std::ostringstream text;
+    text << "ARKODE stopped at t = " << t << " (code " << code
+         << "): " << advice(code) << '.';
+    if (!words.empty())
+      text << " In its own words: " << words;
+    return text.str();
+  }
 
 
 
@@ -60,38 +107,77 @@ namespace Crevasse
 
 
 
+  int
+  ArkodeDriver::check(const int code)
+  {
+    if (thrown)
+      std::rethrow_exception(std::exchange(thrown, nullptr));
+    if (code < 0)
+      throw NumericalError(describe_arkode_failure(code, current_time, words));
+    return code;
+  }
+
+
+
   ArkodeDriver::ArkodeDriver(const Settings    &settings,
                              const ArkodeTable &table,
                              RememberedRate    &equation,
-                             EventFunctions    *events,
-                             const double       step,
+                             const double       t,
                              const Vector      &r)
     : settings(settings)
-    , table(table)
     , equation(equation)
-    , events(events)
-    , aligned_steps(settings.unit)
-    , context(make_sundials_context())
+    , context(make_context(),
+              [](SUNContext pointer) { SUNContext_Free(&pointer); })
+    , current_time(t)
     , current(r)
     , view(make_nvector_view(current, context.get()))
-    , memory(make_memory(settings.is_implicit ? nullptr : &right_hand_side,
-                         settings.is_implicit ? &right_hand_side : nullptr,
-                         view,
-                         context.get()))
+    , memory(ARKStepCreate(settings.is_implicit ? nullptr : &right_hand_side,
+                           settings.is_implicit ? &right_hand_side : nullptr,
+                           t,
+                           view,
+                           context.get()),
+             [](void *pointer) { ARKStepFree(&pointer); })
   {
-    collect_messages(memory.get(), context.get(), words);
+    AssertThrow(memory != nullptr, dealii::ExcOutOfMemory(0));
+    collect_messages();
     check(ARKStepSetUserData(memory.get(), this));
-    set_method();
-    if (settings.is_adaptive)
+    set_method(table);
+    if (settings.tolerances.size() > 0)
       set_step_control();
-    check(ARKStepSetInitStep(memory.get(), step));
-    check(ARKStepSetStopTime(memory.get(), settings.period));
   }
 
 
 
   void
-  ArkodeDriver::set_method()
+  ArkodeDriver::collect_messages()
+  {
+#if DEAL_II_SUNDIALS_VERSION_GTE(7, 0, 0)
+    // Errors; warnings, which are no reason to fail, go to SUNDIALS' own log.
+    SUNContext_ClearErrHandlers(context.get());
+    SUNContext_PushErrHandler(
+      context.get(),
+      [](int,
+         const char *,
+         const char *,
+         const char *message,
+         SUNErrCode,
+         void *words,
+         SUNContext) { *static_cast<std::string *>(words) = message; },
+      &words);
+#else
+    ARKStepSetErrHandlerFn(
+      memory.get(),
+      [](int, const char *, const char *, char *message, void *words) {
+        *static_cast<std::string *>(words) = message;
+      },
+      &words);
+#endif
+  }
+
+
+
+  void
+  ArkodeDriver::set_method(const ArkodeTable &table)
   {
     const ARKodeButcherTable tables = table.table();
     check(ARKStepSetTables(memory.get(),
@@ -99,24 +185,17 @@ namespace Crevasse
                            tables->p,
                            settings.is_implicit ? tables : nullptr,
                            settings.is_implicit ? nullptr : tables));
-    if (settings.is_implicit)
-      {
-        exact_stage = std::make_unique<ExactStage>(
-          [this](
-            const double t, const Vector &known, const double c, Vector &rate) {
-            return guarded(
-              [&]() { equation.implicit_rate(t, known, c, rate); });
-          },
-          context.get());
-        check(ARKStepSetNonlinearSolver(memory.get(), exact_stage->solver()));
-        // An exact stage has told its rate.
-        check(ARKStepSetDeduceImplicitRhs(memory.get(), 1));
-      }
-    // ARKODE lowers it to one below the order of the method. From 4 on each
-    // instant between steps takes evaluations, which steps of a list have not.
-    const int degree = settings.is_adaptive ? ARK_INTERP_MAX_DEGREE : 3;
-    check(ARKStepSetInterpolantType(memory.get(), ARK_INTERP_HERMITE));
-    check(ARKStepSetInterpolantDegree(memory.get(), degree));
+    if (!settings.is_implicit)
+      return;
+    exact_stage = std::make_unique<ExactStage>(
+      [this](
+        const double t, const Vector &known, const double c, Vector &rate) {
+        return guarded([&]() { equation.implicit_rate(t, known, c, rate); });
+      },
+      context.get());
+    check(ARKStepSetNonlinearSolver(memory.get(), exact_stage->solver()));
+    // An exact stage has told its rate.
+    check(ARKStepSetDeduceImplicitRhs(memory.get(), 1));
   }
 
 
@@ -126,21 +205,31 @@ namespace Crevasse
   {
     check(ARKStepSVtolerances(
       memory.get(), 0., make_nvector_view(settings.tolerances, context.get())));
-    constexpr double shortest = 1e-12; // of the period
-    check(ARKStepSetMinStep(memory.get(), shortest * settings.period));
-    check(ARKStepSetSafetyFactor(memory.get(), arkode_safety));
     // What is constant for a while asks for steps that miss what comes after.
-    constexpr double longest = 1. / 4.;
-    check(ARKStepSetMaxStep(memory.get(), longest * settings.period));
-    if (settings.is_implicit)
-      {
-        check(ARKStepSetAdaptivityFn(memory.get(), &choose_step, this));
-        // Each of these would shorten a step to one that is not aligned.
-        check(ARKStepSetSmallNumEFails(memory.get(), 1000));
-        check(ARKStepSetFixedStepBounds(memory.get(), 1., 1.));
-      }
-    if (events != nullptr)
-      seek_events(true);
+    check(ARKStepSetMaxStep(memory.get(), settings.longest_step));
+    check(ARKStepSetMaxNumSteps(memory.get(),
+                                TimeIntegrationParameters::most_steps));
+    // A jump of the load is met by steps of the size of the tolerance.
+    check(ARKStepSetMaxErrTestFails(memory.get(), 50));
+    if (!settings.seeks_events)
+      return;
+    const int n = switching_functions().size();
+    check(ARKStepRootInit(memory.get(), n, n > 0 ? &root_function : nullptr));
+    check(ARKStepSetNoInactiveRootWarn(memory.get()));
+  }
+
+
+
+  std::vector<double>
+  ArkodeDriver::switching_functions() const
+  {
+    std::vector<double> mine, all;
+    equation.last().switching_functions(mine);
+    for (const std::vector<double> &values :
+         dealii::Utilities::MPI::all_gather(current.get_mpi_communicator(),
+                                            mine))
+      all.insert(all.end(), values.begin(), values.end());
+    return all;
   }
 
 
@@ -169,143 +258,55 @@ namespace Crevasse
   {
     auto *self = static_cast<ArkodeDriver *>(user_data);
     return self->guarded([&]() {
-      self->events->evaluate(t, *unwrap_nvector_const<Vector>(y), values);
+      Vector rate(self->current);
+      self->equation.show(t, *unwrap_nvector_const<Vector>(y), rate);
+      const std::vector<double> all = self->switching_functions();
+      std::copy(all.begin(), all.end(), values);
     });
   }
 
 
 
-  int
-  ArkodeDriver::choose_step(N_Vector,
-                            sunrealtype t,
-                            sunrealtype last,
-                            sunrealtype,
-                            sunrealtype,
-                            sunrealtype error,
-                            sunrealtype,
-                            sunrealtype,
-                            int,
-                            int          embedded_order,
-                            sunrealtype *step,
-                            void        *self)
-  {
-    constexpr double smallest = std::numeric_limits<double>::min();
-    const double     wish =
-      last * std::pow(std::max(error, smallest), -1. / (embedded_order + 1));
-    const double next = static_cast<ArkodeDriver *>(self)->aligned_steps.next(
-      t, last, arkode_safety * wish);
-    *step = next / arkode_safety; // ARKODE multiplies by it
-    return 0;
-  }
-
-
-
   void
-  ArkodeDriver::check(const int code)
-  {
-    if (thrown)
-      std::rethrow_exception(std::exchange(thrown, nullptr));
-    if (code < 0)
-      throw NumericalError(describe_arkode_failure(code, current_time, words));
-  }
-
-
-
-  void
-  ArkodeDriver::restart(const double t, const double step, const Vector &r)
+  ArkodeDriver::restart(const double t, const Vector &r, const bool is_new)
   {
     current      = r;
     current_time = t;
     check(ARKStepReset(memory.get(), t, view));
-    check(ARKStepSetInitStep(memory.get(), step));
-    check(ARKStepSetStopTime(memory.get(), settings.period));
+    if (is_new)
+      check(ARKStepSetInitStep(memory.get(), 0.));
   }
 
 
 
   void
-  ArkodeDriver::fix_step(const double step, const double end)
+  ArkodeDriver::fixed_step(const double step)
   {
+    const double end = current_time + step;
     check(ARKStepSetFixedStep(memory.get(), step));
     check(ARKStepSetStopTime(memory.get(), end));
-  }
-
-
-
-  void
-  ArkodeDriver::stop_at(const double t)
-  {
-    check(ARKStepSetStopTime(memory.get(), t));
-  }
-
-
-
-  void
-  ArkodeDriver::seek_events(const bool on)
-  {
-    seeks_events = on;
-    const int n  = on ? events->count(current) : 0;
-    check(ARKStepRootInit(memory.get(), n, n > 0 ? &root_function : nullptr));
-    check(ARKStepSetNoInactiveRootWarn(memory.get()));
+    check(ARKStepEvolve(memory.get(), end, view, &current_time, ARK_ONE_STEP));
   }
 
 
 
   bool
-  ArkodeDriver::step()
+  ArkodeDriver::evolve(const double end, const double stop)
   {
-    const auto evolve = [this]() {
-      return ARKStepEvolve(
-        memory.get(), settings.period, view, &current_time, ARK_ONE_STEP);
-    };
-    const int code = evolve();
-    if (code == ARK_ILL_INPUT && seeks_events && !thrown)
-      {
-        // It does not go on from a root beside which the function is zero, as
-        // in the band of EventFunctions. A step on, it does.
-        seek_events(false);
-        check(evolve());
-        seek_events(true);
-        restart(current_time, next_step(), Vector(current));
-        return false;
-      }
-    check(code);
-    return code == ARK_ROOT_RETURN;
+    check(ARKStepSetStopTime(memory.get(), stop));
+    return check(ARKStepEvolve(
+             memory.get(), end, view, &current_time, ARK_NORMAL)) ==
+           ARK_ROOT_RETURN;
   }
 
 
 
   double
-  ArkodeDriver::time() const
+  ArkodeDriver::end_of_step() const
   {
-    return current_time;
-  }
-
-
-
-  const Vector &
-  ArkodeDriver::state() const
-  {
-    return current;
-  }
-
-
-
-  double
-  ArkodeDriver::next_step() const
-  {
-    double step;
-    ARKStepGetCurrentStep(memory.get(), &step);
-    return step;
-  }
-
-
-
-  void
-  ArkodeDriver::interpolate(const double t, Vector &r)
-  {
-    check(
-      ARKStepGetDky(memory.get(), t, 0, make_nvector_view(r, context.get())));
+    double t;
+    ARKStepGetCurrentTime(memory.get(), &t);
+    return t;
   }
 
 

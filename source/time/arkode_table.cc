@@ -9,34 +9,41 @@
 #include <arkode/arkode_butcher_dirk.h>
 #include <arkode/arkode_butcher_erk.h>
 #include <array>
-#include <boost/math/tools/roots.hpp>
-#include <cmath>
 #include <limits>
-#include <vector>
 
 namespace Crevasse
 {
   namespace
   {
+    constexpr double no_limit = std::numeric_limits<double>::infinity();
+
     struct Choice
     {
       const char *name;
       int         id;
       double      excess; ///< of estimates, measured (doc/time_schemes.md)
+      double      limit;  ///< of stability
     };
 
     /** By order, from 2 on. */
     constexpr std::array<Choice, 4> explicit_choices = {
-      {{"Heun-Euler 2(1)", ARKODE_HEUN_EULER_2_1_2, 5.},
-       {"Bogacki-Shampine 3(2)", ARKODE_BOGACKI_SHAMPINE_4_2_3, 4.},
-       {"Zonneveld 4(3)", ARKODE_ZONNEVELD_5_3_4, 20.},
-       {"Dormand-Prince 5(4)", ARKODE_DORMAND_PRINCE_7_4_5, 1.}}};
+      {{"Heun-Euler 2(1)", ARKODE_HEUN_EULER_2_1_2, 5., 2.},
+       {"Bogacki-Shampine 3(2)",
+        ARKODE_BOGACKI_SHAMPINE_4_2_3,
+        4.,
+        2.512745326618329},
+       {"Zonneveld 4(3)", ARKODE_ZONNEVELD_5_3_4, 20., 2.785293563405282},
+       {"Dormand-Prince 5(4)",
+        ARKODE_DORMAND_PRINCE_7_4_5,
+        1.,
+        3.306567892634947}}};
 
-    /** By order, from 3 on. */
-    constexpr std::array<Choice, 3> implicit_choices = {
-      {{"ESDIRK3(2)5L[2]SA", ARKODE_ESDIRK325L2SA_5_2_3, 1.},
-       {"ARK4(3)6L[2]SA-ESDIRK", ARKODE_ARK436L2SA_DIRK_6_3_4, 1.},
-       {"ESDIRK5(4)7L[2]SA2", ARKODE_ESDIRK547L2SA2_7_4_5, 1.}}};
+    /** The same; the first is none of ARKODE's. */
+    constexpr std::array<Choice, 4> implicit_choices = {
+      {{"SDIRK2(1)", ARKODE_DIRK_NONE, 10., no_limit},
+       {"ESDIRK3(2)5L[2]SA", ARKODE_ESDIRK325L2SA_5_2_3, 1., no_limit},
+       {"ARK4(3)6L[2]SA-ESDIRK", ARKODE_ARK436L2SA_DIRK_6_3_4, 1., no_limit},
+       {"ESDIRK5(4)7L[2]SA2", ARKODE_ESDIRK547L2SA2_7_4_5, 1., no_limit}}};
 
 
 
@@ -60,97 +67,21 @@ namespace Crevasse
 
 
   ArkodeTable::ArkodeTable(const bool is_implicit, const unsigned int order)
-    : is_implicit(is_implicit)
-    , coefficients(nullptr, &ARKodeButcherTable_Free)
+    : coefficients(nullptr, &ARKodeButcherTable_Free)
   {
     AssertIndexRange(order - 2, 4);
-    if (!is_implicit)
-      {
-        const Choice &choice = explicit_choices[order - 2];
-        table_name           = choice.name;
-        excess               = choice.excess;
-        coefficients.reset(ARKodeButcherTable_LoadERK(
-          static_cast<ARKODE_ERKTableID>(choice.id)));
-      }
-    else if (order == 2)
-      {
-        table_name = "SDIRK2(1)";
-        excess     = 10.;
-        coefficients.reset(make_sdirk2());
-      }
-    else
-      {
-        const Choice &choice = implicit_choices[order - 3];
-        table_name           = choice.name;
-        excess               = choice.excess;
-        coefficients.reset(ARKodeButcherTable_LoadDIRK(
-          static_cast<ARKODE_DIRKTableID>(choice.id)));
-      }
+    const Choice &choice =
+      (is_implicit ? implicit_choices : explicit_choices)[order - 2];
+    table_name = choice.name;
+    excess     = choice.excess;
+    limit      = choice.limit;
+    coefficients.reset(
+      !is_implicit
+        ? ARKodeButcherTable_LoadERK(static_cast<ARKODE_ERKTableID>(choice.id))
+      : order == 2 ? make_sdirk2()
+                   : ARKodeButcherTable_LoadDIRK(
+                       static_cast<ARKODE_DIRKTableID>(choice.id)));
     AssertThrow(coefficients != nullptr, dealii::ExcOutOfMemory(0));
-  }
-
-
-
-  const std::string &
-  ArkodeTable::name() const
-  {
-    return table_name;
-  }
-
-
-
-  ARKodeButcherTable
-  ArkodeTable::table() const
-  {
-    return coefficients.get();
-  }
-
-
-
-  double
-  ArkodeTable::excess_of_estimate() const
-  {
-    return excess;
-  }
-
-
-
-  double
-  ArkodeTable::stability_function(const double z) const
-  {
-    const ARKodeButcherTableMem &table = *coefficients;
-    std::vector<double>          stage(table.stages);
-    double                       result = 1.;
-    for (int i = 0; i < table.stages; ++i)
-      {
-        double sum = 1.;
-        for (int j = 0; j < i; ++j)
-          sum += table.A[i][j] * stage[j];
-        stage[i] = z * sum;
-        result += table.b[i] * stage[i];
-      }
-    return result;
-  }
-
-
-
-  double
-  ArkodeTable::stability_limit() const
-  {
-    if (is_implicit)
-      return std::numeric_limits<double>::infinity();
-    const auto excess = [this](const double z) {
-      return std::abs(stability_function(-z)) - 1.;
-    };
-    // R is a polynomial of a low degree: it does not leave and come back
-    // within less than this.
-    constexpr double search = 0.0123, rounding = 1e-12;
-    double           z = search;
-    while (excess(z + search) <= rounding)
-      z += search;
-    const auto bracket = boost::math::tools::bisect(
-      excess, z, z + search, boost::math::tools::eps_tolerance<double>(48));
-    return bracket.first;
   }
 
 

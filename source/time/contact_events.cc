@@ -35,7 +35,7 @@ namespace Crevasse
   void
   ContactEvents::restart()
   {
-    goes_on = false;
+    is_continuing = false;
     method->restart();
   }
 
@@ -47,7 +47,7 @@ namespace Crevasse
                        const Vector &r,
                        Vector       &rate)
   {
-    if (goes_on)
+    if (is_continuing)
       std::swap(begin, to);
     else
       {
@@ -56,8 +56,8 @@ namespace Crevasse
         method->start(f, t, r, begin.rate);
         f.switching_functions(begin.functions);
       }
-    goes_on = false;
-    rate    = begin.rate;
+    is_continuing = false;
+    rate          = begin.rate;
   }
 
 
@@ -208,8 +208,8 @@ namespace Crevasse
           break;
         std::swap(from, to);
       }
-    r       = to.r;
-    goes_on = true;
+    r             = to.r;
+    is_continuing = true;
   }
 
 
@@ -280,7 +280,7 @@ namespace Crevasse
   {
     archive.section("contact events");
     method->serialize(archive);
-    archive.common(goes_on);
+    archive.common(is_continuing);
     // Where the next step begins: an adaptive one may have been started
     // already.
     archive.at_points(begin.rate);

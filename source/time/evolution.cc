@@ -24,7 +24,7 @@ namespace Crevasse
   Evolution<dim>::Evolution(const StrainOperator<dim>  &strain_operator,
                             const QuadratureField<dim> &points,
                             const ExternalLoads<dim>   &loads,
-                            Instants<dim>              &instants)
+                            InstantProvider<dim>       &instants)
     : strain_operator(strain_operator)
     , loads(loads)
     , instants(instants)
@@ -46,23 +46,42 @@ namespace Crevasse
 
 
   template <int dim>
-  const SecularFlow *
-  Evolution<dim>::secular_flow() const
+  void
+  Evolution<dim>::repeat(const StepList &steps)
   {
-    return flow;
+    period = &steps;
   }
 
 
 
   template <int dim>
   void
-  Evolution<dim>::solve_for_displacement(
-    const double                t,
-    const Instant<dim>         &instant,
-    const InelasticStrain<dim> *inelastic_strain)
+  Evolution<dim>::begin_step(const double t)
   {
-    const MaterialState<dim> &material = instant.material;
-    const double              k        = material.stiffness_factor;
+    step_begin = t;
+  }
+
+
+
+  template <int dim>
+  double
+  Evolution<dim>::instant_of(const double t) const
+  {
+    if (period == nullptr)
+      return t;
+    return t > step_begin && period->jumps_at(t) ? period->just_before(t)
+                                                 : period->within_period(t);
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::assemble_loading(const double                t,
+                                   const MaterialState<dim>   &material,
+                                   const InelasticStrain<dim> *inelastic_strain)
+  {
+    const double k = material.stiffness_factor;
     loads.evaluate(t, loading);
     if (inelastic_strain != nullptr)
       {
@@ -80,7 +99,6 @@ namespace Crevasse
                         (*inelastic_strain)(offset));
           });
       }
-    solve_for_displacement(instant.contact_solver, k);
   }
 
 
@@ -99,14 +117,14 @@ namespace Crevasse
 
   template <int dim>
   void
-  Evolution<dim>::rate(const double t, const Vector &r, Vector &rate)
+  Evolution<dim>::rate(const double time, const Vector &r, Vector &rate)
   {
-    using Field = QuadratureField<dim>;
-
+    const double               t        = instant_of(time);
     const Instant<dim>         instant  = instants.at(t);
     const MaterialState<dim>  &material = instant.material;
     const InelasticStrain<dim> inelastic(material, r);
-    solve_for_displacement(t, instant, &inelastic);
+    assemble_loading(t, material, &inelastic);
+    solve_for_displacement(instant.contact_solver, material.stiffness_factor);
     if (material.is_plain() && flow == nullptr)
       plain_rate(material, r, rate);
     else
@@ -147,13 +165,11 @@ namespace Crevasse
     const MaterialState<dim>  &material = instant.material;
     const Vector               none;
     const InelasticStrain<dim> inelastic(material, none);
-    const bool has_thermal_strain = material.thermal_strain != nullptr;
-    solve_for_displacement(t,
-                           instant,
-                           has_thermal_strain ? &inelastic : nullptr);
-
-    const auto  &K = *material.stiffness;
-    const double k = material.stiffness_factor;
+    const bool   has_thermal_strain = material.thermal_strain != nullptr;
+    const auto  &K                  = *material.stiffness;
+    const double k                  = material.stiffness_factor;
+    assemble_loading(t, material, has_thermal_strain ? &inelastic : nullptr);
+    solve_for_displacement(instant.contact_solver, k);
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {
@@ -192,15 +208,6 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  Evolution<dim>::stress_scale() const
-  {
-    return elastic_stress;
-  }
-
-
-
-  template <int dim>
   void
   Evolution<dim>::strain_per_stress(const Vector &r, Vector &scale) const
   {
@@ -223,33 +230,6 @@ namespace Crevasse
                                            last.contact_forces,
                                            last.stiffness_factor,
                                            values);
-  }
-
-
-
-  template <int dim>
-  const State &
-  Evolution<dim>::state() const
-  {
-    return last;
-  }
-
-
-
-  template <int dim>
-  const Vector &
-  Evolution<dim>::right_hand_side() const
-  {
-    return loading;
-  }
-
-
-
-  template <int dim>
-  std::size_t
-  Evolution<dim>::n_rate_evaluations() const
-  {
-    return rate_evaluations;
   }
 
 

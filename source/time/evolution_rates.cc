@@ -67,12 +67,13 @@ namespace Crevasse
 
   template <int dim>
   void
-  Evolution<dim>::implicit_rate(const double  t,
+  Evolution<dim>::implicit_rate(const double  time,
                                 const Vector &known,
                                 const double  c,
                                 Vector       &rate)
   {
     using Field                           = QuadratureField<dim>;
+    const double                  t       = instant_of(time);
     const ImplicitInstant<dim>    instant = instants.implicit_at(t, c);
     const AlgorithmicModuli<dim> &moduli  = instant.moduli;
     const double                  k       = instant.material.stiffness_factor;
@@ -96,16 +97,19 @@ namespace Crevasse
 
   template <int dim>
   void
-  Evolution<dim>::semi_implicit_rate(const double  t,
+  Evolution<dim>::semi_implicit_rate(const double  time,
                                      const Vector &predicted,
                                      const Vector &known,
                                      const double  c,
                                      Vector       &rate)
   {
+    const double t = instant_of(time);
     {
       const Instant<dim>         instant = instants.at(t);
       const InelasticStrain<dim> inelastic(instant.material, predicted);
-      solve_for_displacement(t, instant, &inelastic);
+      assemble_loading(t, instant.material, &inelastic);
+      solve_for_displacement(instant.contact_solver,
+                             instant.material.stiffness_factor);
     }
     implicit_rates(instants.implicit_material_at(t, c), known, c, rate);
     ++rate_evaluations;
@@ -120,8 +124,8 @@ namespace Crevasse
                                    const double       c,
                                    Vector            &values)
   {
-    using Field             = QuadratureField<dim>;
-    const auto       &phi   = instants.relaxation_at(t, c).phi[order - 1];
+    using Field     = QuadratureField<dim>;
+    const auto &phi = instants.relaxation_at(instant_of(t), c).phi[order - 1];
     const std::size_t n     = Field::n_components;
     const std::size_t block = n * phi.size();
     for (std::size_t place = 0; place < values.locally_owned_size(); place += n)

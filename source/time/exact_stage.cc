@@ -57,14 +57,6 @@ namespace Crevasse
 
 
 
-  SUNNonlinearSolver
-  ExactStage::solver()
-  {
-    return handle;
-  }
-
-
-
   int
   ExactStage::solve_stage(void *arkode_memory, N_Vector correction)
   {

@@ -36,14 +36,6 @@ namespace Crevasse
 
 
 
-  bool
-  ExponentialHeun::has_error_estimate() const
-  {
-    return true;
-  }
-
-
-
   double
   ExponentialHeun::stability_limit() const
   {

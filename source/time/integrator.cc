@@ -23,40 +23,8 @@ namespace Crevasse
 
 
 
-  bool
-  Integrator::has_error_estimate() const
-  {
-    return false;
-  }
-
-
-
-  bool
-  Integrator::may_pause() const
-  {
-    return true;
-  }
-
-
-
   void
   Integrator::serialize(StateArchive &)
   {
-  }
-
-
-
-  bool
-  Integrator::has_matrix_of_step() const
-  {
-    return false;
-  }
-
-
-
-  IntegratorStatistics
-  Integrator::statistics() const
-  {
-    return {};
   }
 } // namespace Crevasse

@@ -132,22 +132,6 @@ namespace Crevasse
 
 
 
-  const RateEquation &
-  RememberedRate::last() const
-  {
-    return *equation;
-  }
-
-
-
-  std::size_t
-  RememberedRate::n_evaluations() const
-  {
-    return evaluations;
-  }
-
-
-
   void
   RememberedRate::serialize(StateArchive &archive)
   {

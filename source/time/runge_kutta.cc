@@ -57,25 +57,9 @@ namespace Crevasse
 
 
 
-  double
-  RungeKutta::stability_limit() const
-  {
-    return tableau.real_stability_limit;
-  }
-
-
-
   TimeQuadrature
   RungeKutta::quadrature() const
   {
     return {tableau.nodes, tableau.weights};
-  }
-
-
-
-  std::string
-  RungeKutta::description() const
-  {
-    return tableau.name;
   }
 } // namespace Crevasse

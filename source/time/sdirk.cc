@@ -24,7 +24,7 @@ namespace Crevasse
   void
   Sdirk2::restart()
   {
-    goes_on = false;
+    is_continuing = false;
   }
 
 
@@ -32,7 +32,7 @@ namespace Crevasse
   void
   Sdirk2::start(RateEquation &f, const double t, const Vector &r, Vector &rate)
   {
-    if (!goes_on)
+    if (!is_continuing)
       f.rate(t, r, rate);
   }
 
@@ -56,23 +56,7 @@ namespace Crevasse
     r.add(c, stage_rate);
     if (error != nullptr)
       error->add(error_weight * time_step, stage_rate);
-    goes_on = true;
-  }
-
-
-
-  bool
-  Sdirk2::has_error_estimate() const
-  {
-    return true;
-  }
-
-
-
-  bool
-  Sdirk2::has_matrix_of_step() const
-  {
-    return true;
+    is_continuing = true;
   }
 
 
@@ -104,6 +88,6 @@ namespace Crevasse
   void
   Sdirk2::serialize(StateArchive &archive)
   {
-    archive.common(goes_on);
+    archive.common(is_continuing);
   }
 } // namespace Crevasse

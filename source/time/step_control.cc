@@ -42,12 +42,4 @@ namespace Crevasse
   {
     integrator.advance(f, steps.instant(k), steps.step(k), rate, r);
   }
-
-
-
-  IntegratorStatistics
-  FixedSteps::statistics() const
-  {
-    return {};
-  }
 } // namespace Crevasse

@@ -123,14 +123,6 @@ namespace Crevasse
 
 
 
-  const std::vector<double> &
-  StepList::fixed_instants() const
-  {
-    return fixed;
-  }
-
-
-
   unsigned int
   StepList::n_steps() const
   {

@@ -11,7 +11,7 @@ namespace Crevasse
   void
   Trapezoid::restart()
   {
-    goes_on = false;
+    is_continuing = false;
   }
 
 
@@ -22,7 +22,7 @@ namespace Crevasse
                    const Vector &r,
                    Vector       &rate)
   {
-    if (goes_on)
+    if (is_continuing)
       rate = last_rate;
     else
       f.rate(t, r, rate);
@@ -43,15 +43,7 @@ namespace Crevasse
     r.add(half, rate);
     f.implicit_rate(t + time_step, r, half, last_rate);
     r.add(half, last_rate);
-    goes_on = true;
-  }
-
-
-
-  bool
-  Trapezoid::has_matrix_of_step() const
-  {
-    return true;
+    is_continuing = true;
   }
 
 
@@ -83,7 +75,7 @@ namespace Crevasse
   void
   Trapezoid::serialize(StateArchive &archive)
   {
-    archive.common(goes_on);
+    archive.common(is_continuing);
     archive.at_points(last_rate);
   }
 } // namespace Crevasse

@@ -10,7 +10,7 @@
 //
 // The first prints the iterations for blocks of up to LARGEST unknowns as
 // Markdown; the second the row of one block, with the peak memory of its
-// process. Both are in doc/multigrid.md. With "contact" the lip closes in part;
+// process. Both are in doc/scaling.md. With "contact" the lip closes in part;
 // with an ACCURACY the residual is reduced by so much instead of by 1e8.
 
 #include <crevasse/contact/active_set.h>

@@ -101,7 +101,6 @@ add_our_competitors(Competitors &competitors)
     [](const SignoriniProblem &problem, LinearSolver *) {
       // The model problem's optimum is 2 − O(h); 8 is right for this plate.
       const double factor = 2. - 8. / std::sqrt(problem.matrix().m());
-      return std::make_unique<ProjectedSor>(
-        problem, make_sweep(problem, {}), factor, tolerance, 20000);
+      return std::make_unique<ProjectedSor>(problem, factor, tolerance, 20000);
     }));
 }

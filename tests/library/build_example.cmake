@@ -1,5 +1,5 @@
 # Installs program and library, builds the example with what is installed, and runs
-# both.
+# both: the example must end well, in the state that is known.
 set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 set(build ${CMAKE_CURRENT_BINARY_DIR}/example)
 file(REMOVE_RECURSE ${prefix} ${build})
@@ -10,4 +10,8 @@ foreach(command
   execute_process(COMMAND ${CMAKE_COMMAND} ${command} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 execute_process(COMMAND ${prefix}/bin/crevasse --version COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${build}/creeping_string COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${build}/creeping_string
+  OUTPUT_VARIABLE output ECHO_OUTPUT_VARIABLE COMMAND_ERROR_IS_FATAL ANY)
+if(NOT output MATCHES "r changes by [0-9.]+e-1[0-9], lowest node -0.05\n$")
+  message(FATAL_ERROR "The example ends in another state.")
+endif()

@@ -1,19 +1,43 @@
 """Runs the program and reads what it wrote. A test is a Python program called
 with the paths of the program and of the source tree; it asserts, and prints
-the figures on which it judges."""
+the figures on which it judges.
 
+Runs are requests to a server that has loaded the program and forks
+(tests/runner); start() starts the program itself, for tests of the command
+line, signals, pipes and of the environment."""
+
+import atexit
 import csv
+import functools
 import json
 import math
+import os
 import pathlib
+import resource
 import shutil
 import subprocess
 import sys
+import tempfile
 
 from mpi_environment import ENVIRONMENT
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
+
+SESSIONS = tempfile.TemporaryDirectory(prefix="crevasse_")
+
+# The tier: the preset "full" sets this.
+FULL = os.environ.get("CREVASSE_TESTS") == "full"
+
+
+def full(test):
+    """Marks a test that the preset "full" runs and the default tier does not."""
+    return test if FULL else lambda: print(f"{test.__name__}: in preset full")
+
+
+def tier(default, all_of_them):
+    """What a test goes through in the default tier, and in the preset "full"."""
+    return all_of_them if FULL else default
 
 
 class Failure(AssertionError):
@@ -38,11 +62,53 @@ class Results:
                 for i, column in enumerate(rows[0])}
 
 
-def execute(*arguments, **options):
-    """Runs the program; returns exit status, standard output and error."""
-    process = subprocess.run([str(PROGRAM), *map(str, arguments)], text=True,
-                             capture_output=True, stdin=subprocess.DEVNULL,
-                             timeout=300, **options)
+@functools.cache
+def server():
+    """The scene server of this test, which ends with it. Open MPI removes a
+    directory that other tests may just be using, unless each has its own."""
+    process = subprocess.Popen(
+        [PROGRAM.parent / "tests/runner/scene_server"], text=True,
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        env=dict(ENVIRONMENT, OMPI_MCA_orte_tmpdir_base=SESSIONS.name))
+    process.n_runs = 0
+    atexit.register(lambda: process.communicate())
+    return process
+
+
+@atexit.register
+def print_cost():
+    """Called after the server has ended: it counts like other children."""
+    used = [resource.getrusage(who)
+            for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    n_runs = server().n_runs if server.cache_info().currsize else 0
+    print(f"{n_runs} runs of the scene server, in all "
+          f"{sum(u.ru_utime + u.ru_stime for u in used):.1f} s of CPU time")
+
+
+# These start a script in place of the program, found beside it.
+SCRIPTS = ("advise", "figures", "report")
+
+
+def execute(*arguments, cwd=".", seconds=300):
+    """Runs the program; returns exit status (or minus the signal that ended it),
+    standard output and error."""
+    if arguments and arguments[0] in SCRIPTS:
+        return start(*arguments, cwd=cwd)
+    request = {"arguments": list(map(str, arguments)),
+               "directory": os.path.abspath(cwd), "seconds": seconds}
+    print(json.dumps(request), file=server().stdin, flush=True)
+    line = server().stdout.readline()
+    check(line, f"the scene server ended: {line or server().wait()}")
+    answer = json.loads(line)
+    server().n_runs += 1
+    return answer["status"], answer["output"], answer["error"]
+
+
+def start(*arguments, **options):
+    """As execute(), by a start of the program."""
+    process = subprocess.run(
+        [str(PROGRAM), *map(str, arguments)], text=True, capture_output=True,
+        stdin=subprocess.DEVNULL, timeout=300, **{"env": ENVIRONMENT, **options})
     return process.returncode, process.stdout, process.stderr
 
 

@@ -119,16 +119,6 @@ def set_signals(ignored):
                       else signal.SIG_DFL)
 
 
-def send_later(process):
-    """The same request again, a second later in the same step."""
-    process.send_signal(signal.SIGTERM)
-    time.sleep(1e-3)
-    process.send_signal(signal.SIGSTOP)
-    time.sleep(1.1)
-    process.send_signal(signal.SIGTERM)
-    process.send_signal(signal.SIGCONT)
-
-
 def interrupt(directory, settings, way, moment, n_ranks=1, ignored=()):
     """Begins a run, or goes on with it if it has a checkpoint, and interrupts
     it at a moment: after so many rows of its tables if that is an integer, or
@@ -155,8 +145,6 @@ def interrupt(directory, settings, way, moment, n_ranks=1, ignored=()):
         process.send_signal(signal.SIGUSR1)
         wait_for_checkpoint(before, directory, process)
         process.kill()
-    elif way == "SIGTERM, later again":
-        send_later(process)
     elif way == "SIGTERM twice":  # as timeout does
         process.send_signal(signal.SIGTERM)
         time.sleep(1e-3)

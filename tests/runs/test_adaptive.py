@@ -6,7 +6,7 @@ import math
 
 from bars import BAR, LOAD, RELAXING, relaxing_bar
 from crevasse_run import (SOURCE, check, check_below, execute, overrides,
-                          probe_difference, run, run_on)
+                          probe_difference, run, run_on, tier)
 
 SCENE = SOURCE / "prm/raous1980.prm"
 
@@ -17,12 +17,12 @@ def adaptive(scheme, tolerance):
             f"Time integration/Relative tolerance={tolerance}"]
 
 
-SCHEMES = ("heun", "exponential", "sdirk2")
+SCHEMES = tier(("sdirk2",), ("heun", "exponential", "sdirk2"))
 
 # A bar whose stress relaxes, against its closed form.
 for scheme in SCHEMES:
     ratios = []
-    for tolerance in (1e-3, 1e-4, 1e-5, 1e-6):
+    for tolerance in tier((1e-3, 1e-4), (1e-3, 1e-4, 1e-5, 1e-6)):
         results = run(BAR, "bar", RELAXING + adaptive(scheme, tolerance)
                       + ["Time integration/Steps per period=10"])
         top = results.table("probe_top.csv")
@@ -90,7 +90,7 @@ def jumping(time, settings):
             results.summary["counters"]["vi_solves"])
 
 
-for time in (250, 250.3, 253):
+for time in tier((250.3,), (250, 250.3, 253)):
     exact, _ = jumping(time, adaptive("arkode implicit", 1e-8)
                        + [f"Time integration/Steps={time}"])
     size = max(map(abs, exact.values()))
@@ -124,8 +124,9 @@ def uniform(scheme, steps):
 
 
 exact = uniform("rk4", 1280)
-for scheme, order in (("rk4", 4), ("exponential", 2), ("sdirk2", 2),
-                      ("predictor corrector", 2), ("arkode implicit", 4)):
+for scheme, order in tier((("rk4", 4),), (
+        ("rk4", 4), ("exponential", 2), ("sdirk2", 2),
+        ("predictor corrector", 2), ("arkode implicit", 4))):
     errors = [max(abs(a - b) for a, b in zip(uniform(scheme, steps), exact))
               / max(map(abs, exact)) for steps in (80, 160)]
     rate = math.log2(errors[0] / errors[1])
@@ -135,12 +136,13 @@ for scheme, order in (("rk4", 4), ("exponential", 2), ("sdirk2", 2),
 
 # The same ageing half a period later, thermal strain, and a load that has its
 # zeros where equal steps end: the tolerance means the same.
-for name, settings in {
-        "soft at t = 0": ["Material/Stiffness time factor=1-0.98*cos(2*pi*t/600)"],
-        "stiff at t = 0": ["Material/Stiffness time factor=1+0.98*cos(2*pi*t/600)"],
-        "thermal strain": ["Material/Thermal expansion=1e-5",
-                           "Loads/Temperature=50*x*y*sin(2*pi*t/600)"],
-        "zeros": ["Loads/Traction=0; 10*sin(2*pi*t*16/600)"]}.items():
+HARD = {
+    "zeros": ["Loads/Traction=0; 10*sin(2*pi*t*16/600)"],
+    "soft at t = 0": ["Material/Stiffness time factor=1-0.98*cos(2*pi*t/600)"],
+    "stiff at t = 0": ["Material/Stiffness time factor=1+0.98*cos(2*pi*t/600)"],
+    "thermal strain": ["Material/Thermal expansion=1e-5",
+                       "Loads/Temperature=50*x*y*sin(2*pi*t/600)"]}
+for name, settings in list(HARD.items())[:tier(1, 4)]:
     settings = settings + [
         "Boundary/Contact=none", "Material/Viscosity=isotropic",
         "Material/Viscous modulus=780000*(1+x)", "Output/Fields=none",
@@ -181,8 +183,8 @@ check(status == 2 and "Step control" in message, message)
 
 # ARKODE's own steps become periodic too, and events and adaptive steps are the
 # same on two ranks.
-for scheme, events in itertools.product(("arkode explicit", "arkode implicit"),
-                                        ("false", "true")):
+for scheme, events in itertools.product(
+        tier((), ("arkode explicit", "arkode implicit")), ("false", "true")):
     changes = run(SCENE, "arkode", CONTACT[:-3] + adaptive(scheme, 1e-3) + [
         f"Time integration/Locate contact events={events}",
         "Periodic state/Maximum periods=12", "Periodic state/Tolerance=0"]

@@ -94,9 +94,13 @@ def test_again():
 
 
 def test_stop():
-    _, output, _ = advise("stopped", "--error", TARGET, *SETTINGS, "--wall-time",
-                          "0.001", status=5)
-    check("same command goes on" in output, output)
+    _, _, error = advise("stopped", "--error", TARGET, *SETTINGS, "--wall-time",
+                         "0.001", status=5)
+    check("repeat the command to continue" in error, error)
+    directory, _, error = advise("stopped", "--error", TARGET, *SETTINGS,
+                                 "--wall-time", "6", status=5)
+    check("--wall-time" in error, error)
+    check(list(directory.glob("runs/*/finished.json")), "nothing was finished")
 
 
 def test_refusals():

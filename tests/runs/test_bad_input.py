@@ -5,7 +5,6 @@ import json
 import pathlib
 import re
 import shutil
-from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
 from crevasse_run import SOURCE, check, execute, overrides
@@ -280,10 +279,6 @@ CASES = [
          [r"\[Loads\]: the largest force on a node over a period is \S+; it "
           "must be from 1e-70 to 1e70. Choose other units"],
          ["Loads/Traction=0; 1e200*sin(t)"]),
-    Case("recorded_step_that_never_comes", 2,
-         [r"\[Output\] Contact problems = 1: 99: must be within Periodic "
-          "state/Maximum periods = 2 and"],
-         ["Output/Contact problems=1: 99"]),
     Case("instants_not_increasing", 2,
          [r"\[Time integration\] Steps = 200: must be later than the instant "
           r"before it, 300"],
@@ -352,38 +347,46 @@ CASES = [
          ["Loads/Temperature=not_a_table.csv"]),
     Case("not_a_mesh", 2,
          [r"\[Geometry\] Mesh file = /.*not_a_mesh\.prm: cannot be read as a mesh",
-          r"Allowed: .*Gmsh file \(\.msh, format 2 or 4, ASCII\)"],
+          r"Allowed: .*Gmsh file \(\.msh, format 2 or 4\)"],
          ["Geometry/Mesh file=not_a_mesh.prm"], scene=MESH_SCENE),
     Case("not_a_gmsh_file", 2,
-         [r"not_a_gmsh_file\.msh: cannot be read as a mesh: line 1: "
-          r'"subsection" stands where "\$MeshFormat" must be',
+         [r"not_a_gmsh_file\.msh: cannot be read as a mesh: it does "
+          r'not begin with "\$MeshFormat"',
           r"Allowed: .*Gmsh file"],
          ["Geometry/Mesh file=not_a_gmsh_file.msh"], scene=MESH_SCENE),
     Case("broken_off_2", 2,
-         [r"broken_off_2\.msh: cannot be read as a mesh: line \d+: the file "
-          "breaks off where .* must be"],
+         [r"broken_off_2\.msh: cannot be read as a mesh: Gmsh says: Error "
+          "loading"],
          ["Geometry/Mesh file=broken_off_2.msh"], scene=MESH_SCENE),
     Case("broken_off_4", 2,
-         [r"broken_off_4\.msh: cannot be read as a mesh: line \d+: the file "
-          "breaks off where .* must be"],
+         [r"broken_off_4\.msh: cannot be read as a mesh: Gmsh says: Could not "
+          "read elements"],
          ["Geometry/Mesh file=broken_off_4.msh"], scene=MESH_SCENE),
     Case("triangles", 2,
-         [r"\[Geometry\] Mesh file = .*triangles\.msh: .*line \d+: the mesh has "
+         [r"\[Geometry\] Mesh file = .*triangles\.msh: .*the mesh has "
           "triangles; only quadrilaterals are allowed",
           r"Mesh\.RecombineAll = 1"],
          [mesh("triangles")], scene=MESH_SCENE),
     Case("more_nodes_than_announced", 2,
-         ["line 67: there are 15 nodes, but 3 are announced"],
+         ["there are 15 nodes, but 3 are announced"],
          [contradiction("more_nodes_than_announced")], scene=MESH_SCENE),
     Case("entity_of_9_dimensions", 2,
-         ["line 71: an entity has 9 dimensions; 0 to 3 are possible"],
+         ["Gmsh says: Unknown entity 1 of dimension 9"],
          [contradiction("entity_of_9_dimensions")], scene=MESH_SCENE),
     Case("boundary_without_cell", 2,
-         ["line 28: the nodes 1, 6 are no face of a cell"],
+         ["element 3: the nodes 1, 6 are no face of a cell"],
          [contradiction("boundary_without_cell")], scene=MESH_SCENE),
     Case("two_boundary_ids", 2,
-         ["line 29: the nodes 5, 6 have the boundary id 3, but on line 28 2"],
+         ["curve 2 belongs to the physical groups 2 and 3; each belongs to one"],
          [contradiction("two_boundary_ids")], scene=MESH_SCENE),
+    Case("unknown_boundary_name", 2,
+         [r'\[Boundary\] Contact = lips, top: the mesh file has no boundary '
+          r'named "lips"; its names: "ligament" \(1\), "lip" \(2\), "top"'],
+         ["Boundary/Contact=lips, top"], scene=MESH_SCENE),
+    Case("field_of_another_program", 2,
+         [r"Temperature = furnace\.pvd: .*\"crevasse temperature furnace\.pvd "
+          "--output"],
+         ["Loads/Temperature=furnace.pvd"]),
     Case("concave_cell", 2,
          [r"\[Geometry\] Mesh file = .*concave\.msh: the cell around \(0\.3, "
           r"0\.3\)", "every cell must be convex"],
@@ -442,8 +445,8 @@ CASES = [
          ["Output/Elastic comparison=closed"]),
     Case("more_memory_than_there_is", 2,
          ["needs about .* GB of memory on a machine that has .* GB left, most "
-          "of it for the search of the periodic state: lower .Periodic state. "
-          "Anderson depth", "about 0 unknowns fit; the mesh has 30"],
+          "of it for: fields. To change that, .* .Periodic state. Anderson "
+          "depth", "about 0 unknowns fit; the mesh has 30"],
          ["Periodic state/Method=anderson",
           "Periodic state/Anderson depth=1000000000"]),
     Case("mesh_that_no_memory_holds", 2,  # refused before it is made
@@ -485,25 +488,25 @@ CASES = [
 
     # Rigid motions
     Case("free_translation", 3,
-         ["free to move as a rigid one:\n  translation along x1\nContact",
+         ["rigid-body motions free:\n  translation along x1\nContact",
           r"\[Boundary\] Clamped, Symmetry or Fixed points",
           r'--set "Boundary/Fixed points=0, 0"'],
          ["Boundary/Fixed points=none"]),
     Case("free_mesh", 3,
-         [r"rigid one:\n(.*\n)+Contact .* Boundary ids of the mesh that have no role: "
+         [r"rigid-body motions free:\n(.*\n)+Contact .* Boundary ids of the mesh that have no role: "
           r"0, 1\."],
          ["Boundary/Symmetry=none", "Boundary/Loaded=3", "Boundary/Contact=2"],
          scene=MESH_SCENE),
     Case("free_rotation", 3,
-         [r"rigid one:\n  rotation in the plane x1-x2 about \(0\.5, 0\)\n"
+         [r"rigid-body motions free:\n  rotation in the plane x1-x2 about \(0\.5, 0\)\n"
           "Contact"],
          ["Boundary/Symmetry=none", "Boundary/Fixed points=0.5, 0"]),
     Case("free_to_fly", 3,
-         ["rigid one:\n  translation along x1\n  translation along x2\n"
+         ["rigid-body motions free:\n  translation along x1\n  translation along x2\n"
           "  rotation in the plane x1-x2 .*\nContact"],
          ["Boundary/Symmetry=none", "Boundary/Fixed points=none"]),
     Case("free_part", 3,
-         ["rigid one:\n  translation along x1 of part 2 of 2 .*\n"
+         ["rigid-body motions free:\n  translation along x1 of part 2 of 2 .*\n"
           "  translation along x2 of part 2 of 2 .*\n"
           "  rotation in the plane x1-x2 .* of part 2 of 2 .*\nContact"],
          [mesh("two_parts"), "Boundary/Fixed points=0, 0: 1"],
@@ -570,13 +573,12 @@ def test_cases():
         text = (MESHES / f"edge_crack_{version}.msh").read_text()
         path = pathlib.Path(f"broken_off_{version}.msh")
         path.write_text(text[:text.rindex(" ") - 10])
-    # Most of the time goes into waiting for MPI to start.
-    with ThreadPoolExecutor(max_workers=4) as pool:
-        for case, result in zip(CASES, pool.map(execute_case, CASES)):
-            check_messages(case.name, *result, case.status, case.messages)
-            directory = pathlib.Path("results") / case.name
-            check(directory.exists() == case.creates_directory,
-                  f"{case.name}: is there an output directory?")
+    for case in CASES:
+        check_messages(case.name, *execute_case(case), case.status,
+                       case.messages)
+        directory = pathlib.Path("results") / case.name
+        check(directory.exists() == case.creates_directory,
+              f"{case.name}: is there an output directory?")
 
 
 def test_missing_scene():
@@ -685,7 +687,7 @@ def test_not_yet_periodic():
                      "Periodic state/Tolerance=1e-8", "--set",
                      "Periodic state/Maximum periods=3")
     check_messages("periods to go", *result, 3,
-                   [r'"Maximum periods" \(about \d+ more if they go on to shrink'])
+                   [r'"Maximum periods" \(about \d+ more at the current rate'])
 
 
 UNUSED = [  # settings, and the warnings that they give
@@ -727,9 +729,8 @@ UNUSED = [  # settings, and the warnings that they give
      [r"\[Loads\] Temperature = t is not used: \[Material\] Thermal expansion "
       "= 0, and no coefficient depends on theta"]),
     (["Loads/Temperature=sin(2*pi*t/600)", "Material/Relaxation time=60+theta"], []),
-    (["Contact/Relaxation factor=1.5", "Contact/Relaxed together=node"],
-     [r"\[Contact\] Relaxation factor = 1\.5 is not used: Solver = automatic",
-      r"\[Contact\] Relaxed together = node is not used: Solver = automatic"]),
+    (["Contact/Relaxation factor=1.5"],
+     [r"\[Contact\] Relaxation factor = 1\.5 is not used: Solver = automatic"]),
     (["Contact/Solver=projected sor", "Contact/Relaxation factor=1.5"], []),
     (["Contact/Solver=condensed active set", "Contact/Maximum iterations=9",
       "Linear solver/Tolerance=0.01", "Linear solver/Memory for instants=1"],
@@ -785,14 +786,13 @@ def test_unused_parameters():
     """What is set but has no effect is told, and nothing else."""
     scene = pathlib.Path("unused.prm")
     scene.write_text(SCENE)
-    with ThreadPoolExecutor(max_workers=4) as pool:
-        found = pool.map(lambda case: warnings_of(scene, case[0]), UNUSED)
-        for (settings, expected), warnings in zip(UNUSED, found):
-            print(f"--- {settings}", *warnings, sep="\n")
-            check(len(warnings) == len(expected), f"{settings}: {warnings}")
-            for pattern in expected:
-                check(any(re.match(pattern, warning) for warning in warnings),
-                      f"{settings}: no warning like {pattern}")
+    for settings, expected in UNUSED:
+        warnings = warnings_of(scene, settings)
+        print(f"--- {settings}", *warnings, sep="\n")
+        check(len(warnings) == len(expected), f"{settings}: {warnings}")
+        for pattern in expected:
+            check(any(re.match(pattern, warning) for warning in warnings),
+                  f"{settings}: no warning like {pattern}")
 
     scene.write_text(MESH_SCENE)
     names = ("Width", "Height", "Crack length", "Subdivisions")

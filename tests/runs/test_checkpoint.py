@@ -11,7 +11,7 @@ import subprocess
 import time
 import zlib
 
-from crevasse_run import Results, check, check_below
+from crevasse_run import Results, check, check_below, full, tier
 from interrupted_runs import (CASES, COMMON, REDISTRIBUTES, check_same_bytes,
                               command, execute, finish, checkpoints, fresh,
                               interrupt, largest_difference, periods,
@@ -47,7 +47,8 @@ def test_interruptions():
     """Each way does what it is there for in some of the cases at least: in the
     others the run may end before."""
     has_worked = set()
-    for number, (name, extra) in enumerate(CASES.items()):
+    for number, (name, extra) in enumerate(
+            list(CASES.items())[:tier(4, None)]):
         settings = COMMON + extra
         whole, seconds = reference(f"{name} whole".replace(" ", "_"), settings)
         directory = fresh(name.replace(" ", "_"))
@@ -65,25 +66,19 @@ def test_interruptions():
             if (directory / "summary.json").exists():
                 break
         check_same_bytes(whole, finish(directory, settings), f"{name}, {codes}")
-    check(has_worked == set(WAYS), f"never: {set(WAYS) - has_worked}")
+    check(len(has_worked) >= tier(4, len(WAYS)), f"never: {set(WAYS) - has_worked}")
 
 
 def test_signals():
-    """One more a second later ends the run at once; what was ignored is."""
+    """What was ignored when the program began is ignored."""
     settings, whole = kept_march()
     moment = rows(whole) // 3
-    for attempt in range(20):  # the first may come too late to be told apart
-        code, _ = interrupt(fresh("again"), settings, "SIGTERM, later again",
-                            moment)
-        print(f"a second SIGTERM, attempt {attempt}: {code}")
-        if code == -15:
-            break
-    check(code == -15, f"a second SIGTERM: {code}")
     code, error = interrupt(fresh("ignored"), settings, "SIGHUP", moment,
                             ignored=["SIGHUP"])
     check(code in (0, 3), f"SIGHUP under nohup: {code} {error}")
 
 
+@full
 def test_kills():
     n_kills = n_resumed = 0
     settings = COMMON + CASES["anderson"] + ["Output/Checkpoint every=1"]
@@ -100,7 +95,7 @@ def test_kills():
 
 
 def test_ranks():
-    for name in ("anderson", "readapted", "crack tip"):
+    for name in tier(("readapted",), ("anderson", "readapted", "crack tip")):
         settings = COMMON + CASES[name] + ["Contact/Tolerance=1e-13"]
         whole, _ = reference("ranks_whole", settings)
         directory = fresh("ranks")
@@ -285,7 +280,7 @@ def test_nobody_listens():
     process.wait(timeout=60)
     log = (directory / "log.txt").read_text()
     check(process.returncode == 5 and "standard output" in log
-          and "--resume goes on" in log, f"{process.returncode}\n{log}")
+          and "--resume continues" in log, f"{process.returncode}\n{log}")
 
 
 for test in (test_two_runs, test_nobody_listens, test_out_of_periods, test_begun_anew,

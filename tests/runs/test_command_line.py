@@ -7,7 +7,7 @@ import re
 import shutil
 import subprocess
 
-from crevasse_run import PROGRAM, SOURCE, check, execute, run
+from crevasse_run import PROGRAM, SOURCE, check, execute, run, start
 
 SCENE = """\
 set Title = A = b, c
@@ -81,23 +81,25 @@ def test_questions():
                  "--output DIR", "crevasse prm/raous1980.prm",
                  "4  cannot read or write a file"):
         check(text in output, f"--help does not speak of {text}")
-    check(re.fullmatch(r"crevasse \d+\.\d+\.\d+\n", succeed("--version")),
-          "--version")
+    status, output, error = start("--version")
+    check(status == 0 and error == ""
+          and re.fullmatch(r"crevasse \d+\.\d+\.\d+\n", output), "--version")
 
 
 def test_mistakes():
     for arguments, message in (
             ((), "crevasse --print-parameters "),
-            (("--frobnicate",), 'no option "--frobnicate".'),
+            (("--frobnicate",), "not expected: --frobnicate"),
             (("a.prm", "--ouput", "x"), 'did you mean "--output"?'),
-            (("a.prm", "--error=1e-3"), 'one of "sweep" and "advise"'),
-            (("sweep", "--hepl"), 'of "sweep"; did you mean "--help"?'),
+            (("a.prm", "--error=1e-3"), "not expected: --error=1e-3"),
+            (("--quiet", "report", "x"), '"report" must be the first'),
+            (("sweep", "--hepl"), 'did you mean "--help"?'),
             (("swep", "a.prm"), 'did you mean "sweep"?'),
             (("a.prm", "b.prm"), "b.prm"),
             (("a.prm", "--set"), "--set"),
             (("a.prm", "--output"), "--output"),
-            (("--print-parameters", "xml"), "as prm, json or markdown"),
-            (("--print-parameters", "a.prm"), "reads no scene"),
+            (("--print-parameters", "xml"), "{prm,json,markdown}"),
+            (("--print-parameters", "a.prm"), "{prm,json,markdown}"),
             (("a.prm", "--wall-time", "12:00"), "is no time"),
             (("a.prm", "--wall-time", "1:60:00"), "is no time"),
             (("a.prm", "--wall-time", "24:00:00:00"), "is no time"),
@@ -284,7 +286,7 @@ def test_print_parameters():
         check(f"subsection {section}\n" in prm, f"prm lacks {section}")
         check(f"\n## {section}\n" in markdown, f"markdown lacks {section}")
     check("| Crack length | `0.5` |" in markdown, "markdown lacks a parameter")
-    check("3 above, and 4 on the crack lip" in markdown
+    check("3 top, 4 crack lip" in markdown
           and '"automatic" is 3 for a built-in shape' in markdown,
           "markdown does not tell boundary ids")
     for line in markdown.splitlines():
@@ -299,6 +301,46 @@ def test_print_parameters():
         output = succeed("--check", scene)
         sizes.add(output.split("\n", 1)[1])
     check(len(sizes) == 1, f"the printed scenes differ: {sizes}")
+
+
+def test_print_scene():
+    """The values of a scene, as used.prm has them."""
+    scene = write_scene("values.prm")
+    words = (scene, "--set", "Title=other")
+    prm = succeed(*words, "--print-parameters", "prm")
+    check(re.search(r"set Title += other ", prm), "--set has no effect")
+    values = json.loads(succeed(*words, "--print-parameters", "json"))
+    check(values["Geometry"]["Subdivisions"] == "4, 2", f"{values['Geometry']}")
+    results = run(scene, "values", ["Title=other", "Periodic state/Maximum periods=2"])
+    check((results.directory / "used.prm").read_text() == prm, "used.prm differs")
+    status, _, error = execute(*words, "--print-parameters", "markdown")
+    check(status == 2 and "prm or json" in error, f"markdown: {status} {error}")
+
+
+def test_scripts():
+    """They are found beside the program, in an installation too, and without Python
+    the message says what is missing."""
+    for name in ("advise", "figures", "report"):
+        check(name in succeed("--help") and "usage:" in succeed(name, "--help"), name)
+    place = remove("installed")
+    (place / "bin").mkdir(parents=True)
+    program = place / "bin" / "crevasse"
+    shutil.copy(PROGRAM, program)
+
+    def call():
+        process = subprocess.run([program, "report", "nowhere"], text=True,
+                                 capture_output=True, timeout=60)
+        return process.returncode, process.stderr
+    status, error = call()
+    check(status == 4 and "package is missing" in error, f"no package: {error}")
+    package = place / "share" / "crevasse" / "python" / "crevasse"
+    shutil.copytree(SOURCE / "source" / "python" / "crevasse", package)
+    status, error = call()
+    check(status == 2 and "nowhere: no such directory" in error, f"installed: {error}")
+    (package / "page.py").write_text("import a_package_that_is_not_there\n")
+    status, error = call()
+    check(status == 4 and "python3-jinja2" in error and "Traceback" not in error,
+          f"no library: {error}")
 
 
 def test_round_trips():
@@ -326,6 +368,7 @@ program=$2
 answer "$program" my
 answer "$program" x.prm --output my
 answer "$program" adv
+answer "$program" fig
 answer "$program" x.prm --che
 answer "$program" x.prm --set "\"Geometry/Crack"
 answer "$program" x.prm --set "'Geometry/Crack"
@@ -348,7 +391,7 @@ def test_completion():
     check(process.returncode == 0 and not process.stderr,
           f"completion: {process.returncode} {process.stderr}")
     found = process.stdout.splitlines()
-    check(found == ["my folder|my scene.prm|my.json", "my folder", "advise",
+    check(found == ["my folder|my scene.prm|my.json", "my folder", "advise", "figures",
                     "--check", *(f"{name}=|{name}=..." for name in (
                         '"Geometry/Crack length', "'Geometry/Crack length",
                         '"Title')), ""], f"completion: {found}")
@@ -368,4 +411,6 @@ test_told_where()
 test_nothing_marched()
 test_tables()
 test_print_parameters()
+test_print_scene()
+test_scripts()
 test_round_trips()

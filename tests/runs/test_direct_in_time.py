@@ -4,18 +4,20 @@ state it is, against closed forms; what it does not compute, and what it refuses
 import math
 import re
 
-from crevasse_run import check, check_below, execute, overrides, run_on
+from crevasse_run import (check, check_below, execute, full, overrides,
+                          run_on, tier)
 from periodic_scenes import (BODY, COMMON, FOURIER, LIP, MIXED, PERIOD, case,
                              compute, difference, log, method, period,
                              relaxation, steps, traction)
 
-CASES = [(name, ratio) for name in "abc" for ratio in (0.1, 1, 10)]
+CASES = [(name, ratio) for name in "abc"
+         for ratio in tier((1,), (0.1, 1, 10))]
 
 
 def test_is_the_trapezoidal_state():
     """Marching from its viscous strain gives it again, period after period."""
     worst = 0.
-    for degree in (1, 2):
+    for degree in tier((1,), (1, 2)):
         for name, ratio in CASES:
             settings = case(name, ratio) + [f"Discretisation/Degree={degree}"]
             found = compute("fourier", settings + FOURIER)
@@ -41,7 +43,7 @@ def test_mean_pressure():
     """That of the secular problem is the mean of the samples."""
     for name, settings in (("b", case("b", 1)), ("c", case("c", 1)),
                            ("mixed", [traction(MIXED)] + relaxation(1, 0.6))):
-        for degree in (1, 2):
+        for degree in tier((1,), (1, 2)):
             found = compute("mean", settings + FOURIER + [
                 f"Discretisation/Degree={degree}"])
             secular = found.summary["secular"]["per_probe"]
@@ -66,8 +68,8 @@ def test_closed_forms():
             ("not a sine", "open", F + "(sin(2*pi*t/600) + cos(6*pi*t/600))"),
             ("tensile", "open", F + "(1 + sin(2*pi*t/600))"),
             ("compressive", "closed", F + "(-1.2 + sin(2*pi*t/600)^3)")):
-        for ratio in (0.1, 10):
-            for n in (40, 7):
+        for ratio in tier((10,), (0.1, 10)):
+            for n in tier((7,), (40, 7)):
                 found = compute("closed_form", [
                     traction("0; " + load),
                     f"Output/Elastic comparison={comparison}"]
@@ -101,6 +103,7 @@ BOX_PROBES = ["Output/Probes=mouth: 1, 0, 0; inside: 0.75, 0, 0.15; "
               "body: 0.3, 0.6, 0.1"]
 
 
+@full
 def test_everything_else():
     """Whatever the method takes besides: against the trapezoidal rule, from
     rest. (From there the lip keeps openings that are not needed.)"""
@@ -151,6 +154,7 @@ def test_everything_else():
                     f"box, Q{degree}")
 
 
+@full
 def test_thermal_strain():
     """A temperature that vanishes at an instant, beside two materials, and
     quadratic elements."""
@@ -173,7 +177,7 @@ def test_exact_harmonics():
     """u = u_el (F + int F/tau), less its mean, with five steps. The rule of
     the trapezoidal one divides by 2/dt tan(omega dt/2) instead of omega."""
     omega, n = 2 * math.pi / PERIOD, 5
-    for ratio in (0.1, 1, 10):
+    for ratio in tier((1,), (0.1, 1, 10)):
         tau = ratio * PERIOD
         elastic = compute("elastic", NO_CONTACT + [
             traction("0; 1 + x"), "Material/Viscosity=none"])
@@ -302,7 +306,7 @@ def test_warnings():
 
 
 def test_ranks():
-    for name in ("fourier", "anderson"):
+    for name in tier(("fourier",), ("fourier", "anderson")):
         settings = ["Contact/Solver=automatic"] + case("c", 1) + method(name)
         alone = compute("one_rank", settings)
         words = {w.split("=")[0]: w for w in COMMON + settings}

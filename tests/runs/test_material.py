@@ -143,8 +143,8 @@ def test_mesh_materials():
     """The right half of the body is another material: told by x, and by the
     physical groups of a mesh file."""
     mesh = (SOURCE / "tests/meshes/edge_crack_2.msh").read_text()
-    for number in (9, 10, 11, 12):
-        mesh = mesh.replace(f"\n{number} 3 2 10 ", f"\n{number} 3 2 20 ")
+    for number in (9, 10, 11, 12):  # of another surface, too
+        mesh = mesh.replace(f"\n{number} 3 2 10 1 ", f"\n{number} 3 2 20 2 ")
     pathlib.Path("two_materials.msh").write_text(mesh)
 
     def settings(condition):

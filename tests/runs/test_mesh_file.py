@@ -88,6 +88,25 @@ def test_formats():
                             f"degree {degree}, {mesh}, {table}")
 
 
+def test_names():
+    """Boundaries by the names of the physical groups, mixed with numbers."""
+    for mesh in ("edge_crack_2.msh", "edge_crack_4.msh"):
+        scene = READ.format(mesh=MESHES / mesh)
+        by_number = run(scene, "by_number")
+        by_name = run(scene, "by_name", [
+            "Boundary/Symmetry=ligament", "Boundary/Contact=lip",
+            "Boundary/Loaded=top"])
+        for table in ("probe_lip.csv", "contact.csv"):
+            check((by_number.directory / table).read_bytes()
+                  == (by_name.directory / table).read_bytes(), table)
+        mixed = run(by_name.directory / "used.prm", "mixed", [
+            "Boundary/Loaded=3, lip", "Boundary/Contact=none"])
+        numbers = run(scene, "numbers", ["Boundary/Loaded=3, 2",
+                                         "Boundary/Contact=none"])
+        check((mixed.directory / "probe_inside.csv").read_bytes()
+              == (numbers.directory / "probe_inside.csv").read_bytes(), "mixed")
+
+
 def test_where_it_is_looked_for():
     """Next to the scene file first, then in the working directory."""
     mesh = "edge_crack_2.msh"
@@ -123,5 +142,6 @@ def test_used_parameters():
 
 
 test_formats()
+test_names()
 test_where_it_is_looked_for()
 test_used_parameters()

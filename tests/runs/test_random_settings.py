@@ -10,10 +10,9 @@ import pathlib
 import random
 import re
 import shutil
-import subprocess
 import sys
 
-from crevasse_run import PROGRAM, SOURCE, Failure, Results, check, overrides
+from crevasse_run import SOURCE, Failure, Results, check, execute, overrides
 
 SCENE = SOURCE / "tests/hard/body.prm"
 STATUSES = {0, 2, 3, 5}  # done, refused, failed, out of the time below
@@ -71,8 +70,7 @@ class Parameter:
 
 def parameters():
     """All of them, from the page that the program prints."""
-    page = subprocess.run([PROGRAM, "--print-parameters", "markdown"], text=True,
-                          capture_output=True, check=True).stdout
+    _, page, _ = execute("--print-parameters", "markdown")
     found, section = [], ""
     for line in page.splitlines():
         if line.startswith("## "):
@@ -183,22 +181,20 @@ def judge(seed, all_parameters):
     chosen = settings(seed, all_parameters)
     directory = pathlib.Path("results")
     shutil.rmtree(directory, ignore_errors=True)
-    command = [PROGRAM, SCENE, "--quiet", "--output", directory, "--wall-time",
-               str(WALL_TIME), *overrides(chosen)]
     try:
-        run = subprocess.run(command, capture_output=True, timeout=PATIENCE,
-                             stdin=subprocess.DEVNULL)
-        error = run.stderr.decode(errors="replace")
-        check(run.returncode in STATUSES, f"status {run.returncode}\n{error}")
-        check(run.returncode in (0, 5) or len(error.split()) > 4,
-              f"status {run.returncode} without a reason: {error!r}")
+        status, _, error = execute(
+            SCENE, "--quiet", "--output", directory, "--wall-time", WALL_TIME,
+            *overrides(chosen), seconds=PATIENCE)
+        check(status in STATUSES, f"status {status}\n{error}")
+        check(status in (0, 5) or len(error.split()) > 4,
+              f"status {status} without a reason: {error!r}")
         check("terminate called" not in error and "deal.II" not in error,
               f"an error of a library:\n{error}")
-        if run.returncode == 0:
+        if status == 0:
             require_sound(Results(directory))
-    except (Failure, subprocess.TimeoutExpired) as failure:
+    except Failure as failure:
         return None, f"seed {seed}: {json.dumps(chosen)}: {failure}"
-    return run.returncode, ""
+    return status, ""
 
 
 def main():

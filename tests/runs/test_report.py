@@ -1,4 +1,4 @@
-"""Reports of runs and sweeps (doc/report/report.py): what they say, what they say
+"""Reports of runs and sweeps (crevasse report): what they say, what they say
 of runs that are not whole, and how a browser shows them."""
 
 import base64
@@ -18,11 +18,11 @@ import sys
 import time
 
 from browser import WIDTHS, in_browser
-from crevasse_run import SOURCE, Results, check, check_close, execute, run
+from crevasse_run import (PROGRAM, SOURCE, Results, check, check_close, execute,
+                          run)
 
-REPORT = SOURCE / "doc" / "report" / "report.py"
-sys.path.insert(0, str(REPORT.parent))
-import report as make_report
+sys.path.insert(0, str(SOURCE / "source" / "python"))
+from crevasse import figures as make_figures, report as make_report  # noqa: E402
 
 PAPER = SOURCE / "prm" / "raous1980.prm"
 
@@ -51,11 +51,24 @@ def command_line():
     for directory, file, status in (("results/bare", output, 0),
                                     ("results/nowhere", output, 2),
                                     ("results/bare", "results/no/report.html", 4)):
-        process = subprocess.run([sys.executable, REPORT, directory, "--output", file],
+        process = subprocess.run([PROGRAM, "report", directory, "--output", file],
                                  text=True, capture_output=True, timeout=120)
         check(process.returncode == status and "Traceback" not in process.stderr,
               f"status {process.returncode}: {process.stderr}")
     check(output.read_text() == report("results/bare")[0], "another page")
+
+
+def figures(directory, count, status=0):
+    """How many are drawn."""
+    with (contextlib.redirect_stdout(io.StringIO()) as said,
+          contextlib.redirect_stderr(io.StringIO()) as errors):
+        found = make_figures.main([str(directory), "--format", "png"])
+    files = [line for line in said.getvalue().splitlines() if line.endswith(".png")]
+    check(found == status and len(files) == count,
+          f"figures of {directory}: {found} {files} {errors.getvalue()}")
+    for file in files:
+        check(pathlib.Path(file).read_bytes().startswith(b"\x89PNG"), file)
+    return errors.getvalue()
 
 
 def words_of(page):
@@ -121,6 +134,7 @@ def whole_run():
         check(title in titles(page), f"no chart {title}: {titles(page)}")
     check_states(results, data_of(page))
     check_values(results, data_of(page))
+    figures(results.directory, 6)
     return results
 
 
@@ -175,6 +189,7 @@ def other_runs():
     page, said = report(box.directory)
     check("Not converged" in said, f"box: {said}")
     check_pictures(page, 2)
+    check("three-dimensional" in figures(box.directory, 0, 2), "box: figures")
     check_says(page, "Not converged: the stress is not periodic after 2 periods",
                "thickness 0.5", "for plane bodies", "Probe front (1, 0, 0)")
     bare = run(PAPER, "bare", ["Contact/Solver=automatic", "Output/Probes=",
@@ -229,6 +244,7 @@ def sweep():
         x, y, words = lines[0]["points"][0]
         check(words == ["Scheme = heun", "Steps per period = 20"]
               and (x, y) in points, f"{title}: {x}, {y}, {words}")
+    figures("results/sweep", 1)
     cut = copy("sweep", "sweep_cut")
     path = cut / "sweep.csv"
     path.write_text("".join(path.read_text().splitlines(True)[:4]))
@@ -273,15 +289,15 @@ def unfinished_runs():
     check_says(report(directory)[0], "Broken off")  # the number is another's now
     with open(running) as file:
         fcntl.flock(file, fcntl.LOCK_EX)
-        check_says(report(directory)[0], "The run is going on")
+        check_says(report(directory)[0], "The run is still running")
     running.write_text(f"process {os.getpid()} on elsewhere\n")
-    check_says(report(directory)[0], "The run may be going on")
+    check_says(report(directory)[0], "The run may still be running")
     running.unlink()
     (directory / "checkpoint" / "3").mkdir(parents=True)
     (directory / "checkpoint" / "3" / "manifest.json").write_text(
         '123\n{"period": 2, "step": 7}')
     with open(log, "a") as file:
-        file.write("crevasse: stopped on request (SIGTERM); --resume goes on.\n")
+        file.write("crevasse: stopped on request (SIGTERM); --resume continues.\n")
     check_says(report(directory)[0], "Stopped before the end",
                "Checkpoint 3, before step 8 of period 2")
 

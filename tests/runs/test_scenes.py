@@ -1,5 +1,4 @@
-"""What the scenes of tests/scenes compute, against independent values: their
-printed output says nothing about it."""
+"""What the scenes of tests/scenes compute, against independent values."""
 
 import math
 

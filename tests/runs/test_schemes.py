@@ -7,8 +7,8 @@ import itertools
 import math
 
 from bars import BAR, LOAD, RELAXING, relaxing_bar
-from crevasse_run import (SOURCE, check, check_below, execute, overrides,
-                          run)
+from crevasse_run import (FULL, SOURCE, check, check_below, execute, overrides, run,
+                          tier)
 
 def rates(errors):
     return [math.log2(coarse / fine)
@@ -23,7 +23,8 @@ def steps_of(scheme, number):
 ORDERS = {"euler": 1, "heun": 2, "predictor corrector": 2, "exponential": 2,
           "sdirk2": 2, "trapezoid": 2, "rk4": 4}
 
-for scheme, order in ORDERS.items():
+# The unit test time_schemes has the order of each.
+for scheme, order in tier([("sdirk2", 2)], ORDERS.items()):
     errors = []
     for number in (80, 160, 320):
         top = run(BAR, "bar", RELAXING
@@ -82,7 +83,7 @@ def error(history, reference):
 
 for name, settings in WHOLES.items():
     reference = history(settings, "rk4", 640, 1)
-    for scheme, order in ORDERS.items():
+    for scheme, order in tier([("sdirk2", 2)], ORDERS.items()):
         if scheme == "rk4":
             continue
         # Their steps flow steadily otherwise than the secular problem.
@@ -121,8 +122,9 @@ def mean_rate(scheme, settings):
 
 for scheme, order in ORDERS.items():
     expected = 2 if scheme == "rk4" else order
-    check(abs(mean_rate(scheme, []) - expected) < 0.25,
-          f"contact, {scheme}: order {expected}")
+    if FULL:
+        check(abs(mean_rate(scheme, []) - expected) < 0.25,
+              f"contact, {scheme}: order {expected}")
     check(mean_rate(scheme, EVENTS) > (3.7 if scheme == "rk4" else order - 0.25),
           f"contact with located events, {scheme}: order {order}")
 

@@ -2,7 +2,7 @@
 march must not take them for it. And ends that are the periodic state but for
 rounding, which must be taken for it."""
 
-from crevasse_run import check, check_below
+from crevasse_run import check, check_below, full
 from periodic_scenes import (FOURIER, compute, difference, error_estimate, log,
                              method, steps, traction)
 
@@ -37,6 +37,7 @@ def test_varying_viscosity():
             check(1e-2 < error < estimate * 10, "as it is")
 
 
+@full
 def test_viscosity_of_an_instant():
     """A body that flows a thousand times as fast for an instant of the period:
     what its strain lacks is measured by all of the period."""
@@ -56,6 +57,7 @@ def test_viscosity_of_an_instant():
     check(0.1 < error < 10 * estimate, "it is not yet periodic")
 
 
+@full
 def test_contact_that_ceases():
     """Where nodes come free for good the changes fall for a few periods, and
     then go on as slowly as before."""
@@ -87,6 +89,7 @@ def test_forces_of_rounding():
         "mean_contact_force_of_last_period"]), 1e-13, "force on the lip")
 
 
+@full
 def test_step_astray():
     """One step of anderson that goes astray does not end its search where it
     has another method to fall back on."""
@@ -105,6 +108,7 @@ def test_step_astray():
     check("stagnates" not in log(found), "anderson goes on")
 
 
+@full
 def test_negative_weights():
     """Of steps that weigh some of their stages negatively users are warned, and
     only where it matters."""

@@ -14,7 +14,7 @@ import time
 
 from bars import BAR, RELAXING
 from crevasse_run import (PROGRAM, check, check_below, execute, execute_on,
-                          overrides)
+                          full, overrides)
 
 SCENE = "bar.prm"
 CRACK = "crack.prm"
@@ -92,6 +92,7 @@ def test_order_against_reference():
         check((folder / name).exists(), f"{name} is missing")
 
 
+@full
 def test_order_against_closed_form():
     """The creeping bar: no reference run is needed. E u / F = sin wt +
     (1 - cos wt) / (w tau)."""
@@ -216,6 +217,7 @@ def test_no_error():
           "not the mesh" in markdown, markdown)
 
 
+@full
 def test_too_few_instants():
     """Adaptive steps meet those of a reference at 0 and T alone, where the load
     is zero: that tells nothing, unless they end where they are told to."""

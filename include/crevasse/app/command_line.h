@@ -45,9 +45,6 @@ namespace Crevasse
     double                wall_time = 0.;    ///< seconds; 0: any
     bool                  sweep     = false; ///< a whole study of the scene
     SweepRequest          sweep_request;
-    bool                  advise       = false; ///< its cheapest settings
-    double                target_error = 0.;    ///< that they are to reach
-    std::string           quantities;           ///< with this error; a list
 
     /** Set if there is nothing to do but to exit: help, version, or a mistake,
      * about which the user has been told. */

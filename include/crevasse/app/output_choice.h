@@ -37,7 +37,7 @@ namespace Crevasse
     void
     require_nothing_to_resume(const std::string &used_parameters) const;
 
-    /** Why a run that has ended there is not to be gone on with; empty if it
+    /** Why a run that has ended there is not to be resumed; empty if it
      * has not ended, or if the scene now allows it more periods.
      *
      * @param parameters all of the scene; see scene_as_json().

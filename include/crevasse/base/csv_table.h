@@ -16,11 +16,11 @@ namespace Crevasse
   class CsvTable
   {
   public:
-    /** @param goes_on Whether there are rows already, which stay.
+    /** @param is_continuing Whether there are rows already, which stay.
      * @throw FileError if the file cannot be written. */
     CsvTable(const std::string              &file_name,
              const std::vector<std::string> &header,
-             const bool                      goes_on = false);
+             const bool                      is_continuing = false);
 
     /** @throw FileError if the row cannot be written. */
     void

@@ -20,9 +20,9 @@ namespace Crevasse
     Log(const MPI_Comm communicator, const bool quiet);
 
     /** From now on lines go to this file as well; those before are added.
-     * @param goes_on Whether what the file has already stays. */
+     * @param is_continuing Whether what the file has already stays. */
     void
-    open_file(const std::string &file_name, const bool goes_on = false);
+    open_file(const std::string &file_name, const bool is_continuing = false);
 
     void
     line(const std::string &text);

@@ -31,10 +31,9 @@ namespace Crevasse
    * Whether somebody wants the run to end, or to be kept: signals, a file
    * "stop" in the output directory, or the end of the time that was granted.
    *
-   * SIGTERM, SIGINT and SIGHUP end the run at the next opportunity, another one
-   * of them at once if it comes a second or more after the first; SIGUSR1 has a
-   * checkpoint written. Handlers only set a flag. One small reduction makes all
-   * ranks know at the same moment.
+   * SIGTERM, SIGINT and SIGHUP end the run at the next opportunity, however
+   * often they come; SIGUSR1 has a checkpoint written. Handlers only set a
+   * flag. One small reduction makes all ranks know at the same moment.
    */
   class StopRequests
   {

@@ -38,7 +38,7 @@ namespace Crevasse
     unsigned int
     n_nodal_values() const;
 
-    /** A field of the layout of Space at the dofs of each cell, but for the
+    /** A field of the layout of Space at the dofs of each cell, except the
      * coefficients of singular functions. Collective. */
     std::vector<double>
     nodal(const Vector &field) const;

@@ -17,7 +17,7 @@
 namespace Crevasse
 {
   /** The checkpoints of one run: when they are written, and the one that it is
-   * taken up from. What they contain is told by KeptRun. */
+   * taken up from. What they contain is told by CheckpointWriter. */
   class Checkpoints
   {
   public:

@@ -19,8 +19,8 @@ namespace Crevasse
   scene_as_json(const dealii::ParameterHandler &prm);
 
   /** "[Section] Name: was A, is B" for all parameters that differ and matter:
-   * a run may go on with other ones only if its results up to now remain what
-   * they are. */
+   * a run may resume with other values only if they leave its results up to
+   * now unchanged. */
   std::vector<std::string>
   differences_that_matter(const Summary &before, const Summary &now);
 

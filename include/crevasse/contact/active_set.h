@@ -52,7 +52,10 @@ namespace Crevasse
 
   protected:
     std::vector<bool>
-    first_set() const override;
+    first_set() const override
+    {
+      return active;
+    }
 
     std::size_t
     iterate(const Vector &right_hand_side, Vector &solution) override;

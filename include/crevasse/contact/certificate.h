@@ -26,7 +26,7 @@ namespace Crevasse
   public:
     /** Makes the largest nodal force of the loads known, if not 0. */
     void
-    judge_by_load(const double largest_nodal_force);
+    set_force_scale(const double largest_nodal_force);
 
     /** Raises the scales to those of one solution. Collective. */
     void

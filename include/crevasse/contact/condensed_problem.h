@@ -63,12 +63,18 @@ namespace Crevasse
 
     /** Nodes closed in the last solution. */
     const std::vector<unsigned int> &
-    active_set() const;
+    active_set() const
+    {
+      return active;
+    }
 
     /** The columns of S, empty where they were not computed yet; one that is
      * set will not be computed. */
     std::vector<dealii::Vector<double>> &
-    known_columns();
+    known_columns()
+    {
+      return columns;
+    }
 
     /** Bytes of the columns and the factor. */
     std::size_t
@@ -76,7 +82,10 @@ namespace Crevasse
 
     /** How often the second method had to finish. */
     unsigned int
-    n_rescues() const;
+    n_rescues() const
+    {
+      return rescues;
+    }
 
   private:
     using Set = std::vector<unsigned int>; // ascending

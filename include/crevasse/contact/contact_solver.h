@@ -52,7 +52,7 @@ namespace Crevasse
 
     /** Makes known by which force errors are to be judged: see Scales. */
     void
-    judge_by_load(const double largest_nodal_force);
+    set_force_scale(const double largest_nodal_force);
 
     /** Which of the locally owned bounds bear more than rounding in the last
      * solution; empty before there is one. */
@@ -71,32 +71,50 @@ namespace Crevasse
 
     /** The maxima over all solves so far. */
     const Certificate &
-    worst_certificate() const;
+    worst_certificate() const
+    {
+      return maxima;
+    }
 
     /** The largest error that was accepted so far: the tolerance, or what
      * rounding leaves of it. */
     double
-    accuracy() const;
+    accuracy() const
+    {
+      return largest_error;
+    }
 
     /** Whether there are any on any rank. */
     bool
     has_bounds() const;
 
     std::size_t
-    n_solves() const;
+    n_solves() const
+    {
+      return solves;
+    }
 
     std::size_t
-    n_iterations() const;
+    n_iterations() const
+    {
+      return iterations;
+    }
 
     /** Linear solves that are the method's own, besides those of its linear
      * solver. */
     virtual std::size_t
-    n_linear_solves() const;
+    n_linear_solves() const
+    {
+      return 0;
+    }
 
     /** Iterations of conjugate gradients that are the method's own, besides
      * those of its linear solver. */
     virtual std::size_t
-    n_linear_iterations() const;
+    n_linear_iterations() const
+    {
+      return 0;
+    }
 
     /** Bytes on this rank, without those of the linear solver. */
     virtual std::size_t
@@ -119,31 +137,49 @@ namespace Crevasse
     /** The set that the next solve begins with, for each locally owned bound;
      * empty if there is none. */
     virtual std::vector<bool>
-    first_set() const;
+    first_set() const
+    {
+      return {};
+    }
 
     /** Columns of a compliance that were computed already, for each bound of
      * all ranks; null: the method has none. */
     virtual std::vector<dealii::Vector<double>> *
-    known_columns();
+    known_columns()
+    {
+      return nullptr;
+    }
 
     /** Sizes of the last active sets, for the message of a failure; empty if
      * the method has none. */
     virtual std::string
-    last_sets() const;
+    last_sets() const
+    {
+      return "";
+    }
 
     /** What the linear solver could not do, and what to try, for that message;
      * empty if nothing. */
     virtual std::string
-    linear_trouble() const;
+    linear_trouble() const
+    {
+      return "";
+    }
 
     /** Whether iterate() could do better if asks_for_refinement(). */
     virtual bool
-    can_refine() const;
+    can_refine() const
+    {
+      return false;
+    }
 
     /** Whether a certificate has shown that the rounding of direct solvers is
      * too large on this matrix, so that solutions must be refined. */
     bool
-    asks_for_refinement() const;
+    asks_for_refinement() const
+    {
+      return refines;
+    }
 
     /** x += A⁻¹ (b − A x) */
     void
@@ -186,16 +222,13 @@ namespace Crevasse
     Certificate
     certify(const Vector &right_hand_side, const Vector &solution);
 
-    void
-    solve_and_certify(const Vector &right_hand_side, Vector &solution);
-
     bool
     accepts(const Certificate &certificate) const;
 
     [[noreturn]] void
     fail(const Certificate &certified, const std::size_t n_iterations) const;
 
-    double              load = 0.; ///< see judge_by_load()
+    double              load = 0.; ///< see set_force_scale()
     Scales              scales_of_solutions;
     Vector              scaled_right_hand_side; ///< empty until one is scaled
     Vector              defect;     ///< empty until a solution is refined

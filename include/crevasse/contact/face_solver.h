@@ -43,14 +43,23 @@ namespace Crevasse
     project(const std::vector<bool> &held, Vector &vector) const;
 
     std::size_t
-    n_solves() const;
+    n_solves() const
+    {
+      return solves;
+    }
 
     /** Of the conjugate gradients, over all solves. */
     std::size_t
-    n_iterations() const;
+    n_iterations() const
+    {
+      return iterations;
+    }
 
     const LinearSolver &
-    linear_solver() const;
+    linear_solver() const
+    {
+      return solver;
+    }
 
   private:
     const SignoriniProblem &problem;

@@ -22,11 +22,17 @@ namespace Crevasse
 
     /** The number of the first locally owned bound. */
     unsigned int
-    first() const;
+    first() const
+    {
+      return first_local;
+    }
 
     /** Of all ranks. */
     unsigned int
-    n_nodes() const;
+    n_nodes() const
+    {
+      return neighbours.size();
+    }
 
     /** Completes, by those of the other ranks, the entries of the locally
      * owned nodes of @p on_lip. Collective. */

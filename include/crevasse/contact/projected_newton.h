@@ -41,7 +41,10 @@ namespace Crevasse
 
     /** The face of the last step, for each locally owned bound. */
     const std::vector<bool> &
-    held_bounds() const;
+    held_bounds() const
+    {
+      return held;
+    }
 
   private:
     /** Into the cone. */

@@ -10,16 +10,15 @@
 namespace Crevasse
 {
   /** The paper's solver: overrelaxation with projection, started from the last
-   * solution. */
+   * solution. On one process only. */
   class ProjectedSor : public ContactSolver
   {
   public:
     /** @param relaxation_factor in ]0,2[, where it converges. */
-    ProjectedSor(const SignoriniProblem      &problem,
-                 std::unique_ptr<const Sweep> sweep,
-                 const double                 relaxation_factor,
-                 const double                 tolerance,
-                 const unsigned int           maximum_iterations);
+    ProjectedSor(const SignoriniProblem &problem,
+                 const double            relaxation_factor,
+                 const double            tolerance,
+                 const unsigned int      maximum_iterations);
 
     std::string
     description() const override;
@@ -29,9 +28,9 @@ namespace Crevasse
     iterate(const Vector &right_hand_side, Vector &solution) override;
 
   private:
-    const std::unique_ptr<const Sweep> sweep;
-    const double                       relaxation_factor;
-    const unsigned int                 maximum_iterations;
+    const Sweep        sweep;
+    const double       relaxation_factor;
+    const unsigned int maximum_iterations;
   };
 } // namespace Crevasse
 

@@ -72,7 +72,10 @@ namespace Crevasse
 
     /** Number of bounds on all ranks. */
     dealii::types::global_dof_index
-    n_bounds() const;
+    n_bounds() const
+    {
+      return n_all_bounds;
+    }
 
   private:
     void

@@ -5,30 +5,22 @@
 #define crevasse_contact_sweep_h
 
 #include <crevasse/contact/signorini_problem.h>
+#include <crevasse/linear/matrix_rows.h>
 
-#include <memory>
 #include <vector>
 
 namespace Crevasse
 {
-  /** Groups of at most three unknowns that are relaxed together: those of a
-   * node. Each unknown is in one group. */
-  using UnknownBlocks =
-    std::vector<std::vector<dealii::types::global_dof_index>>;
-
-  /** How far some sweeps have come. */
-  struct SweepCount
-  {
-    unsigned int sweeps           = 0;
-    double       largest_residual = 0.; ///< see Sweep
-  };
-
-  /** One sweep of successive overrelaxation in natural order, with projection
-   * on the bounds. */
+  /**
+   * One sweep of successive overrelaxation in natural order, unknown by
+   * unknown, with projection on the bounds: the paper's method (§6.1;
+   * Glowinski, Lions, Trémolières 1976). On one process only.
+   */
   class Sweep
   {
   public:
-    virtual ~Sweep() = default;
+    /** @param problem must outlive the sweep. */
+    explicit Sweep(const SignoriniProblem &problem);
 
     /**
      * Overwrites @p solution by the next iterate and returns the largest
@@ -36,30 +28,16 @@ namespace Crevasse
      * not finite). Rows that the projection holds at their bound count by what
      * they still move. It is cheap and close to, but not, the certificate.
      */
-    virtual double
+    double
     operator()(const Vector &right_hand_side,
                Vector       &solution,
-               const double  relaxation_factor) const = 0;
+               const double  relaxation_factor) const;
 
-    /** Sweeps until that residual is at most @p target, or not finite, but no
-     * more often than @p maximum_sweeps. */
-    virtual SweepCount
-    sweep_until(const Vector      &right_hand_side,
-                Vector            &solution,
-                const double       relaxation_factor,
-                const double       target,
-                const unsigned int maximum_sweeps) const;
+  private:
+    const SignoriniProblem &problem;
+    const MatrixRows        rows;
+    std::vector<int>        bound_of; ///< for each unknown its bound, or −1
   };
-
-  /** Unknown by unknown, or block by block if there are any on any rank.
-   * Collective. @param blocks of this rank. */
-  std::unique_ptr<const Sweep>
-  make_sweep(const SignoriniProblem &problem, const UnknownBlocks &blocks);
-
-  /** The same for a problem that is on one rank as a whole. */
-  std::unique_ptr<const Sweep>
-  make_local_sweep(const SignoriniProblem &problem,
-                   const UnknownBlocks    &blocks);
 } // namespace Crevasse
 
 #endif

@@ -48,11 +48,17 @@ namespace Crevasse
 
     /** k of K_I = k·u + l·g. */
     const Vector &
-    of_displacement() const;
+    of_displacement() const
+    {
+      return functional;
+    }
 
     /** l for each local lip node. */
     const std::vector<double> &
-    of_contact_forces() const;
+    of_contact_forces() const
+    {
+      return lip_functional;
+    }
 
     /** K_I. Collective. */
     double

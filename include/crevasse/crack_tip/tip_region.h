@@ -37,19 +37,31 @@ namespace Crevasse
               const char                        *name);
 
     const CrackTip &
-    tip() const;
+    tip() const
+    {
+      return crack_tip;
+    }
 
     /** Of the stiffness at the tip. */
     const PlaneElasticity &
-    elasticity() const;
+    elasticity() const
+    {
+      return *plane_elasticity;
+    }
 
     /** Where another boundary or another stiffness begins. */
     double
-    largest_radius() const;
+    largest_radius() const
+    {
+      return end;
+    }
 
     /** Of the cells that have the tip as a vertex. */
     double
-    cell_radius() const;
+    cell_radius() const
+    {
+      return end_of_tip_cells;
+    }
 
     /** The largest square that cuts no cell, half to once this size; this
      * size if each of those cuts one. */

@@ -58,7 +58,10 @@ namespace Crevasse
 
     /** N of the smaller disc. */
     unsigned int
-    n_terms() const;
+    n_terms() const
+    {
+      return terms;
+    }
 
   private:
     /** What the stress at a point, at this local index, contributes. */

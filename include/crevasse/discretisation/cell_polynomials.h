@@ -36,7 +36,10 @@ namespace Crevasse
     /** Of the coefficients of one vector at a point; their components are those
      * of a QuadratureField. */
     const dealii::DoFHandler<dim> &
-    dof_handler() const;
+    dof_handler() const
+    {
+      return dofs;
+    }
 
     /** A vector of coefficients, with those of the ghost cells. */
     Vector

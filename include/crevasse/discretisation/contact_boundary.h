@@ -46,8 +46,8 @@ namespace Crevasse
    * quadratic ones at the nodes of the coarser side.
    *
    * A held node, as the crack tip that belongs to the ligament's plane of
-   * symmetry, has no contact force of its own: the support bears it. What the
-   * lip bears there is told by its neighbours: a held node takes the pressure
+   * symmetry, has no contact force of its own: the support bears it. Its
+   * neighbours show what the lip bears: a held node takes the pressure
    * of the nearest free node on a face that it belongs to (0 if there is
    * none). The error is of the order of the mesh size, and none if the
    * pressure is uniform; an open crack has no pressure at its tip.
@@ -69,7 +69,10 @@ namespace Crevasse
 
     /** The free nodes, in the order of their dofs. */
     const std::vector<LipNode<dim>> &
-    nodes() const;
+    nodes() const
+    {
+      return lip_nodes;
+    }
 
     /** The least u_N at any point of the lip. @throw SceneError if it is not
      * finite or positive. */

@@ -86,13 +86,22 @@ namespace Crevasse
 
     // What depends on time, besides the factors.
     bool
-    stiffness_varies() const;
+    stiffness_varies() const
+    {
+      return stiffness_is_free;
+    }
     bool
     fluidity_varies() const;
     bool
-    thermal_strain_varies() const;
+    thermal_strain_varies() const
+    {
+      return thermal_strain_is_free;
+    }
     bool
-    has_thermal_strain() const;
+    has_thermal_strain() const
+    {
+      return !free_strains.empty();
+    }
 
     /** Bytes of what a state has besides that which does not vary. */
     std::size_t

@@ -43,7 +43,10 @@ namespace Crevasse
 
     /** Points of this rank, and of all ranks. */
     std::size_t
-    n_local_points() const;
+    n_local_points() const
+    {
+      return n_local;
+    }
     std::size_t
     n_points() const;
 

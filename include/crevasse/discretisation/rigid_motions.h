@@ -12,7 +12,7 @@
 namespace Crevasse
 {
   /**
-   * Names the rigid motions that the supports leave free; empty if there are
+   * Names the unconstrained rigid-body motions; empty if there are
    * none, in which case the stiffness is positive definite. Parts of the mesh
    * that share no face move each on their own, but where they touch in a vertex
    * it hinges them together. Contact does not count: it can hold a body in one

@@ -31,7 +31,10 @@ namespace Crevasse
                    const dealii::DoFHandler<2> &dof_handler);
 
     const SingularFunctions &
-    functions() const;
+    functions() const
+    {
+      return singular_functions;
+    }
 
     unsigned int
     size() const;

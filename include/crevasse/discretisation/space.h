@@ -66,23 +66,47 @@ namespace Crevasse
     on_coarser(std::shared_ptr<const Mesh<dim>> coarser_mesh) const;
 
     const Mesh<dim> &
-    mesh() const;
+    mesh() const
+    {
+      return *triangulation;
+    }
     /** For another space on the same mesh; its dofs are numbered alike. */
     std::shared_ptr<const Mesh<dim>>
-    shared_mesh() const;
+    shared_mesh() const
+    {
+      return triangulation;
+    }
     const dealii::DoFHandler<dim> &
-    dof_handler() const;
+    dof_handler() const
+    {
+      return dofs;
+    }
     const dealii::FESystem<dim> &
-    finite_element() const;
+    finite_element() const
+    {
+      return fe;
+    }
     const dealii::Mapping<dim> &
-    mapping() const;
+    mapping() const
+    {
+      return q1_mapping;
+    }
     const dealii::AffineConstraints<double> &
-    constraints() const;
+    constraints() const
+    {
+      return affine_constraints;
+    }
     const BoundaryRoles &
-    roles() const;
+    roles() const
+    {
+      return boundary_roles;
+    }
     /** What D takes from displacements of this space. */
     VolumetricStrain
-    volumetric_strain() const;
+    volumetric_strain() const
+    {
+      return volumetric;
+    }
     MPI_Comm
     communicator() const;
 
@@ -102,9 +126,15 @@ namespace Crevasse
 
     /** Those that belong to this rank, and those of the cells that it sees. */
     const dealii::IndexSet &
-    locally_owned_unknowns() const;
+    locally_owned_unknowns() const
+    {
+      return owned_unknowns;
+    }
     const dealii::IndexSet &
-    locally_relevant_unknowns() const;
+    locally_relevant_unknowns() const
+    {
+      return relevant_unknowns;
+    }
 
     /** The degrees of freedom of a cell, followed by the unknowns of the
      * singular functions, which reach everywhere. */
@@ -135,7 +165,10 @@ namespace Crevasse
      * vertices, one for a cell that has the tip there (Duffy's
      * transformation). */
     const dealii::hp::QCollection<dim> &
-    quadratures() const;
+    quadratures() const
+    {
+      return rules;
+    }
 
     /** Which of these a cell has. */
     unsigned int
@@ -147,7 +180,10 @@ namespace Crevasse
     quadrature(const typename dealii::Triangulation<dim>::active_cell_iterator
                  &cell) const;
     const dealii::Quadrature<dim - 1> &
-    face_quadrature() const;
+    face_quadrature() const
+    {
+      return face_rule;
+    }
 
     /** For loops over the cells, with gradients of displacements at the points
      * of the rule; made when it is first asked for, and shared. Not with

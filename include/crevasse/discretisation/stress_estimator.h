@@ -69,7 +69,10 @@ namespace Crevasse
 
     /** ∫ s·K⁻¹s of the state where it is largest; 0 without stress. */
     double
-    largest_energy() const;
+    largest_energy() const
+    {
+      return most_energy;
+    }
 
     /** The root of their sum over that of the largest energy norm of the
      * stress so far; 0 without stress. Collective. */

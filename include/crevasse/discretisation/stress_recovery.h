@@ -32,7 +32,10 @@ namespace Crevasse
 
     /** Scalar nodal space that the recovered components live in. */
     const dealii::DoFHandler<dim> &
-    dof_handler() const;
+    dof_handler() const
+    {
+      return nodal_dofs;
+    }
 
     /** One nodal vector for each stress component, with ghost values set. */
     std::vector<Vector>

@@ -54,7 +54,10 @@ namespace Crevasse
 
     /** For other matrices with the same pattern and the same P. */
     std::shared_ptr<const Ordering>
-    ordering() const;
+    ordering() const
+    {
+      return order;
+    }
 
     /** The rows and columns of P in A*⁻¹, in the order of @p condensed; the
      * same on all ranks. */

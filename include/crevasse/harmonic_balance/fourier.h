@@ -52,7 +52,7 @@ namespace Crevasse
    * with the ComplexModuli K*ₙ and the zₙ of Harmonics. Only the contact forces
    * tie them together: they are found on the lip alone, as a
    * PeriodicContactProblem. The mean stress is that of the secular flow,
-   * s̄ᵢ = η₀ ηᵢ Dβ. The mean of the displacement is free but for the lip: it
+   * s̄ᵢ = η₀ ηᵢ Dβ. Only the lip bounds the mean of the displacement: it
    * takes the offsets of the contact problem, or what keeps other nodes from
    * penetrating, and in the body what costs least elastic energy.
    */

@@ -7,7 +7,7 @@
 #include <crevasse/base/summary.h>
 #include <crevasse/harmonic_balance/fourier.h>
 #include <crevasse/model/body.h>
-#include <crevasse/model/solvers.h>
+#include <crevasse/model/contact_system_cache.h>
 #include <crevasse/parameters/scene.h>
 #include <crevasse/time/secular_flow.h>
 #include <crevasse/time/step_list.h>
@@ -69,11 +69,11 @@ namespace Crevasse
    */
   template <int dim>
   FourierResult
-  solve_fourier_problem(const Scene     &scene,
-                        const Body<dim> &body,
-                        const StepList  &steps,
-                        Solvers<dim>    &solvers,
-                        const double     smallest_relaxation_time);
+  solve_fourier_problem(const Scene             &scene,
+                        const Body<dim>         &body,
+                        const StepList          &steps,
+                        ContactSystemCache<dim> &systems,
+                        const double             smallest_relaxation_time);
 } // namespace Crevasse
 
 #endif

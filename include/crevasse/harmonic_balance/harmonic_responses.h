@@ -43,7 +43,10 @@ namespace Crevasse
 
     /** Complex factorisations so far. */
     unsigned int
-    n_factorisations() const;
+    n_factorisations() const
+    {
+      return factorisations;
+    }
 
   private:
     /** L A⁻¹ Lᵀ, computed when it is first asked for. */

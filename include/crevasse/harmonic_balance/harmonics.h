@@ -44,7 +44,10 @@ namespace Crevasse
 
     /** N */
     unsigned int
-    n_instants() const;
+    n_instants() const
+    {
+      return n;
+    }
 
     double
     instant(const unsigned int j) const;

@@ -27,15 +27,29 @@ namespace Crevasse
             const std::vector<bool> &chosen);
 
     unsigned int
-    n_nodes() const;
+    n_nodes() const
+    {
+      return node_dofs.size();
+    }
 
     /** Of each node. */
     const std::vector<dealii::types::global_dof_index> &
-    dofs() const;
+    dofs() const
+    {
+      return node_dofs;
+    }
+
     const std::vector<double> &
-    signs() const;
+    signs() const
+    {
+      return node_signs;
+    }
+
     const std::vector<double> &
-    gaps() const;
+    gaps() const
+    {
+      return node_gaps;
+    }
 
     /** L v, on all ranks. Collective. */
     dealii::Vector<double>

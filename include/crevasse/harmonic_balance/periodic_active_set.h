@@ -56,7 +56,10 @@ namespace Crevasse
 
     /** How many sets were tried in all. */
     unsigned int
-    n_sets() const;
+    n_sets() const
+    {
+      return sets;
+    }
 
   private:
     /** Solves on a set, starting from a state. */

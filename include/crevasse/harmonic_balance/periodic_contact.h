@@ -65,9 +65,16 @@ namespace Crevasse
 
     /** Of the last solution. */
     const Statistics &
-    statistics() const;
+    statistics() const
+    {
+      return last_statistics;
+    }
+
     const PeriodicContactCertificate &
-    certificate() const;
+    certificate() const
+    {
+      return last_certificate;
+    }
 
   private:
     PeriodicContactSolution

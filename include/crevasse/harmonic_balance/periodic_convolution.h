@@ -40,9 +40,16 @@ namespace Crevasse
     ~PeriodicConvolution();
 
     unsigned int
-    n_nodes() const;
+    n_nodes() const
+    {
+      return p;
+    }
+
     unsigned int
-    n_instants() const;
+    n_instants() const
+    {
+      return N;
+    }
 
     /** S ∗ g, p N entries; whatever the mean of g, the result has none. */
     void
@@ -53,11 +60,17 @@ namespace Crevasse
      * compliance: a symmetric positive definite p × p matrix, for
      * preconditioners; of no entries if there is no harmonic. */
     const dealii::FullMatrix<double> &
-    elastic_compliance() const;
+    elastic_compliance() const
+    {
+      return elastic;
+    }
 
     /** The largest |entry| on the diagonals of all Sₙ; 0 without harmonics. */
     double
-    largest_compliance() const;
+    largest_compliance() const
+    {
+      return largest;
+    }
 
     /**
      * The kernel C(t_k), k = 0 … N − 1, p × p matrices with

@@ -36,10 +36,16 @@ namespace Crevasse
 
     /** Positive forces and openings. */
     const PeriodicState &
-    state() const;
+    state() const
+    {
+      return current;
+    }
 
     unsigned int
-    n_steps() const;
+    n_steps() const
+    {
+      return steps;
+    }
 
   private:
     /** Solves for dg, dw and dc with w dg + g dw = right g. */

@@ -71,15 +71,24 @@ namespace Crevasse
 
     /** How many right-hand sides were solved for. */
     unsigned int
-    n_solves() const;
+    n_solves() const
+    {
+      return solves;
+    }
 
     /** Steps of GMRES in all; 0 if everything was factored. */
     unsigned int
-    n_iterations() const;
+    n_iterations() const
+    {
+      return iterations;
+    }
 
     /** Of active entries and nodes, in the largest system so far. */
     unsigned int
-    largest_system() const;
+    largest_system() const
+    {
+      return largest;
+    }
 
   private:
     void

@@ -34,7 +34,10 @@ namespace Crevasse
 
     /** For other matrices with the same pattern. */
     std::shared_ptr<const Analysis>
-    analysis() const;
+    analysis() const
+    {
+      return shared_analysis;
+    }
 
     std::size_t
     memory_consumption() const override;

@@ -14,7 +14,10 @@ namespace Crevasse
   {
   public:
     bool
-    is_direct() const override;
+    is_direct() const override
+    {
+      return false;
+    }
 
     std::string
     description() const override;

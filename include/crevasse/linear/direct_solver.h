@@ -14,7 +14,10 @@ namespace Crevasse
   {
   public:
     bool
-    is_direct() const override;
+    is_direct() const override
+    {
+      return true;
+    }
 
     void
     precondition(Vector &solution, const Vector &right_hand_side) override;

@@ -50,7 +50,10 @@ namespace Crevasse
 
     /** For other stiffnesses of the same space. */
     std::shared_ptr<const MultigridLevels<dim>>
-    levels() const;
+    levels() const
+    {
+      return shared_levels;
+    }
 
   protected:
     void

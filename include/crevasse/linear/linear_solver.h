@@ -61,15 +61,24 @@ namespace Crevasse
     is_direct() const = 0;
 
     std::size_t
-    n_solves() const;
+    n_solves() const
+    {
+      return solves;
+    }
 
     /** Of the iterative solvers, over all solves. */
     std::size_t
-    n_iterations() const;
+    n_iterations() const
+    {
+      return iterations;
+    }
 
     /** Wall time of all solves. */
     double
-    seconds() const;
+    seconds() const
+    {
+      return wall_time;
+    }
 
     /** Bytes of the factor or the multigrid hierarchy, on this rank. */
     virtual std::size_t

@@ -19,7 +19,10 @@ namespace Crevasse
     vmult(Vector &result, const Vector &v) const override;
 
     const Vector &
-    diagonal() const override;
+    diagonal() const override
+    {
+      return matrix_diagonal;
+    }
 
     std::vector<Indices>
     couplings(const Indices &rows, const Indices &columns) const override;

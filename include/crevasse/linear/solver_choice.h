@@ -42,7 +42,7 @@ namespace Crevasse
                        const unsigned int n_ranks);
 
   /** What the scene asks for or, if that is "automatic", what is fastest by
-   * the measurements in doc/contact_solvers.md and doc/multigrid.md.
+   * the measurements in doc/contact_solvers.md and doc/scaling.md.
    *
    * @param has_coarser_meshes and nothing needs a matrix: gmg can be had. */
   LinearSolverChoice

@@ -74,7 +74,10 @@ namespace Crevasse
     /** 1 where constrained. The masters of hanging nodes have the squares of
      * their weights times the diagonal of these only. */
     const Vector &
-    diagonal() const override;
+    diagonal() const override
+    {
+      return operator_diagonal;
+    }
 
     std::vector<LinearOperator::Indices>
     couplings(const LinearOperator::Indices &rows,
@@ -84,7 +87,10 @@ namespace Crevasse
     get_mpi_communicator() const override;
 
     const LinearOperator::Matrix *
-    matrix() const override;
+    matrix() const override
+    {
+      return nullptr;
+    }
 
     dealii::types::global_dof_index
     m() const;

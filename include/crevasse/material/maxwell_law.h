@@ -49,24 +49,42 @@ namespace Crevasse
 
     /** K, in units of stress, without its factor k(t). */
     const Property<VoigtMatrix<dim>> &
-    stiffness() const;
+    stiffness() const
+    {
+      return K;
+    }
 
     const std::vector<Branch> &
-    branches() const;
+    branches() const
+    {
+      return maxwell_branches;
+    }
 
     /** The parts of f. */
     const std::vector<FreeStrain> &
-    free_strains() const;
+    free_strains() const
+    {
+      return strains;
+    }
 
     /** k(t) and η₀(t). */
     const Expression &
-    stiffness_factor() const;
+    stiffness_factor() const
+    {
+      return k;
+    }
     const Expression &
-    viscosity_factor() const;
+    viscosity_factor() const
+    {
+      return eta_0;
+    }
 
     /** Whether stiffness and viscosity have no 33 row. */
     bool
-    is_plane_stress() const;
+    is_plane_stress() const
+    {
+      return plane_stress;
+    }
 
     /** Whether part of the stiffness does not creep: then there is no secular
      * flow. */
@@ -78,7 +96,10 @@ namespace Crevasse
      * if it is another body.
      */
     std::optional<double>
-    uniform_relaxation_time() const;
+    uniform_relaxation_time() const
+    {
+      return uniform_tau;
+    }
 
   private:
     Property<VoigtMatrix<dim>> K;

@@ -34,7 +34,10 @@ namespace Crevasse
 
     /** μ */
     double
-    shear_modulus() const;
+    shear_modulus() const
+    {
+      return mu;
+    }
 
     /** κ = (λ + 3μ)/(λ + μ): 3 − 4ν in plane strain, (3 − ν)/(1 + ν) in plane
      * stress. */

@@ -39,7 +39,8 @@ namespace Crevasse
   template <int dim>
   struct Body
   {
-    /** @throw SceneError, or NumericalError if a rigid motion is left free. */
+    /** @throw SceneError, or NumericalError if a rigid-body motion is
+     * unconstrained. */
     Body(const Scene &scene, const MPI_Comm communicator);
 
     /** The same on another mesh than make_scene_mesh() has. */

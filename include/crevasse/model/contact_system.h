@@ -5,7 +5,6 @@
 #define crevasse_model_contact_system_h
 
 #include <crevasse/contact/contact_solver.h>
-#include <crevasse/contact/sweep.h>
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/stiffness.h>
@@ -31,9 +30,6 @@ namespace Crevasse
     ContactSolverChoice           contact_choice;
     dealii::TimerOutput          &phases;
 
-    /** The unknowns that a sweep of projected SOR relaxes together; none: one
-     * by one. */
-    UnknownBlocks unknown_blocks;
     /** The factor of projected SOR for a stiffness. */
     std::function<double(const SparseMatrix &)> relaxation_factor;
     /** By which errors are judged: see Scales. */

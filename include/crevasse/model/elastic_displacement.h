@@ -4,7 +4,7 @@
 #ifndef crevasse_model_elastic_displacement_h
 #define crevasse_model_elastic_displacement_h
 
-#include <crevasse/model/solvers.h>
+#include <crevasse/model/contact_system_cache.h>
 
 namespace Crevasse
 {
@@ -13,11 +13,11 @@ namespace Crevasse
    * statistics of the solvers. */
   template <int dim>
   Vector
-  elastic_displacement(const Scene     &scene,
-                       const Body<dim> &body,
-                       Solvers<dim>    &solvers,
-                       const Vector    &loads,
-                       const bool       lip_closed);
+  elastic_displacement(const Scene             &scene,
+                       const Body<dim>         &body,
+                       ContactSystemCache<dim> &systems,
+                       const Vector            &loads,
+                       const bool               lip_closed);
 } // namespace Crevasse
 
 #endif

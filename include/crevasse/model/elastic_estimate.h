@@ -6,7 +6,7 @@
 
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/body.h>
-#include <crevasse/model/solvers.h>
+#include <crevasse/model/contact_system_cache.h>
 
 #include <vector>
 
@@ -17,7 +17,7 @@ namespace Crevasse
   template <int dim>
   void
   look_at_elastic_states(const Body<dim>           &body,
-                         Solvers<dim>              &solvers,
+                         ContactSystemCache<dim>   &systems,
                          const std::vector<double> &instants,
                          StressEstimator<dim>      &estimator);
 } // namespace Crevasse

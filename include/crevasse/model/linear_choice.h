@@ -22,12 +22,25 @@ namespace Crevasse
   LinearSolverChoice
   choose_linear_solver(const Scene &scene, const Body<dim> &body);
 
-  /** The contact solver of a scene on a body. Collective. */
+  /** The contact solver of a scene on a body. Collective.
+   * @throw SceneError if it works on one process only and there are more. */
   template <int dim>
   ContactSolverChoice
   choose_contact_solver(const Scene              &scene,
                         const Body<dim>          &body,
                         const LinearSolverChoice &linear_solver);
+
+  /** What solves the linear systems and the contact problems of a run. */
+  struct SolverChoice
+  {
+    LinearSolverChoice  linear;
+    ContactSolverChoice contact;
+  };
+
+  /** Both for a scene on a body. Collective. @throw SceneError see above */
+  template <int dim>
+  SolverChoice
+  choose_solvers(const Scene &scene, const Body<dim> &body);
 
   /** That of the mesh without its refinements, roughly: the coarsest one of
    * geometric multigrid, unless that is refined itself. */

@@ -5,7 +5,7 @@
 #define crevasse_model_secular_problem_h
 
 #include <crevasse/model/body.h>
-#include <crevasse/model/solvers.h>
+#include <crevasse/model/contact_system_cache.h>
 #include <crevasse/parameters/effects.h>
 #include <crevasse/parameters/scene.h>
 #include <crevasse/time/integrator.h>
@@ -54,9 +54,9 @@ namespace Crevasse
    * the solvers. */
   template <int dim>
   SecularFlow
-  solve_secular_problem(const Body<dim> &body,
-                        const Vector    &mean_load,
-                        Solvers<dim>    &solvers);
+  solve_secular_problem(const Body<dim>         &body,
+                        const Vector            &mean_load,
+                        ContactSystemCache<dim> &systems);
 } // namespace Crevasse
 
 #endif

@@ -4,41 +4,44 @@
 #ifndef crevasse_model_solver_memory_h
 #define crevasse_model_solver_memory_h
 
+#include <crevasse/grid/geometry.h>
 #include <crevasse/linear/solver_choice.h>
+#include <crevasse/parameters/scene.h>
 
-#include <string>
+#include <deal.II/base/mpi.h>
 
 namespace Crevasse
 {
-  /** By which factor predictions of memory may be wrong. */
-  constexpr double memory_uncertainty = 1.25;
+  /** By which factor estimates of memory may be wrong (doc/scaling.md). */
+  constexpr double memory_uncertainty = 1.3;
 
-  /** Of a sparse matrix: value and column. */
-  constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
-
-  /** Of what solves with a matrix, on one rank: a factor, or multigrid's
-   * coarser matrices and smoothers, as much as the matrix again. */
+  /**
+   * Bytes, on all ranks, of a stiffness and what solves with it: the matrix and
+   * its factor, which grows with n log n in the plane and n^(4/3) in space
+   * (nested dissection); twice the matrix for algebraic multigrid; vectors and
+   * the solver of the first mesh for geometric multigrid. One measured constant
+   * for each.
+   *
+   * @param n_coarsest unknowns of the first mesh.
+   */
   template <int dim>
   double
-  bytes_of_matrix_solver(const LinearSolverType type,
-                         const double           unknowns,
-                         const double           own_unknowns,
-                         const unsigned int     degree,
-                         const unsigned int     n_ranks);
+  bytes_of_solver(const LinearSolverType type,
+                  const double           n_unknowns,
+                  const double           n_coarsest,
+                  const unsigned int     degree,
+                  const unsigned int     n_ranks);
 
-  /** Of geometric multigrid on one rank: vectors, and indices and weights of
-   * the loops over cells; measured. */
-  double
-  bytes_of_gmg_vectors(const double unknowns, const unsigned int degree);
-
-  /** Of all ranks: what solves with one stiffness takes at least, whatever
-   * the body is made of. */
+  /** Looks before a mesh is made whether it can be computed on: making one that
+   * cannot takes minutes, or all memory. Counts mesh and linear solver only;
+   * report_memory() knows more, once there is a mesh. Collective.
+   * @throw SceneError if the machine has less than that left, or the linear
+   * solver cannot have so many unknowns. */
   template <int dim>
-  double
-  least_bytes_of_solver(const LinearSolverType type,
-                        const double           n_unknowns,
-                        const unsigned int     degree,
-                        const unsigned int     n_ranks);
+  void
+  require_room(const Scene      &scene,
+               const CellCounts &cells,
+               const MPI_Comm    communicator);
 } // namespace Crevasse
 
 #endif

@@ -10,7 +10,7 @@
 
 namespace Crevasse
 {
-  /** How often the expensive things of a run were done, and how well. */
+  /** Numbers of the expensive operations of a run, and their errors. */
   struct SolverStatistics
   {
     unsigned int assemblies       = 0;

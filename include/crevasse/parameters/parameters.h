@@ -162,10 +162,8 @@ namespace Crevasse
     /** Within ]0,2[; nothing: found by dichotomy. */
     Parsed<std::optional<double>> relaxation_factor{"automatic",
                                                     parse_relaxation_factor};
-    /** unknown | node: what projected SOR relaxes together. */
-    std::string  relaxed_together   = "unknown";
-    double       tolerance          = 1e-12;
-    unsigned int maximum_iterations = 100000;
+    double                        tolerance          = 1e-12;
+    unsigned int                  maximum_iterations = 100000;
     /** Factors of a table of iterations against the factor (paper, Table 1);
      * empty: no table. */
     std::vector<double> relaxation_table;
@@ -253,8 +251,6 @@ namespace Crevasse
     /** Of the last period's stress with the elastic one. */
     ComparedLip elastic_comparison = ComparedLip::none;
     bool        load_work          = false;
-    /** "period: step; ...": contact problems that are written to files. */
-    std::string contact_problems;
     /** Periods from one checkpoint to the next; 0: only on request. */
     unsigned int checkpoint_every = 0;
 

@@ -12,7 +12,7 @@
 
 namespace Crevasse
 {
-  /** Everything that one run is told by its user. */
+  /** Everything that the user specifies for one run. */
   struct Scene
   {
     std::string  title;

@@ -23,7 +23,7 @@ namespace Crevasse
    * Reads a .prm or .json scene, then the overrides "Section/Name=value" of
    * the command line. What does not parse or is unknown is added to
    * @p problems with file, line, section, parameter, value and what is
-   * allowed; reading goes on to the end. Values are not yet checked against
+   * allowed; reading continues to the end. Values are not yet checked against
    * each other: call Scene::check(). A mesh file is looked for next to the
    * scene first.
    *

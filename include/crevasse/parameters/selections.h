@@ -105,7 +105,7 @@ namespace Crevasse
     static constexpr const char *meaning =
       "The change of volume that the strain has at a point: \"full\" is that "
       "of the displacement there, \"mean\" its mean over the cell (B-bar), "
-      "which linear elements need where the volume hardly changes, in plane "
+      "which linear elements need for nearly incompressible bodies, in plane "
       "strain or three dimensions with a Poisson ratio near 0.5.";
   };
 

@@ -41,8 +41,8 @@ namespace Crevasse
     static constexpr const char *meaning =
       "Method for the contact inequality. \"condensed active set\" reduces it "
       "to the lip, \"active set\" works on all unknowns, \"projected sor\" is "
-      "the method of the paper, by the first process if there are several; "
-      "\"automatic\" takes the condensed one, or \"active set\" if the lip or "
+      "the method of the paper, for one process; \"automatic\" takes the "
+      "condensed one, or \"active set\" if the lip or "
       "the mesh is very large.";
   };
 
@@ -74,7 +74,7 @@ namespace Crevasse
     static constexpr const char *meaning =
       "Solver of the linear systems: factorisation by CHOLMOD on one process "
       "or by MUMPS on several, or conjugate gradients with algebraic multigrid "
-      "(ML) or, without a matrix, geometric multigrid. \"automatic\" chooses "
+      "(ML) or matrix-free geometric multigrid. \"automatic\" chooses "
       "by dimension, size and number of processes.";
   };
 
@@ -124,7 +124,8 @@ namespace Crevasse
       "corrector\" of order 2, implicit in the material alone. Without limit: "
       "\"exponential\" of order 2, exact where the strain is held, \"sdirk2\" "
       "of order 2, implicit, and \"trapezoid\" of order 2, implicit, in which "
-      "what is fast swings on. \"arkode explicit\" and \"arkode implicit\" are "
+      "fast components oscillate instead of decaying. \"arkode explicit\" and "
+      "\"arkode implicit\" are "
       "methods of the library ARKODE, of the Order given.";
   };
 
@@ -146,7 +147,7 @@ namespace Crevasse
     static constexpr const char *meaning =
       "Where the steps end: \"uniform\" divides the period equally, \"list\" "
       "takes the instants of Steps, \"adaptive\" chooses steps by their error, "
-      "with schemes that can tell it: heun, exponential, sdirk2 and those of "
+      "with schemes that estimate it: heun, exponential, sdirk2 and those of "
       "arkode.";
   };
 
@@ -230,8 +231,9 @@ namespace Crevasse
       {{HarmonicRule::trapezoid, "trapezoid"}, {HarmonicRule::exact, "exact"}};
     static constexpr const char *meaning =
       "How \"fourier\" integrates each harmonic over the steps: \"trapezoid\" "
-      "by the trapezoidal rule, as the scheme of that name would; \"exact\" as "
-      "if it went on between the instants.";
+      "by the trapezoidal rule, as the scheme of that name would; \"exact\" "
+      "each "
+      "harmonic exactly.";
   };
 } // namespace Crevasse
 

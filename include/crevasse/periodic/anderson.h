@@ -61,7 +61,7 @@ namespace Crevasse
              const EnergyCoordinates<dim> &coordinates,
              const Settings               &settings);
 
-    Ending
+    ConvergenceStatus
     run(Vector &r) override;
 
     /** How often the iteration began anew because it stagnated, or

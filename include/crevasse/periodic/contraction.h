@@ -13,12 +13,12 @@ namespace Crevasse
 
   /**
    * Tells from the changes of a sequence how far it still is from its limit:
-   * if they go on to shrink by λ the rest of them sums up to
+   * if they continue to shrink by λ the rest of them sums up to
    *
    *     change × λ / (1 − λ)       (Aitken)
    *
    * with the largest of the last four ratios for λ: where contact ceases at a
-   * node or two the changes fall once or twice, and then go on as slowly as
+   * node or two the changes fall once or twice, and then continue as slowly as
    * before. A change alone says little: a slow approach makes small changes far
    * from its limit.
    */

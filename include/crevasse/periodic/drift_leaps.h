@@ -12,7 +12,7 @@ namespace Crevasse
    * How many periods at once a search for the fixed point of r(0) → r(T) goes
    * along a drift: a residual that is the same period after period, so that no
    * combination of what was remembered explains it. Strains that bear no stress
-   * drift so under a mean load that goes on to close an open lip.
+   * drift so under a mean load that continues to close an open lip.
    *
    * What is hard to explain alone is none: a search that converges slowly has
    * such residuals too. 1, 2, 4, … as long as it lasts (projective integration:

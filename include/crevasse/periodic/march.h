@@ -28,7 +28,7 @@ namespace Crevasse
           const double          tolerance,
           const double          slowness);
 
-    Ending
+    ConvergenceStatus
     run(Vector &r) override;
 
   private:

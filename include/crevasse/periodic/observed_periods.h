@@ -78,7 +78,7 @@ namespace Crevasse
 
     /** From now on it need not return where the lip opens, see ReturnDefect. */
     void
-    let_opening_excuse();
+    ignore_drift_while_opening();
 
     /** Whether it is known to return. */
     bool
@@ -100,8 +100,8 @@ namespace Crevasse
     finish(const Vector &r);
 
     /** Whoever wants to pause; null: nobody. */
-    Pauses *
-    pauses() const;
+    Checkpointer *
+    checkpointer() const;
 
     /** All but whether it converged. */
     const PeriodicResult &
@@ -130,14 +130,14 @@ namespace Crevasse
 
     // About the return of the strain, if it is known to.
     Vector r_before, u_before; ///< at the beginning of the period
-    bool   opening_excuses = false;
-    bool   lip_opens       = false; ///< and stands open
+    bool   ignores_drift = false;
+    bool   lip_opens     = false; ///< and stands open
 
     // Of the period that is being computed, and before it was taken up.
-    dealii::Timer   timer;
-    std::size_t     solves_before  = 0;
-    double          seconds_before = 0.;
-    const StatePart part;
+    dealii::Timer            timer;
+    std::size_t              solves_before  = 0;
+    double                   seconds_before = 0.;
+    const SerializationScope part;
   };
 } // namespace Crevasse
 

@@ -4,7 +4,7 @@
 #ifndef crevasse_periodic_period_map_h
 #define crevasse_periodic_period_map_h
 
-#include <crevasse/base/pauses.h>
+#include <crevasse/base/checkpointer.h>
 #include <crevasse/time/evolution.h>
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/observer.h>
@@ -22,12 +22,12 @@ namespace Crevasse
   public:
     /** @param integrator nullptr for a body without viscosity, whose periods
      * are sequences of elastic states. All arguments must outlive this.
-     * @param pauses called between steps; null: nobody wants to. */
+     * @param checkpointer called between steps; null: nobody wants to. */
     PeriodMap(Evolution<dim> &evolution,
               Integrator     *integrator,
               StepControl    &step_control,
               StepList       &steps,
-              Pauses         *pauses = nullptr);
+              Checkpointer   *checkpointer = nullptr);
 
     /** Advances @p r over period @p period (1 for the first) and shows the
      * state at the beginning of every step. A run that is taken up goes on in
@@ -52,8 +52,8 @@ namespace Crevasse
     const StepList &
     steps() const;
 
-    Pauses *
-    pauses() const;
+    Checkpointer *
+    checkpointer() const;
 
     /** Whether a body remembers: without viscosity one period tells all. */
     bool
@@ -74,18 +74,17 @@ namespace Crevasse
     void
     pause(const unsigned int period, const unsigned int step);
 
-    /** One step of the list, or as far as the control divides it. */
-    void
-    step(const unsigned int                         period,
-         const unsigned int                         k,
-         Vector                                    &r,
-         const std::function<void(const Sample &)> &observe);
+    /** What observers see where step @p k begins, or at the very end. */
+    Sample
+    sample(const unsigned int period,
+           const unsigned int k,
+           const Vector      &r) const;
 
     Evolution<dim> &evolution;
     Integrator     *integrator;
     StepControl    &step_control;
     StepList       &step_list;
-    Pauses         *those_who_pause;
+    Checkpointer   *checkpointing;
 
     Vector rate; ///< at the beginning of a step
   };

@@ -9,7 +9,7 @@
 namespace Crevasse
 {
   /** How the search for the periodic state ended. */
-  enum class Ending
+  enum class ConvergenceStatus
   {
     converged,      ///< the estimated error is within the tolerance
     out_of_periods, ///< as many periods as allowed were computed
@@ -24,7 +24,7 @@ namespace Crevasse
 
     /** Starts from the viscous strain @p r at the beginning of a period, which
      * afterwards is that at the end of the last one computed. */
-    virtual Ending
+    virtual ConvergenceStatus
     run(Vector &r) = 0;
   };
 } // namespace Crevasse

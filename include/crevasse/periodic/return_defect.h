@@ -22,7 +22,7 @@ namespace Crevasse
    * at most, times τ/T; which 1/(1−exp(−T/τ)) stands for. Where a lip is
    * pressed for a tenth of the period, which steps resolve, its pressure is
    * wrong by ten times that. Unlike a change of stress it does not vanish where
-   * a strain goes on to creep without bearing stress until a lip touches.
+   * a strain continues to creep without bearing stress until a lip touches.
    */
   template <int dim>
   class ReturnDefect

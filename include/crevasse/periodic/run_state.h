@@ -7,6 +7,8 @@
 #include <crevasse/model/solver_statistics.h>
 #include <crevasse/periodic/observed_periods.h>
 
+#include <deal.II/base/timer.h>
+
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -15,6 +17,15 @@
 namespace Crevasse
 {
   class StateArchive;
+
+  /** A part of a run on one mesh. */
+  struct MeshStage
+  {
+    /** After which it ends if the run has not. */
+    unsigned int last_period = std::numeric_limits<unsigned int>::max();
+    /** Whether the run is over: periodic, or out of periods. */
+    bool ends_run = false;
+  };
 
   /**
    * What a run has come to at the end of a period: the state of the body, from
@@ -38,7 +49,10 @@ namespace Crevasse
 
     /** How many methods were tried in vain on this mesh. */
     unsigned int methods_left = 0;
-    bool         was_resumed  = false; ///< this leg of the run
+    bool         was_resumed  = false; ///< this stage of the run
+    MeshStage    stage;
+
+    dealii::Timer timer; ///< since the set-up of the meshes
 
     bool
     has_begun() const
@@ -53,18 +67,9 @@ namespace Crevasse
       return has_begun() || was_resumed;
     }
 
-    /** Shows all but the fields and whether it was resumed. */
+    /** Shows all but the fields and what belongs to the stage. */
     void
     serialize(StateArchive &archive);
-  };
-
-  /** A part of a run on one mesh. */
-  struct Leg
-  {
-    /** After which it ends if the run has not. */
-    unsigned int last_period = std::numeric_limits<unsigned int>::max();
-    /** Whether the run is over: periodic, or out of periods. */
-    bool ends_run = false;
   };
 } // namespace Crevasse
 

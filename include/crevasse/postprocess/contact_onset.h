@@ -4,6 +4,7 @@
 #ifndef crevasse_postprocess_contact_onset_h
 #define crevasse_postprocess_contact_onset_h
 
+#include <crevasse/base/log.h>
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/time/observer.h>
 #include <crevasse/time/secular_flow.h>
@@ -27,7 +28,9 @@ namespace Crevasse
   class ContactOnset : public Observer
   {
   public:
-    ContactOnset(const ContactBoundary<dim> &lip, const SecularFlow &flow);
+    ContactOnset(const ContactBoundary<dim> &lip,
+                 const SecularFlow          &flow,
+                 Log                        &log);
 
     void
     observe(const Sample &sample) override;
@@ -35,6 +38,11 @@ namespace Crevasse
     void
     serialize(StateArchive &archive) override;
 
+    /** summary.json "secular": when the lip is free of the flow's start. */
+    void
+    summarise(Summary &summary) override;
+
+  private:
     /** Nodes that the flow opens, on all ranks. Collective. */
     unsigned int
     n_opening_nodes() const;
@@ -54,7 +62,6 @@ namespace Crevasse
     double
     last_contact() const;
 
-  private:
     /** A node with β_N > 0. */
     struct OpeningNode
     {
@@ -66,6 +73,7 @@ namespace Crevasse
 
     const ContactBoundary<dim> &lip;
     const MPI_Comm              communicator;
+    Log                        &log;
     std::vector<OpeningNode>    nodes;
 
     double last_instant = 0., pressed = -1.;

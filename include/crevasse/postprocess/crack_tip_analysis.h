@@ -6,8 +6,8 @@
 
 #include <crevasse/base/log.h>
 #include <crevasse/base/summary.h>
+#include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/secular_problem.h>
-#include <crevasse/model/solvers.h>
 #include <crevasse/postprocess/crack_tip_choice.h>
 #include <crevasse/postprocess/crack_tip_table.h>
 
@@ -33,27 +33,29 @@ namespace Crevasse
     std::string
     describe() const;
 
-    /** The observer of a run. Solves for the weight functions.
-     * @param goes_on whether the table has rows already. */
-    std::unique_ptr<CrackTipTable>
-    make_table(Solvers<2>        &solvers,
-               const StepList    &steps,
-               const std::string &file_name,
-               const bool         goes_on) const;
-
-    /** summary.json "crack_tip", and a few lines for the log.
+    /** The observer of a run, which in the end adds "crack_tip" to the summary
+     * and prints a few lines. Solves for the weight functions. References must
+     * outlive the table.
      *
-     * @param flow null: none was found. */
+     * @param flow none: none was found. */
+    std::unique_ptr<CrackTipTable>
+    make_table(ContactSystemCache<2>            &systems,
+               const StepList                   &steps,
+               const std::optional<SecularFlow> &flow,
+               const CrackTipTable::File        &file,
+               Log                              &log) const;
+
+  private:
     void
     summarise(const CrackTipTable &table,
               const SecularFlow   *flow,
               Summary             &summary,
               Log                 &log) const;
 
-  private:
     /** Of the elastic body at the extreme loads: what the mesh leaves. */
     double
-    relative_energy_error(Solvers<2> &solvers, const StepList &steps) const;
+    relative_energy_error(ContactSystemCache<2> &systems,
+                          const StepList        &steps) const;
 
     /** @throw SceneError if a point support at the tip has to bear loads. */
     void

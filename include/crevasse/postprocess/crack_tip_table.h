@@ -50,24 +50,33 @@ namespace Crevasse
       std::optional<WeightFunction> singular;
     };
 
-    /** E' as a function of the instant within the period. */
-    using Modulus = std::function<double(const double)>;
+    /** What a step is evaluated by. References must outlive the table. */
+    struct Evaluation
+    {
+      std::optional<Integrals> integrals; ///< none: the fit serves for K_I
+      const WilliamsFit       &fit;
+      const StrainEnergy      &energy;
+      /** E' as a function of the instant within the period. */
+      std::function<double(const double)> modulus;
+      const ExternalLoads<2>             &loads;
+      double relative_error; ///< of the elastic energy
+    };
 
-    /** References must outlive this object.
-     *
-     * @param integrals none: the fit serves for K_I.
-     * @param file_name empty on ranks that do not write.
-     * @param goes_on whether it has rows already.
-     * @param relative_error of the elastic energy. */
-    CrackTipTable(std::optional<Integrals> &&integrals,
-                  const WilliamsFit         &fit,
-                  const StrainEnergy        &energy,
-                  const Modulus             &modulus,
-                  const ExternalLoads<2>    &loads,
-                  const StepList            &steps,
-                  const std::string         &file_name,
-                  const bool                 goes_on,
-                  const double               relative_error);
+    /** Where its rows go. */
+    struct File
+    {
+      std::string name;          ///< empty on ranks that do not write
+      bool        is_continuing; ///< whether it has rows already
+    };
+
+    /** What is made of the last period in the end. */
+    using Conclusion = std::function<void(const CrackTipTable &, Summary &)>;
+
+    /** @param steps must outlive this object. */
+    CrackTipTable(Evaluation      &&evaluation,
+                  const StepList   &steps,
+                  const File       &file,
+                  const Conclusion &conclusion);
 
     void
     observe(const Sample &sample) override;
@@ -75,13 +84,22 @@ namespace Crevasse
     void
     serialize(StateArchive &archive) override;
 
+    void
+    summarise(Summary &summary) override;
+
     /** K_I of the last period. */
     const TipHistory &
-    last_period() const;
+    last_period() const
+    {
+      return history;
+    }
 
     /** All numbers of the last period. */
     const std::vector<Values> &
-    values() const;
+    values() const
+    {
+      return of_last_period;
+    }
 
   private:
     bool
@@ -90,17 +108,13 @@ namespace Crevasse
     Values
     evaluate(const Sample &sample);
 
-    const std::optional<Integrals> integrals;
-    const WilliamsFit             &fit;
-    const StrainEnergy            &energy;
-    const Modulus                  modulus;
-    const ExternalLoads<2>        &loads;
-    const StepList                &steps;
-    const double                   relative_error;
-    Vector                         nodal_forces;
-    std::unique_ptr<CsvTable>      table;
-    TipHistory                     history;
-    std::vector<Values>            of_last_period;
+    const Evaluation          by;
+    const StepList           &steps;
+    const Conclusion          conclusion;
+    Vector                    nodal_forces;
+    std::unique_ptr<CsvTable> table;
+    TipHistory                history;
+    std::vector<Values>       of_last_period;
   };
 } // namespace Crevasse
 

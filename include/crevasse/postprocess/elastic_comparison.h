@@ -4,6 +4,7 @@
 #ifndef crevasse_postprocess_elastic_comparison_h
 #define crevasse_postprocess_elastic_comparison_h
 
+#include <crevasse/base/log.h>
 #include <crevasse/time/observer.h>
 
 #include <vector>
@@ -31,7 +32,9 @@ namespace Crevasse
       double drift_factor;
     };
 
-    explicit ElasticComparison(Reference &&reference);
+    /** @param drift q(t+T) − q(t) of the last period, which must outlive this
+     * object; null without viscosity. */
+    ElasticComparison(Reference &&reference, const Vector *drift, Log &log);
 
     void
     observe(const Sample &sample) override;
@@ -42,20 +45,27 @@ namespace Crevasse
     void
     serialize(StateArchive &archive) override;
 
+    /** summary.json "elastic_comparison". */
+    void
+    summarise(Summary &summary) override;
+
+  private:
     /** Largest |s − F s_el| over the last period and all points, relative to
      * the largest stress. */
     double
-    stress_difference() const;
+    stress_difference() const
+    {
+      return last_period;
+    }
 
     /** Largest |q(t+T) − q(t) − T (F̄/τ) u_el|, relative to the largest
-     * displacement of T (F̄/τ) u_el or, if that vanishes, of F u_el.
-     *
-     * @param drift q(t+T) − q(t) of the last period. */
+     * displacement of T (F̄/τ) u_el or, if that vanishes, of F u_el. */
     double
-    drift_difference(const Vector &drift) const;
+    drift_difference() const;
 
-  private:
     const Reference reference;
+    const Vector   *drift;
+    Log            &log;
 
     Vector difference;
     double largest_difference = 0., largest_stress = 0.;

@@ -5,7 +5,7 @@
 #define crevasse_postprocess_elastic_reference_h
 
 #include <crevasse/model/body.h>
-#include <crevasse/model/solvers.h>
+#include <crevasse/model/contact_system_cache.h>
 #include <crevasse/postprocess/elastic_comparison.h>
 #include <crevasse/time/integrator.h>
 
@@ -41,11 +41,11 @@ namespace Crevasse
    * largest load, by the direct solver, and F. */
   template <int dim>
   ElasticComparison::Reference
-  elastic_reference(const Scene      &scene,
-                    const Body<dim>  &body,
-                    Solvers<dim>     &solvers,
-                    const StepList   &steps,
-                    const Integrator *integrator);
+  elastic_reference(const Scene             &scene,
+                    const Body<dim>         &body,
+                    ContactSystemCache<dim> &systems,
+                    const StepList          &steps,
+                    const Integrator        *integrator);
 } // namespace Crevasse
 
 #endif

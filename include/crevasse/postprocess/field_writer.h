@@ -4,6 +4,7 @@
 #ifndef crevasse_postprocess_field_writer_h
 #define crevasse_postprocess_field_writer_h
 
+#include <crevasse/base/log.h>
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/discretisation/stress_recovery.h>
@@ -17,10 +18,17 @@
 
 namespace Crevasse
 {
+  /** Instants within the period; the nearest steps are taken. */
+  struct FieldTimes
+  {
+    const StepList            &steps;
+    const std::vector<double> &times;
+  };
+
   /**
    * Fields for ParaView at chosen instants of the last period and at the end
    * of the run. Which period is the last is known only after it, so that the
-   * states are kept in memory and written by write().
+   * states are kept in memory and written by summarise().
    *
    * Point data, named as here: displacement; stress_11, …, the components of
    * the recovered stress; viscous_strain_11, …, those of the tensor r (the
@@ -32,13 +40,12 @@ namespace Crevasse
   class FieldWriter : public Observer
   {
   public:
-    /** @param times instants within the period; the nearest step is taken. */
     FieldWriter(const Space<dim>           &space,
                 const StressRecovery<dim>  &recovery,
                 const ContactBoundary<dim> &lip,
-                const StepList             &steps,
-                const std::vector<double>  &times,
-                const std::string          &directory);
+                const FieldTimes           &times,
+                const std::string          &directory,
+                Log                        &log);
 
     void
     observe(const Sample &sample) override;
@@ -46,12 +53,16 @@ namespace Crevasse
     void
     serialize(StateArchive &archive) override;
 
+    /** Writes the fields. @throw FileError */
+    void
+    summarise(Summary &) override;
+
+  private:
     /** Writes solution_<n>.vtu, .pvtu and solution.pvd; returns the number of
      * instants. Collective. @throw FileError */
     unsigned int
     write() const;
 
-  private:
     struct Snapshot
     {
       double time;
@@ -66,6 +77,7 @@ namespace Crevasse
     const StressRecovery<dim>  &recovery;
     const ContactBoundary<dim> &lip;
     const std::string           directory;
+    Log                        &log;
 
     /** By instant, so that a period replaces the one before. */
     std::map<double, Snapshot> snapshots;

@@ -25,11 +25,11 @@ namespace Crevasse
   {
   public:
     /** @param file_name empty on ranks that do not write.
-     * @param goes_on see CsvTable. */
+     * @param is_continuing see CsvTable. */
     LoadWork(const ExternalLoads<dim> &loads,
              const StepList           &steps,
              const std::string        &file_name,
-             const bool                goes_on = false);
+             const bool                is_continuing = false);
 
     void
     observe(const Sample &sample) override;

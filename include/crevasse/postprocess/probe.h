@@ -36,11 +36,17 @@ namespace Crevasse
                    const ContactBoundary<dim> &lip);
 
     const std::string &
-    name() const;
+    name() const
+    {
+      return probe.name;
+    }
 
     /** Whether the point lies on the crack lip. */
     bool
-    on_lip() const;
+    on_lip() const
+    {
+      return is_on_lip;
+    }
 
     dealii::Tensor<1, dim>
     displacement(const Vector &displacement) const;

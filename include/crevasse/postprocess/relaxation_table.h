@@ -6,7 +6,7 @@
 
 #include <crevasse/base/log.h>
 #include <crevasse/model/body.h>
-#include <crevasse/model/solvers.h>
+#include <crevasse/model/contact_system_cache.h>
 
 #include <string>
 
@@ -24,12 +24,12 @@ namespace Crevasse
    */
   template <int dim>
   void
-  write_relaxation_table(const Scene       &scene,
-                         const Body<dim>   &body,
-                         Solvers<dim>      &solvers,
-                         const StepList    &steps,
-                         Log               &log,
-                         const std::string &directory);
+  write_relaxation_table(const Scene             &scene,
+                         const Body<dim>         &body,
+                         ContactSystemCache<dim> &systems,
+                         const StepList          &steps,
+                         Log                     &log,
+                         const std::string       &directory);
 } // namespace Crevasse
 
 #endif

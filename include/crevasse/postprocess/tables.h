@@ -21,10 +21,10 @@ namespace Crevasse
   {
   public:
     /** @param file_name empty on ranks that do not write.
-     * @param goes_on see CsvTable. */
+     * @param is_continuing see CsvTable. */
     ProbeTable(const ProbeEvaluator<dim> &probe,
                const std::string         &file_name,
-               const bool                 goes_on = false);
+               const bool                 is_continuing = false);
 
     void
     observe(const Sample &sample) override;
@@ -40,11 +40,13 @@ namespace Crevasse
   {
   public:
     /** @param of_last_period what the largest values are those of.
-     * @param goes_on see CsvTable. */
+     * @param is_continuing see CsvTable.
+     * @param opening_before the largest of the run on other meshes. */
     ContactTable(const ContactBoundary<dim> &lip,
                  const std::string          &file_name,
                  const bool                  of_last_period,
-                 const bool                  goes_on = false);
+                 const bool                  is_continuing  = false,
+                 const double                opening_before = 0.);
 
     void
     observe(const Sample &sample) override;
@@ -52,17 +54,26 @@ namespace Crevasse
     void
     serialize(StateArchive &archive) override;
 
-    /** The largest opening seen so far, or in the last period. */
+    /** summary.json "extremes": the largest opening. */
+    void
+    summarise(Summary &summary) override;
+
+    /** The largest opening seen so far, or in the last period and on other
+     * meshes. */
     double
     largest_opening() const;
 
     /** The largest displacement likewise, of the whole body. */
     double
-    largest_displacement() const;
+    largest_displacement() const
+    {
+      return displacement;
+    }
 
   private:
     const ContactBoundary<dim> &lip;
     const bool                  of_last_period;
+    const double                opening_before;
     std::unique_ptr<CsvTable>   table;
     double                      opening      = 0.;
     double                      displacement = 0.;
@@ -73,7 +84,7 @@ namespace Crevasse
   {
   public:
     explicit PeriodTable(const std::string &file_name,
-                         const bool         goes_on = false);
+                         const bool         is_continuing = false);
 
     void
     observe(const Sample &) override

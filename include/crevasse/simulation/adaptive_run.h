@@ -5,7 +5,9 @@
 #define crevasse_simulation_adaptive_run_h
 
 #include <crevasse/simulation/adapted_mesh.h>
-#include <crevasse/simulation/simulation.h>
+#include <crevasse/simulation/run_stage.h>
+
+#include <deal.II/base/timer.h>
 
 #include <memory>
 #include <string>
@@ -15,7 +17,7 @@ namespace Crevasse
 {
   /**
    * A run from its scene to its results, on one mesh or on several: the mesh
-   * that it begins on, and legs of some periods between which the mesh is
+   * that it begins on, and stages of some periods between which the mesh is
    * adapted to the last of them and the state taken over.
    */
   template <int dim>
@@ -32,11 +34,11 @@ namespace Crevasse
                 Log           &log,
                 Checkpoints   &checkpoints);
 
-    /** See Simulation::describe(). */
+    /** Prints effects, sizes and predicted memory. */
     void
     describe() const;
 
-    /** See Simulation::run(). */
+    /** See run_stage(). */
     void
     run(const std::string             &directory,
         const std::vector<Observer *> &others = {});
@@ -58,12 +60,13 @@ namespace Crevasse
             const double                 error,
             RunState                    &state);
 
-    const Scene                      scene;
-    Log                             &log;
-    Checkpoints                     &checkpoints;
-    AdaptedMesh<dim>                 adapted;
-    std::unique_ptr<Simulation<dim>> simulation;
-    Summary                          summary; ///< about the meshes
+    const dealii::Timer                  since_set_up;
+    const Scene                          scene;
+    Log                                 &log;
+    Checkpoints                         &checkpoints;
+    AdaptedMesh<dim>                     adapted;
+    std::unique_ptr<const RunSetup<dim>> setup;
+    Summary                              summary; ///< about the meshes
   };
 } // namespace Crevasse
 

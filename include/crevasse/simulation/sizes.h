@@ -6,10 +6,7 @@
 
 #include <crevasse/base/log.h>
 #include <crevasse/base/summary.h>
-#include <crevasse/model/body.h>
-#include <crevasse/parameters/scene.h>
-#include <crevasse/periodic/periodic_choice.h>
-#include <crevasse/time/step_list.h>
+#include <crevasse/simulation/run_setup.h>
 
 namespace Crevasse
 {
@@ -36,11 +33,7 @@ namespace Crevasse
    * @throw SceneError if that is more than there is. */
   template <int dim>
   void
-  describe_sizes(const Body<dim>      &body,
-                 const StepList       &steps,
-                 const Scene          &scene,
-                 const PeriodicChoice &choice,
-                 Log                  &log);
+  describe_sizes(const RunSetup<dim> &setup, Log &log);
 } // namespace Crevasse
 
 #endif

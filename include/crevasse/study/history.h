@@ -52,10 +52,8 @@ namespace Crevasse
   /** What of two histories is compared. */
   enum class Compared
   {
-    whole_run,     ///< both march from the same rest
-    last_period,   ///< the periods before are steps of a search
-    periodic_state ///< and displacements less their mean values, for a constant
-                   ///< of them depends on how the search began
+    whole_run,  ///< both march from the same rest
+    last_period ///< the periods before are steps of a search
   };
 
   /**

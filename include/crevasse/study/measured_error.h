@@ -5,7 +5,6 @@
 #define crevasse_study_measured_error_h
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,9 +45,7 @@ namespace Crevasse
   {
     std::optional<double> value;
     std::size_t           instants = 0; ///< that both have
-    /** The largest value of the reference; NaN if nothing was compared. */
-    double      size = std::numeric_limits<double>::quiet_NaN();
-    std::string reason; ///< if there is no value
+    std::string           reason;       ///< if there is no value
 
     /** @param extremes differences at common instants, values of the reference
      * at any. */

@@ -46,14 +46,12 @@ namespace Crevasse
    * contact force.
    *
    * @param scenes of the sweep, the reference's or base scene first.
-   * @param option what the user calls the list of quantities.
    * @throw SceneError with all that is wrong with them, also if there is
    * nothing to compare with.
    */
   std::vector<Quantity>
   choose_quantities(const SweepRequest               &request,
-                    const std::vector<const Scene *> &scenes,
-                    const std::string                &option = "--error");
+                    const std::vector<const Scene *> &scenes);
 } // namespace Crevasse
 
 #endif

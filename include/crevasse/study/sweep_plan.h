@@ -48,6 +48,10 @@ namespace Crevasse
     const std::vector<std::string> &
     parameters() const;
 
+    /** Those of them that change what is computed, and not only how. */
+    std::vector<std::string>
+    parameters_of_problem() const;
+
     const std::vector<SweepPoint> &
     points() const;
 

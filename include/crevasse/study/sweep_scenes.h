@@ -32,23 +32,15 @@ namespace Crevasse
   read_variant(const std::string           &scene_file,
                const std::vector<Override> &overrides);
 
-  /** Reads and checks the scene of the command line with what a study sets
-   * itself; it writes no fields unless one of them says so. @throw SceneError
-   * with all mistakes; FileError */
-  SweepVariant
-  read_variant(const Command &command, const std::vector<Override> &own);
-
-  /** Where a study of a scene keeps its runs, unless the command line says it:
-   * beside the results of the scene, with this @p ending. */
+  /** Where a sweep keeps its runs: as on the command line, or beside the
+   * results of the scene. */
   std::string
-  directory_of_study(const Command     &command,
-                     const Scene       &scene,
-                     const std::string &ending);
+  directory_of_sweep(const Command &command, const Scene &scene);
 
-  /** Makes it, and keeps other studies out of it as long as the lock exists,
+  /** Makes it, and keeps other sweeps out of it as long as the lock exists,
    * which the first rank has. Collective. @throw FileError */
   std::unique_ptr<DirectoryLock>
-  take_study_directory(const std::string &directory,
+  take_sweep_directory(const std::string &directory,
                        const MPI_Comm     communicator);
 
   /** All scenes of a sweep, which write no fields unless the command line says

@@ -17,7 +17,7 @@ namespace Crevasse
   class TemperatureFile;
 
   /** The change of temperature θ(x,t): a formula, or a file: a table
-   * (.csv), or fields on meshes (.vtu, .pvtu; a .pvd for several instants). */
+   * (.csv), or fields that another program computed (.h5). */
   template <int dim>
   class Temperature
   {

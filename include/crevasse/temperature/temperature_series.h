@@ -4,7 +4,7 @@
 #ifndef crevasse_temperature_temperature_series_h
 #define crevasse_temperature_temperature_series_h
 
-#include <crevasse/temperature/cell_locator.h>
+#include <crevasse/temperature/simplex_locator.h>
 #include <crevasse/temperature/temperature_file.h>
 
 #include <memory>
@@ -13,34 +13,32 @@
 
 namespace Crevasse
 {
-  /** The files that a temperature is read from: this one and those that it
-   * names, as a .pvd or .pvtu does.
-   * @throw SceneError if one cannot be read. */
-  std::vector<std::string>
-  files_of_temperature(const std::string &file_name);
-
   /**
-   * A temperature that another program has computed, on a mesh of its own: one
-   * field (.vtu, .pvtu), or a collection of such at some instants of the period
-   * (.pvd). In space it is interpolated by linear finite elements.
+   * A temperature that another program has computed, on triangles (tetrahedra),
+   * as `crevasse temperature` writes it. The HDF5 file has the datasets
+   *
+   * | name           | shape            |                                   |
+   * |----------------|------------------|-----------------------------------|
+   * | times          | instants         | ascending                         |
+   * | mesh_of        | instants         | number of the mesh of each        |
+   * | points_[mesh]  | points × dim     | coordinates                       |
+   * | cells_[mesh]   | cells × (dim+1)  | numbers of points, from 0         |
+   * | theta_[instant]| points           | change of temperature             |
    */
   template <int dim>
   class TemperatureSeries : public TemperatureFile<dim>
   {
   public:
-    /** @throw SceneError that names the file and what it lacks. */
+    /** @throw SceneError that names the file and what is wrong with it. */
     TemperatureSeries(const std::string &file_name, const double period);
 
   private:
     struct Snapshot
     {
       /** Shared by all instants with the same mesh. */
-      std::shared_ptr<const CellLocator<dim>> locator;
-      std::vector<double>                     values;
+      std::shared_ptr<const SimplexLocator<dim>> locator;
+      std::vector<double>                        values;
     };
-
-    void
-    add_snapshot(const std::vector<std::string> &parts);
 
     /** @throw SceneError if the point lies outside of the mesh. */
     double

@@ -4,26 +4,25 @@
 #ifndef crevasse_time_arkode_driver_h
 #define crevasse_time_arkode_driver_h
 
-#include <crevasse/time/aligned_steps.h>
 #include <crevasse/time/arkode_table.h>
-#include <crevasse/time/event_functions.h>
 #include <crevasse/time/exact_stage.h>
 #include <crevasse/time/remembered_rate.h>
-#include <crevasse/time/sundials.h>
 
 #include <deal.II/sundials/n_vector.h>
 
 #include <exception>
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 namespace Crevasse
 {
   /**
    * ARKODE as Arkode uses it: its own functions on deal.II's vectors, with
-   * every return code checked. (deal.II's class ARKode has not these steps and
-   * events, and hides the context in which messages are caught.) Exceptions are
-   * kept while C code is on the stack.
+   * every return code checked. (deal.II's class ARKode has no events and hides
+   * the context in which messages are caught.) Exceptions are kept while C code
+   * is on the stack. SUNDIALS 7 has the names ARKStep… of 6 too.
    */
   class ArkodeDriver
   {
@@ -31,61 +30,53 @@ namespace Crevasse
     struct Settings
     {
       bool   is_implicit;
-      double period;      ///< no step goes beyond
-      double unit;        ///< of the AlignedSteps of an implicit method
-      bool   is_adaptive; ///< else steps are as long as fix_step() says
+      double longest_step;
       /** Error of r that a step may make, in the root mean square of all
        * entries divided by theirs; empty if steps are fixed. */
       Vector tolerances;
+      /** Whether evolve() stops at the roots of the switching functions of all
+       * contact nodes (RateEquation::switching_functions). */
+      bool seeks_events;
     };
 
-    /** Begins at t = 0. All arguments but @p settings must outlive this.
-     *
-     * @param step the first that is tried.
-     * @param events null: none are sought. */
+    /** Begins at (t, r). The equation must have been evaluated there. Table and
+     * equation must outlive this object. */
     ArkodeDriver(const Settings    &settings,
                  const ArkodeTable &table,
                  RememberedRate    &equation,
-                 EventFunctions    *events,
-                 const double       step,
+                 const double       t,
                  const Vector      &r);
 
-    /** Goes on from here. */
+    /** Continues from (t, r). @param is_new Whether ARKODE estimates the next
+     * step without what it knows of the last ones. */
     void
-    restart(const double t, const double step, const Vector &r);
+    restart(const double t, const Vector &r, const bool is_new);
 
-    /** The next step ends at this instant. */
+    /** One step of this length. */
     void
-    fix_step(const double step, const double end);
+    fixed_step(const double step);
 
-    /** No step goes beyond this instant until restart(). */
-    void
-    stop_at(const double t);
-
-    /** Whether steps end at events. */
-    void
-    seek_events(const bool on);
-
-    /** One step, or as much of it as there is before an event: whether one was
-     * found. */
+    /** ARKODE's own steps up to @p end, where r is interpolated, or to an
+     * event: whether there is one. No step goes beyond @p stop. */
     bool
-    step();
+    evolve(const double end, const double stop);
 
-    /** Where the last step or event was. */
+    /** The instant of state(). */
     double
-    time() const;
+    time() const
+    {
+      return current_time;
+    }
 
-    /** r there. */
+    /** The end of ARKODE's last step, which may be beyond time(). */
+    double
+    end_of_step() const;
+
     const Vector &
-    state() const;
-
-    /** The step that is tried next. */
-    double
-    next_step() const;
-
-    /** r at an instant of the last step. */
-    void
-    interpolate(const double t, Vector &r);
+    state() const
+    {
+      return current;
+    }
 
     /** Steps, rejected steps, and stages that failed. */
     IntegratorStatistics
@@ -93,10 +84,13 @@ namespace Crevasse
 
   private:
     void
-    set_method();
+    set_method(const ArkodeTable &table);
 
     void
     set_step_control();
+
+    void
+    collect_messages();
 
     /** Runs @p evaluate and returns 0; else keeps what it threw. */
     template <typename Evaluate>
@@ -104,8 +98,12 @@ namespace Crevasse
     guarded(const Evaluate &evaluate);
 
     /** @throw what was kept; or NumericalError if the code is negative. */
-    void
+    int
     check(const int code);
+
+    /** Of all ranks, from the equation's last evaluation. */
+    std::vector<double>
+    switching_functions() const;
 
     static int
     right_hand_side(sunrealtype t, N_Vector y, N_Vector f, void *self);
@@ -113,39 +111,35 @@ namespace Crevasse
     static int
     root_function(sunrealtype t, N_Vector y, sunrealtype *values, void *self);
 
-    static int
-    choose_step(N_Vector,
-                sunrealtype t,
-                sunrealtype last,
-                sunrealtype,
-                sunrealtype,
-                sunrealtype error,
-                sunrealtype,
-                sunrealtype,
-                int,
-                int          embedded_order,
-                sunrealtype *step,
-                void        *self);
-
-    Settings           settings;
-    const ArkodeTable &table;
-    RememberedRate    &equation;
-    EventFunctions    *events;
-    const AlignedSteps aligned_steps;
-
+    using Context =
+      std::unique_ptr<std::remove_pointer_t<SUNContext>, void (*)(SUNContext)>;
     using View   = dealii::SUNDIALS::internal::NVectorView<Vector>;
     using Memory = std::unique_ptr<void, void (*)(void *)>;
 
+    Settings                    settings;
+    RememberedRate             &equation;
     std::string                 words; ///< SUNDIALS' last message
-    const SundialsContext       context;
-    double                      current_time = 0.;
+    const Context               context;
+    double                      current_time;
     Vector                      current;
     const View                  view;   ///< of it: ARKODE keeps a pointer
     const Memory                memory; ///< ARKODE's
     std::unique_ptr<ExactStage> exact_stage;
     std::exception_ptr          thrown;
-    bool                        seeks_events = false;
   };
+
+
+
+  /**
+   * What happened when ARKODE returned the negative @p code at the instant
+   * @p t, and which parameter to change.
+   *
+   * @param words what ARKODE itself says.
+   */
+  std::string
+  describe_arkode_failure(const int          code,
+                          const double       t,
+                          const std::string &words);
 } // namespace Crevasse
 
 #endif

@@ -33,22 +33,34 @@ namespace Crevasse
     ArkodeTable(const bool is_implicit, const unsigned int order);
 
     const std::string &
-    name() const;
+    name() const
+    {
+      return table_name;
+    }
 
     /** For ARKStepSetTables, which copies it. */
     ARKodeButcherTable
-    table() const;
+    table() const
+    {
+      return coefficients.get();
+    }
 
     /** How many times larger than the error of the stress over periods the
      * estimate of a step is: it is that of the embedded method of lower order.
      */
     double
-    excess_of_estimate() const;
+    excess_of_estimate() const
+    {
+      return excess;
+    }
 
     /** Largest z for which |R(−x)| ≤ 1 for all x in [0,z], R the stability
      * function; infinite for implicit methods. */
     double
-    stability_limit() const;
+    stability_limit() const
+    {
+      return limit;
+    }
 
     TimeQuadrature
     quadrature() const;
@@ -57,13 +69,9 @@ namespace Crevasse
     using Pointer =
       std::unique_ptr<ARKodeButcherTableMem, void (*)(ARKodeButcherTable)>;
 
-    /** R(z) = 1 + z bᵀ(I − zA)⁻¹1 of an explicit method. */
-    double
-    stability_function(const double z) const;
-
-    const bool  is_implicit;
     std::string table_name;
     double      excess;
+    double      limit;
     Pointer     coefficients;
   };
 } // namespace Crevasse

@@ -106,9 +106,10 @@ namespace Crevasse
 
     const std::unique_ptr<Integrator> method;
 
-    bool  goes_on = false; ///< the next step starts where the last one ended
-    Place begin;           ///< of the step
-    Place from, to;        ///< of its parts
+    bool is_continuing =
+      false;        ///< the next step starts where the last one ended
+    Place begin;    ///< of the step
+    Place from, to; ///< of its parts
 
     std::vector<int> sides;
     MPI_Comm         communicator = MPI_COMM_SELF;

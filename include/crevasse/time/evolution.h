@@ -7,9 +7,10 @@
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/strain_operator.h>
-#include <crevasse/time/instants.h>
+#include <crevasse/time/instant_provider.h>
 #include <crevasse/time/rate_equation.h>
 #include <crevasse/time/secular_flow.h>
+#include <crevasse/time/step_list.h>
 
 #include <vector>
 
@@ -54,16 +55,29 @@ namespace Crevasse
     Evolution(const StrainOperator<dim>  &strain_operator,
               const QuadratureField<dim> &points,
               const ExternalLoads<dim>   &loads,
-              Instants<dim>              &instants);
+              InstantProvider<dim>       &instants);
 
     /** Splits off a secular flow, which must outlive this object: q and r are
      * periodic then. */
     void
     split_off(const SecularFlow &flow);
 
+    /** From now on times of the equation are brought into the period of these
+     * steps, which must outlive this object. */
+    void
+    repeat(const StepList &steps);
+
+    /** A step begins at @p t: where something jumps at its end, it sees what
+     * was before. */
+    void
+    begin_step(const double t);
+
     /** The flow that is split off; null: none. */
     const SecularFlow *
-    secular_flow() const;
+    secular_flow() const
+    {
+      return flow;
+    }
 
     void
     rate(const double t, const Vector &r, Vector &rate) override;
@@ -88,7 +102,10 @@ namespace Crevasse
                      Vector            &values) override;
 
     double
-    stress_scale() const override;
+    stress_scale() const override
+    {
+      return elastic_stress;
+    }
 
     void
     strain_per_stress(const Vector &r, Vector &scale) const override;
@@ -107,14 +124,23 @@ namespace Crevasse
 
     /** What the last evaluation has solved. */
     const State &
-    state() const;
+    state() const
+    {
+      return last;
+    }
 
     /** b of the last evaluation. */
     const Vector &
-    right_hand_side() const;
+    right_hand_side() const
+    {
+      return loading;
+    }
 
     std::size_t
-    n_rate_evaluations() const;
+    n_rate_evaluations() const
+    {
+      return rate_evaluations;
+    }
 
     /** Shows what the last evaluation has solved, where the next one starts. */
     void
@@ -123,18 +149,24 @@ namespace Crevasse
   private:
     const StrainOperator<dim> &strain_operator;
     const ExternalLoads<dim>  &loads;
-    Instants<dim>             &instants;
-    const SecularFlow         *flow = nullptr; ///< none: unsplit
+    InstantProvider<dim>      &instants;
+    const SecularFlow         *flow       = nullptr; ///< none: unsplit
+    const StepList            *period     = nullptr; ///< none: any time
+    double                     step_begin = 0.;
 
-    /** Solves the variational inequality.
+    /** The instant within the period at which @p t is evaluated. */
+    double
+    instant_of(const double t) const;
+
+    /** Makes the right-hand side of the contact problem at @p t.
      *
      * @param inelastic_strain Σ wᵢ rᵢ + χθ; null: none. */
     void
-    solve_for_displacement(const double                t,
-                           const Instant<dim>         &instant,
-                           const InelasticStrain<dim> *inelastic_strain);
+    assemble_loading(const double                t,
+                     const MaterialState<dim>   &material,
+                     const InelasticStrain<dim> *inelastic_strain);
 
-    /** The same for q; what is inelastic is in the loads already.
+    /** Solves the variational inequality for q.
      *
      * @param k the factor of the contact solver's stiffness. */
     void

@@ -38,7 +38,10 @@ namespace Crevasse
 
     /** For ARKStepSetNonlinearSolver; it must not be used after this object. */
     SUNNonlinearSolver
-    solver();
+    solver()
+    {
+      return handle;
+    }
 
   private:
     /** @param[out] correction z_c */

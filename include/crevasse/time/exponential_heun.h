@@ -36,7 +36,10 @@ namespace Crevasse
             Vector       *error) override;
 
     bool
-    has_error_estimate() const override;
+    has_error_estimate() const override
+    {
+      return true;
+    }
 
     double
     stability_limit() const override;

@@ -65,7 +65,10 @@ namespace Crevasse
             Vector       *error = nullptr) = 0;
 
     virtual bool
-    has_error_estimate() const;
+    has_error_estimate() const
+    {
+      return false;
+    }
 
     /** Largest Δt / τ_min for which decaying solutions decay; infinite for
      * methods without such a limit. */
@@ -75,7 +78,10 @@ namespace Crevasse
     /** Whether its state between two steps of a period can be shown; at the
      * beginning of a period it always can. */
     virtual bool
-    may_pause() const;
+    may_pause() const
+    {
+      return true;
+    }
 
     /** Shows what it knows between two steps; nothing if that is nothing. */
     virtual void
@@ -84,7 +90,10 @@ namespace Crevasse
     /** Whether every length of step has a matrix, and so a factorisation, of
      * its own. */
     virtual bool
-    has_matrix_of_step() const;
+    has_matrix_of_step() const
+    {
+      return false;
+    }
 
     /** The instants of a step at which f is evaluated, as fractions of the
      * step, and the rule by which it integrates an f that does not depend on
@@ -97,7 +106,10 @@ namespace Crevasse
 
     /** Empty if there is nothing that the number of steps does not tell. */
     virtual IntegratorStatistics
-    statistics() const;
+    statistics() const
+    {
+      return {};
+    }
   };
 } // namespace Crevasse
 

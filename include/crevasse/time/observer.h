@@ -4,6 +4,7 @@
 #ifndef crevasse_time_observer_h
 #define crevasse_time_observer_h
 
+#include <crevasse/base/summary.h>
 #include <crevasse/time/evolution.h>
 
 #include <cstddef>
@@ -58,6 +59,14 @@ namespace Crevasse
 
     virtual void
     end_of_period(const PeriodReport &)
+    {
+    }
+
+    /** Adds its part of the summary, after the last period, in the order in
+     * which observers were made; prints and writes what it has kept for the
+     * end. Collective. */
+    virtual void
+    summarise(Summary &)
     {
     }
 

@@ -48,11 +48,17 @@ namespace Crevasse
 
     /** Of the last evaluation's instant. */
     const RateEquation &
-    last() const;
+    last() const
+    {
+      return *equation;
+    }
 
     /** Without those that were remembered. */
     std::size_t
-    n_evaluations() const;
+    n_evaluations() const
+    {
+      return evaluations;
+    }
 
     void
     serialize(StateArchive &archive);

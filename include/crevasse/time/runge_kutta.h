@@ -29,13 +29,19 @@ namespace Crevasse
     has_error_estimate() const override;
 
     double
-    stability_limit() const override;
+    stability_limit() const override
+    {
+      return tableau.real_stability_limit;
+    }
 
     TimeQuadrature
     quadrature() const override;
 
     std::string
-    description() const override;
+    description() const override
+    {
+      return tableau.name;
+    }
 
   private:
     const ButcherTableau tableau;

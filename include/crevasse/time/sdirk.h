@@ -39,10 +39,16 @@ namespace Crevasse
             Vector       *error) override;
 
     bool
-    has_error_estimate() const override;
+    has_error_estimate() const override
+    {
+      return true;
+    }
 
     bool
-    has_matrix_of_step() const override;
+    has_matrix_of_step() const override
+    {
+      return true;
+    }
 
     double
     stability_limit() const override;
@@ -57,7 +63,8 @@ namespace Crevasse
     serialize(StateArchive &archive) override;
 
   private:
-    bool   goes_on = false; ///< the last evaluation was at the last step's end
+    bool is_continuing =
+      false; ///< the last evaluation was at the last step's end
     Vector stage_rate;
   };
 } // namespace Crevasse

@@ -12,7 +12,7 @@ namespace Crevasse
 {
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-  /** The part of the motion that goes on from period to period (model, §2):
+  /** The steady part of the motion (model, §2):
    * u = βt + q, ξᵢ = αᵢt + rᵢ. */
   struct SecularFlow
   {

@@ -66,7 +66,10 @@ namespace Crevasse
             Vector            &r) override;
 
     IntegratorStatistics
-    statistics() const override;
+    statistics() const override
+    {
+      return {};
+    }
   };
 } // namespace Crevasse
 

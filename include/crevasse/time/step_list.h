@@ -62,7 +62,10 @@ namespace Crevasse
 
     /** Those instants that the scene asks for by name, 0 and the period. */
     const std::vector<double> &
-    fixed_instants() const;
+    fixed_instants() const
+    {
+      return fixed;
+    }
 
     double
     step(const unsigned int k) const;

@@ -37,7 +37,10 @@ namespace Crevasse
             Vector       *error) override;
 
     bool
-    has_matrix_of_step() const override;
+    has_matrix_of_step() const override
+    {
+      return true;
+    }
 
     double
     stability_limit() const override;
@@ -52,8 +55,9 @@ namespace Crevasse
     serialize(StateArchive &archive) override;
 
   private:
-    bool   goes_on = false; ///< the last evaluation was at the last step's end
-    Vector last_rate;       ///< there
+    bool is_continuing =
+      false;          ///< the last evaluation was at the last step's end
+    Vector last_rate; ///< there
   };
 } // namespace Crevasse
 

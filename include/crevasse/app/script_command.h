@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_app_script_command_h
+#define crevasse_app_script_command_h
+
+#include <string>
+#include <vector>
+
+namespace Crevasse
+{
+  /** A subcommand that is a script of the Python package. */
+  struct ScriptCommand
+  {
+    std::string name, meaning;
+  };
+
+  const std::vector<ScriptCommand> &
+  script_commands();
+
+  /** Whether the first word of the command line is one of them. */
+  bool
+  is_script_command(const int argc, const char *const *argv);
+
+  /**
+   * Replaces this process, before MPI starts, by
+   * `/usr/bin/python3 -m crevasse NAME ...`. The package is looked for beside
+   * the program: in `python` of a build directory, or in
+   * `../share/crevasse/python` of an installation. The environment variable
+   * `CREVASSE_PROGRAM` tells the script where the program is.
+   *
+   * @return the exit status if that is impossible; the user has been told why.
+   */
+  int
+  run_script_command(const int argc, char **argv);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_model_contact_system_cache_h
+#define crevasse_model_contact_system_cache_h
+
+#include <crevasse/base/log.h>
+#include <crevasse/model/body.h>
+#include <crevasse/model/contact_system.h>
+#include <crevasse/model/instant_cache.h>
+#include <crevasse/model/linear_choice.h>
+#include <crevasse/parameters/scene.h>
+#include <crevasse/time/instant_provider.h>
+#include <crevasse/time/step_list.h>
+
+#include <memory>
+#include <optional>
+
+namespace Crevasse
+{
+  class StateArchive;
+
+  /**
+   * The material and the contact system of any instant. With a stiffness that
+   * is constant but for a factor there is one system for all of them. Otherwise
+   * each instant has its own. Where r is implicit there is one for each κ (see
+   * AlgorithmicModuli), and for each instant if K or H varies freely. Caches
+   * keep them.
+   */
+  template <int dim>
+  class ContactSystemCache : public InstantProvider<dim>
+  {
+  public:
+    /** All arguments must outlive this object.
+     *
+     * @param choice of the solvers for this body.
+     * @param largest_load of a node over a period: see largest_load(). */
+    ContactSystemCache(const Scene         &scene,
+                       const Body<dim>     &body,
+                       const SolverChoice  &choice,
+                       const StepList      &steps,
+                       const double         largest_load,
+                       Log                 &log,
+                       dealii::TimerOutput &phases);
+
+    // Its parts refer to one another.
+    ContactSystemCache(const ContactSystemCache &) = delete;
+    ContactSystemCache &
+    operator=(const ContactSystemCache &) = delete;
+
+    Instant<dim>
+    at(const double t) override;
+
+    ImplicitInstant<dim>
+    implicit_at(const double t, const double c) override;
+
+    ImplicitInstant<dim>
+    implicit_material_at(const double t, const double c) override;
+
+    const RelaxationFunctions<dim> &
+    relaxation_at(const double t, const double c) override;
+
+    /** The matrix, without its factor, and the contact problem of an instant.
+     * It lasts until the next one is asked for. */
+    ContactSystem<dim> &
+    system_at(const double t);
+
+    /** Of the last evaluation, if there was one. */
+    const ContactSystem<dim> &
+    most_recent() const;
+
+    /** See SolverSettings. */
+    const SolverSettings &
+    settings() const;
+
+    /** The factor of projected SOR for a matrix: what the scene says, or the
+     * best one for the given loads. */
+    double
+    relaxation_factor(const SparseMatrix &matrix, const Vector &loads) const;
+
+    /** Of all systems that there were. */
+    SolverStatistics
+    statistics() const;
+
+    /** Shows the state of the contact solvers of all instants; those of a run
+     * that is taken up are made first. */
+    void
+    serialize(StateArchive &archive);
+
+    /** Counts what another system of this run has done. */
+    void
+    add(const SolverStatistics &other);
+
+    /** Which solvers there are and why, how often they were called and what it
+     * took. */
+    void
+    summarise(Summary &summary) const;
+
+  private:
+    std::shared_ptr<ContactSystem<dim>>
+    make_system(const typename MaterialState<dim>::Matrices &stiffness) const;
+
+    const MaterialState<dim> &
+    material_at(const double t);
+
+    /** What a system was asked for. */
+    struct Request
+    {
+      bool   is_implicit;
+      double t, c;
+    };
+
+    ContactSystem<dim> &
+    system_of(const Request &request);
+
+    /** Puts it at the end of the requests. */
+    void
+    remember(const Request &request);
+
+    bool
+    is_kept(const Request &request);
+
+    /** Of what depends on a time c. */
+    std::pair<double, double>
+    step_key(const double              t,
+             const double              c,
+             const MaterialState<dim> &material) const;
+
+    const Scene     &scene;
+    const Body<dim> &body;
+    Log             &log;
+
+    const UnilateralBounds              bounds;
+    std::optional<double>               sor_factor; ///< once it was searched
+    SolverSettings                      solver_settings;
+    std::shared_ptr<ContactSystem<dim>> only_system; ///< constant stiffness
+    std::shared_ptr<ContactSystem<dim>> last_system;
+    SolverStatistics                    of_the_past;
+    std::vector<Request> requests; ///< in the order in which they came first
+    Request              last_request{false, 0., 0.};
+
+    // What belongs to instants. A system is not dropped for a material.
+    InstantMemory                          memory;
+    InstantCache<MaterialState<dim>>       materials;
+    InstantCache<AlgorithmicModuli<dim>>   moduli;
+    InstantCache<RelaxationFunctions<dim>> relaxation;
+    InstantCache<ContactSystem<dim>>       systems; ///< of K, or of moduli
+
+    std::shared_ptr<const RelaxationFunctions<dim>> last_relaxation;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_simulation_workspace_h
+#define crevasse_simulation_workspace_h
+
+#include <crevasse/checkpoint/checkpoints.h>
+#include <crevasse/model/contact_system_cache.h>
+#include <crevasse/periodic/run_state.h>
+#include <crevasse/simulation/periodic_start.h>
+#include <crevasse/simulation/run_setup.h>
+#include <crevasse/time/evolution.h>
+
+#include <deal.II/base/timer.h>
+
+#include <memory>
+#include <string>
+
+namespace Crevasse
+{
+  /** Where a run writes to. */
+  struct RunOutput
+  {
+    Log              &log;
+    Checkpoints      &checkpoints;
+    const std::string directory;
+  };
+
+  /**
+   * What changes while a run computes on one mesh: its steps, what integrates
+   * over them, and the systems that solve for the displacement.
+   */
+  template <int dim>
+  struct Workspace
+  {
+    /** @param setup must outlive this object, and so must @p log. */
+    Workspace(const RunSetup<dim> &setup, Log &log);
+
+    /** The state of the run with what was counted and timed here. */
+    RunState
+    add_to(RunState state) const;
+
+    dealii::Timer                timer;
+    dealii::TimerOutput          phases;
+    StepList                     steps; ///< adaptive ones change
+    std::unique_ptr<Integrator>  integrator;
+    std::unique_ptr<StepControl> step_control;
+    ContactSystemCache<dim>      systems;
+    Evolution<dim>               evolution;
+    PeriodicStart                start;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/app/command_line.h>
+#include <crevasse/app/script_command.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <unistd.h>
+
+namespace Crevasse
+{
+  namespace fs = std::filesystem;
+
+  namespace
+  {
+    // Debian's own has the packages; that of a virtual environment may not.
+    constexpr const char *python = "/usr/bin/python3";
+
+
+
+    /** The directory that holds the package; empty if there is none. */
+    fs::path
+    find_package(const fs::path &program)
+    {
+      for (const char *place : {"python", "../share/crevasse/python"})
+        {
+          const fs::path directory = program.parent_path() / place;
+          if (fs::exists(directory / "crevasse" / "__main__.py"))
+            return directory;
+        }
+      return {};
+    }
+  } // namespace
+
+
+
+  const std::vector<ScriptCommand> &
+  script_commands()
+  {
+    static const std::vector<ScriptCommand> commands = {
+      {"advise",
+       "Find the cheapest settings of a scene that reach an error; write them "
+       "as a scene"},
+      {"report", "Make one page of the results of a run or a sweep"},
+      {"figures", "Draw the figures of a run or a sweep"},
+      {"temperature",
+       "Convert a temperature that another program computed for [Loads] "
+       "Temperature"}};
+    return commands;
+  }
+
+
+
+  bool
+  is_script_command(const int argc, const char *const *argv)
+  {
+    const auto &commands = script_commands();
+    return argc > 1 && std::any_of(commands.begin(),
+                                   commands.end(),
+                                   [argv](const ScriptCommand &command) {
+                                     return command.name == argv[1];
+                                   });
+  }
+
+
+
+  int
+  run_script_command(const int argc, char **argv)
+  {
+    std::error_code   error;
+    const fs::path    program   = fs::read_symlink("/proc/self/exe", error);
+    const fs::path    directory = find_package(program);
+    const std::string name      = argv[1];
+    if (directory.empty())
+      {
+        std::cerr << "crevasse " << name
+                  << ": the Python package is missing: there is neither "
+                  << program.parent_path() / "python/crevasse"
+                  << " nor "
+                  << program.parent_path() / "../share/crevasse/python/crevasse"
+                  << ". Build or install the program again.\n";
+        return file_failure;
+      }
+    std::string path = directory.string();
+    if (const char *others = std::getenv("PYTHONPATH"))
+      path += std::string(":") + others;
+    setenv("PYTHONPATH", path.c_str(), 1);
+    setenv("CREVASSE_PROGRAM", program.c_str(), 1);
+
+    // -B: nothing is written beside the scripts.
+    std::vector<const char *> words = {python, "-B", "-m", "crevasse"};
+    words.insert(words.end(), argv + 1, argv + argc);
+    words.push_back(nullptr);
+    execv(python, const_cast<char *const *>(words.data()));
+    std::cerr << "crevasse " << name << ": cannot start " << python
+              << ". Install Debian's packages python3-jinja2, "
+                 "python3-matplotlib and python3-meshio.\n";
+    return file_failure;
+  }
+} // namespace Crevasse

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/problems.h>
+#include <crevasse/grid/gmsh_file.h>
+
+#include <algorithm>
+#include <fstream>
+#include <gmsh.h>
+#include <set>
+
+namespace Crevasse
+{
+  namespace
+  {
+    enum ElementType : int
+    {
+      line_element          = 1,
+      quadrilateral_element = 3,
+      hexahedron_element    = 5
+    };
+
+
+
+    /** Gmsh as long as it is needed: silent, and without the user's options. */
+    class GmshSession
+    {
+    public:
+      GmshSession()
+      {
+        gmsh::initialize(0, nullptr, false);
+        gmsh::option::setNumber("General.Terminal", 0);
+      }
+
+      GmshSession(const GmshSession &) = delete;
+
+      ~GmshSession()
+      {
+        gmsh::finalize();
+      }
+    };
+
+
+
+    /** Gmsh runs a file without this head as a program of its own language, and
+     * format 4 lets it write beyond its arrays if more nodes or elements follow
+     * than are announced. @throw SceneError */
+    void
+    check_head_and_counts(const std::string &file_name)
+    {
+      std::ifstream file(file_name);
+      std::string   line;
+      double        format    = 0.;
+      int           is_binary = 0;
+      std::getline(file, line);
+      if (line.rfind("$MeshFormat", 0) != 0)
+        throw SceneError("it does not begin with \"$MeshFormat\"");
+      file >> format >> is_binary;
+      if (format < 4. || is_binary != 0)
+        return;
+      while (std::getline(file, line))
+        {
+          const bool is_nodes = line.rfind("$Nodes", 0) == 0;
+          if (!is_nodes && line.rfind("$Elements", 0) != 0)
+            continue;
+          std::size_t n_blocks = 0, n_announced = 0, n_found = 0;
+          file >> n_blocks >> n_announced;
+          std::getline(file, line);
+          for (std::size_t block = 0; block < n_blocks && file; ++block)
+            {
+              int         skipped;
+              std::size_t n = 0;
+              file >> skipped >> skipped >> skipped >> n;
+              n_found += n;
+              // In format 4.1 numbers and coordinates are on lines of their
+              // own.
+              const std::size_t n_lines = is_nodes && format > 4. ? 2 * n : n;
+              for (std::size_t i = 0; i <= n_lines && file; ++i)
+                std::getline(file, line);
+            }
+          if (file && n_found != n_announced)
+            throw SceneError("there are " + std::to_string(n_found) +
+                             (is_nodes ? " nodes" : " elements") + ", but " +
+                             std::to_string(n_announced) + " are announced");
+        }
+    }
+
+
+
+    /** The one physical group of an entity; 0 if it is in none. */
+    unsigned int
+    group_of(const std::pair<int, int> &entity)
+    {
+      std::vector<int> groups;
+      gmsh::model::getPhysicalGroupsForEntity(entity.first,
+                                              entity.second,
+                                              groups);
+      const std::string what = (entity.first == 1   ? "curve "
+                                : entity.first == 2 ? "surface "
+                                                    : "volume ") +
+                               std::to_string(entity.second);
+      if (groups.size() > 1)
+        throw SceneError(what + " belongs to the physical groups " +
+                         std::to_string(groups[0]) + " and " +
+                         std::to_string(groups[1]) +
+                         "; each belongs to one at most");
+      if (!groups.empty() && groups[0] < 0)
+        throw SceneError(what + " belongs to the physical group " +
+                         std::to_string(groups[0]) +
+                         "; groups must be numbered from 0");
+      return groups.empty() ? 0 : groups[0];
+    }
+
+
+
+    /** All elements of a dimension. @throw SceneError if there are others than
+     * of the type @p allowed. */
+    std::vector<MeshElement>
+    read_elements(const int          element_dim,
+                  const int          allowed,
+                  const unsigned int dim)
+    {
+      std::vector<MeshElement>         all;
+      std::vector<std::pair<int, int>> entities;
+      gmsh::model::getEntities(entities, element_dim);
+      for (const auto &entity : entities)
+        {
+          std::vector<int>                      types;
+          std::vector<std::vector<std::size_t>> numbers, nodes;
+          gmsh::model::mesh::getElements(
+            types, numbers, nodes, entity.first, entity.second);
+          if (types.empty())
+            continue;
+          if (types.size() > 1 || types[0] != allowed)
+            {
+              const int other = types[0] != allowed ? types[0] : types[1];
+              if (other == 2 || other == 4 || other == 6 || other == 7)
+                throw SceneError(only_hypercubes(dim));
+              throw SceneError(
+                "the element type " + std::to_string(other) +
+                " is not allowed with Dimension = " + std::to_string(dim) +
+                "; allowed are points (15), lines (1), quadrilaterals (3)" +
+                (dim == 3 ? ", hexahedra (5)" : "") +
+                " (Gmsh: Mesh.ElementOrder = 1)");
+            }
+          const unsigned int group = group_of(entity);
+          const std::size_t  n     = nodes[0].size() / numbers[0].size();
+          for (std::size_t i = 0; i < numbers[0].size(); ++i)
+            {
+              const auto begin = nodes[0].begin() + i * n;
+              all.push_back({numbers[0][i], group, {begin, begin + n}});
+              if (std::set<std::size_t>(begin, begin + n).size() < n)
+                throw SceneError("element " + std::to_string(numbers[0][i]) +
+                                 ": a node occurs twice");
+            }
+        }
+      std::stable_sort(all.begin(),
+                       all.end(),
+                       [](const MeshElement &a, const MeshElement &b) {
+                         return a.number < b.number;
+                       });
+      return all;
+    }
+
+
+
+    GmshMesh
+    read(const std::string &file_name, const unsigned int dim)
+    {
+      const GmshSession session;
+      gmsh::open(file_name);
+
+      GmshMesh                 mesh;
+      std::vector<std::size_t> numbers;
+      std::vector<double>      coordinates, parametric;
+      gmsh::model::mesh::getNodes(numbers, coordinates, parametric);
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        mesh.nodes[numbers[i]] = {coordinates[3 * i],
+                                  coordinates[3 * i + 1],
+                                  coordinates[3 * i + 2]};
+      if (dim == 2)
+        read_elements(3, 0, dim); // none is allowed
+      mesh.cells =
+        read_elements(dim,
+                      dim == 2 ? quadrilateral_element : hexahedron_element,
+                      dim);
+      mesh.boundary =
+        read_elements(dim - 1,
+                      dim == 2 ? line_element : quadrilateral_element,
+                      dim);
+      return mesh;
+    }
+  } // namespace
+
+
+
+  std::string
+  only_hypercubes(const unsigned int dim)
+  {
+    return dim == 2
+             ? "the mesh has triangles; only quadrilaterals are allowed (Gmsh: "
+               "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1)."
+             : "the mesh has tetrahedra or other cells; only hexahedra are "
+               "allowed (Gmsh: Mesh.SubdivisionAlgorithm = 2).";
+  }
+
+
+
+  GmshMesh
+  read_gmsh_file(const std::string &file_name, const unsigned int dim)
+  {
+    check_head_and_counts(file_name);
+    GmshMesh mesh;
+    try
+      {
+        mesh = read(file_name, dim);
+      }
+    catch (const std::string &message) // is what Gmsh throws
+      {
+        throw SceneError("Gmsh says: " + message);
+      }
+    catch (const std::bad_alloc &)
+      {
+        throw SceneError(
+          "it announces more nodes or elements than memory "
+          "holds");
+      }
+    if (mesh.cells.empty())
+      throw SceneError(
+        std::string("there are no ") +
+        (dim == 2 ? "quadrilaterals" : "hexahedra") +
+        ", which are the cells with Dimension = " + std::to_string(dim));
+    check_faces(mesh.cells, mesh.boundary);
+    return mesh;
+  }
+} // namespace Crevasse

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/state_archive.h>
+#include <crevasse/harmonic_balance/prescribed_motion.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Crevasse
+{
+  PrescribedMotion::PrescribedMotion(const PeriodicMotion &motion,
+                                     const TimeRule        rule,
+                                     const double          step,
+                                     const double          diameter,
+                                     const double          largest_load)
+    : motion(motion)
+    , rule(rule)
+    , step(step)
+    , diameter(diameter)
+  {
+    force.size = largest_load;
+  }
+
+
+
+  unsigned int
+  PrescribedMotion::number(const double t) const
+  {
+    return static_cast<unsigned int>(std::lround(t / step));
+  }
+
+
+
+  void
+  PrescribedMotion::restart()
+  {
+    is_continuing = false;
+  }
+
+
+
+  void
+  PrescribedMotion::start(RateEquation &f,
+                          const double  t,
+                          const Vector &r,
+                          Vector       &rate)
+  {
+    f.rate(t, r, rate);
+    if (number(t) == 0)
+      first_rate = rate;
+    viscous_strain.size =
+      std::max(viscous_strain.size, step * rate.linfty_norm());
+    if (is_continuing)
+      compare_step(number(t), r, rate);
+    last_rate = rate;
+  }
+
+
+
+  void
+  PrescribedMotion::compare_step(const unsigned int end,
+                                 const Vector      &r,
+                                 const Vector      &rate)
+  {
+    if (rule != TimeRule::trapezoid)
+      return;
+    defect = r;
+    defect -= motion.viscous_strain[end - 1];
+    defect.add(-0.5 * step, last_rate, -0.5 * step, rate);
+    viscous_strain.largest =
+      std::max(viscous_strain.largest, defect.linfty_norm());
+  }
+
+
+
+  void
+  PrescribedMotion::advance(RateEquation &,
+                            const double t,
+                            const double,
+                            const Vector &,
+                            Vector &r,
+                            Vector *)
+  {
+    is_continuing           = true;
+    const unsigned int next = number(t) + 1;
+    r = motion.viscous_strain[next % motion.viscous_strain.size()];
+    if (next == motion.viscous_strain.size())
+      compare_step(next, r, first_rate);
+  }
+
+
+
+  void
+  PrescribedMotion::Difference::add(const double a, const double b)
+  {
+    largest = std::max(largest, std::abs(a - b));
+    size    = std::max(size, std::abs(a));
+  }
+
+
+
+  void
+  PrescribedMotion::observe(const Sample &sample)
+  {
+    const unsigned int j = sample.step % motion.displacement.size();
+    const Vector      &q = sample.state.displacement;
+    for (unsigned int i = 0; i < q.locally_owned_size(); ++i)
+      displacement.add(q.local_element(i),
+                       motion.displacement[j].local_element(i));
+    // Under constant loads nothing but the flow is there.
+    if (sample.secular_flow != nullptr)
+      displacement.size =
+        std::max(displacement.size,
+                 motion.displacement.size() * step *
+                   sample.secular_flow->velocity.linfty_norm());
+    // A lip that nothing presses bears what rounding leaves of the loads.
+    for (const double b : sample.right_hand_side)
+      force.size = std::max(force.size, std::abs(b));
+    for (unsigned int k = 0; k < sample.state.contact_forces.size(); ++k)
+      force.add(sample.state.contact_forces[k], motion.contact_forces[j][k]);
+  }
+
+
+
+  double
+  PrescribedMotion::stability_limit() const
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+
+
+
+  TimeQuadrature
+  PrescribedMotion::quadrature() const
+  {
+    return {{0., 1.}, {0.5, 0.5}};
+  }
+
+
+
+  std::string
+  PrescribedMotion::description() const
+  {
+    return "direct in time";
+  }
+
+
+
+  void
+  PrescribedMotion::serialize(StateArchive &archive)
+  {
+    archive.section("given motion");
+    archive.common(is_continuing);
+    archive.at_points(first_rate);
+    archive.at_points(last_rate);
+    for (Difference *difference : {&displacement, &force, &viscous_strain})
+      {
+        archive.maximum(difference->largest);
+        archive.maximum(difference->size);
+      }
+  }
+
+
+
+  double
+  PrescribedMotion::largest_defect() const
+  {
+    const MPI_Comm communicator =
+      motion.displacement.front().get_mpi_communicator();
+    // Where nothing is stressed viscous strains are what rounding leaves.
+    Difference strain = viscous_strain;
+    strain.size       = std::max(strain.size, displacement.size / diameter);
+    double worst      = 0.;
+    for (Difference all : {displacement, force, strain})
+      {
+        all.largest = dealii::Utilities::MPI::max(all.largest, communicator);
+        all.size    = dealii::Utilities::MPI::max(all.size, communicator);
+        if (all.size > 0.)
+          worst = std::max(worst, all.largest / all.size);
+      }
+    return worst;
+  }
+} // namespace Crevasse

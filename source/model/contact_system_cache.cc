@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/state_archive.h>
+#include <crevasse/contact/relaxation_factor.h>
+#include <crevasse/model/contact_system_cache.h>
+#include <crevasse/model/largest_load.h>
+#include <crevasse/model/linear_choice.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    SolverSettings
+    make_settings(const Scene         &scene,
+                  const Body<dim>     &body,
+                  const SolverChoice  &choice,
+                  dealii::TimerOutput &phases)
+    {
+      return {scene.contact,
+              scene.linear_solver,
+              choice.linear,
+              choice.contact,
+              phases,
+              {}};
+    }
+
+
+
+    /** See AlgorithmicModuli. */
+    template <int dim>
+    double
+    kappa(const double c, const MaterialState<dim> &material)
+    {
+      return c * material.stiffness_factor / material.viscosity_factor;
+    }
+
+
+
+    /** Values of the material over a time c: AlgorithmicModuli or
+     * RelaxationFunctions. */
+    template <typename Values, int dim>
+    std::shared_ptr<Values>
+    make_values(const Body<dim>          &body,
+                const MaterialState<dim> &material,
+                const double              c)
+    {
+      std::shared_ptr<Values> values;
+      collectively(body.space.communicator(), [&]() {
+        values = std::make_shared<Values>(material,
+                                          kappa(c, material),
+                                          body.points.n_local_points());
+      });
+      return values;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ContactSystemCache<dim>::ContactSystemCache(const Scene         &scene,
+                                              const Body<dim>     &body,
+                                              const SolverChoice  &choice,
+                                              const StepList      &steps,
+                                              const double         largest_load,
+                                              Log                 &log,
+                                              dealii::TimerOutput &phases)
+    : scene(scene)
+    , body(body)
+    , log(log)
+    , bounds(unilateral_bounds(body.lip, body.space))
+    , solver_settings(make_settings(scene, body, choice, phases))
+    , memory(body.space.communicator(),
+             1024. * 1024. * scene.linear_solver.memory_for_instants,
+             log)
+    , materials(memory,
+                [&body](const MaterialState<dim> &state) {
+                  return body.material.memory_of_variation(state);
+                })
+    , moduli(memory,
+             [](const AlgorithmicModuli<dim> &values) {
+               return values.memory_consumption();
+             })
+    , relaxation(memory,
+                 [](const RelaxationFunctions<dim> &functions) {
+                   return functions.memory_consumption();
+                 })
+    , systems(
+        memory,
+        [](const ContactSystem<dim> &system) {
+          return system.memory_consumption();
+        },
+        [this](const ContactSystem<dim> &system) { add(system.statistics()); })
+  {
+    solver_settings.relaxation_factor = [this, &steps](const SparseMatrix &A) {
+      if (!sor_factor)
+        sor_factor = relaxation_factor(
+          A,
+          loads_at(this->body,
+                   steps.instant(step_of_largest_load(this->body, steps))));
+      return *sor_factor;
+    };
+    solver_settings.largest_load = largest_load;
+    if (!body.material.stiffness_varies())
+      only_system = make_system(*body.material.at(0.).stiffness);
+    log.line("  solver: " + system_at(0.).contact_solver().description());
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<ContactSystem<dim>>
+  ContactSystemCache<dim>::make_system(
+    const typename MaterialState<dim>::Matrices &stiffness) const
+  {
+    auto system = std::make_shared<ContactSystem<dim>>(solver_settings,
+                                                       body.space,
+                                                       body.points,
+                                                       stiffness,
+                                                       bounds,
+                                                       last_system.get());
+    if (last_system != nullptr)
+      system->contact_solver().start_from(
+        last_system->contact_solver().closed_bounds());
+    return system;
+  }
+
+
+
+  template <int dim>
+  const MaterialState<dim> &
+  ContactSystemCache<dim>::material_at(const double t)
+  {
+    const MaterialField<dim> &field = body.material;
+    const bool varies = field.stiffness_varies() || field.fluidity_varies() ||
+                        field.thermal_strain_varies();
+    // The only state of a material that does not vary is at t = 0.
+    const auto state = materials.at({varies ? t : 0., 0.}, [&]() {
+      return std::make_shared<MaterialState<dim>>(field.at(t));
+    });
+    field.set_factors(t, *state);
+    return *state;
+  }
+
+
+
+  template <int dim>
+  ContactSystem<dim> &
+  ContactSystemCache<dim>::system_at(const double t)
+  {
+    last_request = {false, t, 0.};
+    last_system =
+      only_system != nullptr ? only_system : systems.at({t, 0.}, [&]() {
+        remember(last_request);
+        return make_system(*material_at(t).stiffness);
+      });
+    return *last_system;
+  }
+
+
+
+  template <int dim>
+  Instant<dim>
+  ContactSystemCache<dim>::at(const double t)
+  {
+    const MaterialState<dim> &material = material_at(t);
+    return {material, system_at(t).contact_solver()};
+  }
+
+
+
+  template <int dim>
+  ImplicitInstant<dim>
+  ContactSystemCache<dim>::implicit_material_at(const double t, const double c)
+  {
+    const MaterialState<dim> &material = material_at(t);
+    const auto values = moduli.at(step_key(t, c, material), [&]() {
+      return make_values<AlgorithmicModuli<dim>>(body, material, c);
+    });
+    return {material, *values, nullptr};
+  }
+
+
+
+  template <int dim>
+  const RelaxationFunctions<dim> &
+  ContactSystemCache<dim>::relaxation_at(const double t, const double c)
+  {
+    const MaterialState<dim> &material = material_at(t);
+    last_relaxation = relaxation.at(step_key(t, c, material), [&]() {
+      return make_values<RelaxationFunctions<dim>>(body, material, c);
+    });
+    return *last_relaxation;
+  }
+
+
+
+  template <int dim>
+  ImplicitInstant<dim>
+  ContactSystemCache<dim>::implicit_at(const double t, const double c)
+  {
+    ImplicitInstant<dim> instant = implicit_material_at(t, c);
+    last_request                 = {true, t, c};
+    last_system = systems.at(step_key(t, c, instant.material), [&]() {
+      remember(last_request);
+      return make_system(instant.moduli.sum);
+    });
+    instant.contact_solver = &last_system->contact_solver();
+    return instant;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSystemCache<dim>::remember(const Request &request)
+  {
+    requests.erase(std::remove_if(requests.begin(),
+                                  requests.end(),
+                                  [&](const Request &other) {
+                                    return other.is_implicit ==
+                                             request.is_implicit &&
+                                           other.t == request.t &&
+                                           other.c == request.c;
+                                  }),
+                   requests.end());
+    requests.push_back(request);
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactSystemCache<dim>::is_kept(const Request &request)
+  {
+    return systems.has(
+      request.is_implicit
+        ? step_key(request.t, request.c, material_at(request.t))
+        : std::pair<double, double>(request.t, 0.));
+  }
+
+
+
+  template <int dim>
+  ContactSystem<dim> &
+  ContactSystemCache<dim>::system_of(const Request &request)
+  {
+    if (!request.is_implicit)
+      return system_at(request.t);
+    implicit_at(request.t, request.c);
+    return *last_system;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSystemCache<dim>::serialize(StateArchive &archive)
+  {
+    archive.section("contact solvers");
+    bool                 is_used = last_system != nullptr;
+    Request              last    = last_request;
+    std::vector<Request> kept;
+    if (!archive.is_loading())
+      std::copy_if(requests.begin(),
+                   requests.end(),
+                   std::back_inserter(kept),
+                   [this](const Request &request) { return is_kept(request); });
+    archive.common(is_used);
+    archive.common(last);
+    archive.common_list(kept);
+    if (only_system != nullptr)
+      only_system->contact_solver().serialize(archive);
+    for (const Request &request : kept)
+      system_of(request).contact_solver().serialize(archive);
+    if (is_used)
+      system_of(last);
+  }
+
+
+
+  template <int dim>
+  std::pair<double, double>
+  ContactSystemCache<dim>::step_key(const double              t,
+                                    const double              c,
+                                    const MaterialState<dim> &material) const
+  {
+    const bool varies =
+      body.material.stiffness_varies() || body.material.fluidity_varies();
+    return {varies ? t : 0., kappa(c, material)};
+  }
+
+
+
+  template <int dim>
+  const ContactSystem<dim> &
+  ContactSystemCache<dim>::most_recent() const
+  {
+    return *last_system;
+  }
+
+
+
+  template <int dim>
+  const SolverSettings &
+  ContactSystemCache<dim>::settings() const
+  {
+    return solver_settings;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactSystemCache<dim>::relaxation_factor(const SparseMatrix &matrix,
+                                             const Vector       &loads) const
+  {
+    if (const std::optional<double> factor = *scene.contact.relaxation_factor)
+      return *factor;
+    // It is a property of A: what is loaded only by thermal strain, or by
+    // nothing, has the same.
+    Vector forces = loads;
+    if (forces.linfty_norm() == 0.)
+      {
+        forces = 1.;
+        body.space.constraints().set_zero(forces);
+      }
+    const double norm = forces.linfty_norm();
+
+    log.line("  searching for the relaxation factor of projected SOR");
+    // As the paper does, without constraints; eight digits show the asymptotic
+    // contraction.
+    TimerOutput::Scope     phase(solver_settings.phases, "relaxation factor");
+    const UnilateralBounds none;
+    const SignoriniProblem unconstrained(matrix, none);
+    return find_relaxation_factor(unconstrained,
+                                  Sweep(unconstrained),
+                                  forces,
+                                  1e-8 * norm,
+                                  scene.contact.maximum_iterations);
+  }
+
+
+
+  template <int dim>
+  SolverStatistics
+  ContactSystemCache<dim>::statistics() const
+  {
+    SolverStatistics all = of_the_past;
+    if (only_system != nullptr)
+      all.add(only_system->statistics());
+    systems.for_each([&all](const ContactSystem<dim> &system) {
+      all.add(system.statistics());
+    });
+    return all;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSystemCache<dim>::add(const SolverStatistics &other)
+  {
+    of_the_past.add(other);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactSystemCache<dim>::summarise(Summary &summary) const
+  {
+    if (last_system != nullptr)
+      last_system->describe(summary);
+    statistics().add_to(summary);
+  }
+
+
+
+  template class ContactSystemCache<2>;
+  template class ContactSystemCache<3>;
+} // namespace Crevasse

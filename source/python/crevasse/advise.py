@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""Finds the cheapest settings with which the histories of a scene have a relative
+error, and writes them as a scene. The error is the largest of all quantities, each
+relative to its largest value. Schemes and steps, elements and meshes, and the search
+for the periodic state are tried; body and loads never change."""
+
+import argparse
+import fcntl
+import os
+import pathlib
+import re
+import socket
+import sys
+
+from crevasse import advise_report
+from crevasse.advise_candidates import (families_in_space, families_in_time,
+                                        family_of)
+from crevasse.advise_errors import Errors, choose_quantities
+from crevasse.advise_pairs import (PART_IN_SPACE, PART_IN_TIME, RESULT, SEARCH,
+                                   Pairs)
+from crevasse.advise_period import Period
+from crevasse.advise_runs import CommandError, Program, Runs, Stop
+from crevasse.advise_search import Search
+from crevasse.results import named_points, number, parse_parameters
+
+ERROR_OF_BASE = 0.1  # of the steps with which meshes are compared
+EPILOG = """Files in DIR:
+  advised.prm   the scene with the settings found: crevasse advised.prm
+  advice.md     what was chosen and all that was measured, for people
+  advice.json   the same for scripts
+  runs/         the runs
+
+Example:
+  crevasse advise prm/raous1980.prm --error 1e-2
+
+Finished runs are not computed again: after an interruption, repeat the command.
+doc/advise.md explains the method.
+
+Exit status: as that of a run; 3 if the error is not reached with the largest meshes
+that are tried: the nearest settings are written then."""
+
+
+def target_error(text):
+    """Rounding and the contact solvers' tolerance are not far below 1e-8."""
+    error = number(text)
+    if error is None or not 1e-8 <= error < 1.:
+        raise argparse.ArgumentTypeError(
+            f"\"{text}\" is no relative error that could be reached: a number of at "
+            "least 1e-8 and less than 1, as 1e-3.")
+    return error
+
+
+def wall_time(text):
+    """Seconds; "3600", "1:00:00", "2-12:00:00"."""
+    clock = re.fullmatch(r"(?:(\d{1,4})-)?(\d{1,4}):([0-5]?\d):([0-5]?\d)", text)
+    if clock:
+        days, hours, minutes, seconds = (int(part or 0) for part in clock.groups())
+        return ((24 * days + hours) * 60 + minutes) * 60 + seconds
+    seconds = number(text)
+    if not seconds or not seconds > 0:
+        raise argparse.ArgumentTypeError(
+            f"\"{text}\" is no time: write seconds, hours:minutes:seconds, or "
+            "days-hours:minutes:seconds, as 3600, 1:00:00 or 2-12:00:00.")
+    return seconds
+
+
+def arguments(words):
+    parser = argparse.ArgumentParser(
+        prog="crevasse advise", description=__doc__, epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scene", type=pathlib.Path,
+                        help="the scene: a .prm or .json file")
+    parser.add_argument("--error", type=target_error, required=True, metavar="NUMBER",
+                        help="the relative error of the histories, as 1e-3")
+    parser.add_argument("--quantities", metavar="LIST", help="quantities that are to "
+                        "have it, separated by commas, as probe_mouth/u, "
+                        "crack_tip/K_I; without it u and s of all probes")
+    parser.add_argument("--set", action="append", default=[], metavar="ASSIGNMENT",
+                        help="\"Section/Name=value\": overrides a parameter of the "
+                        "scene; may be repeated")
+    parser.add_argument("--output", type=pathlib.Path, metavar="DIR",
+                        help="(results/<scene name>_advice)")
+    parser.add_argument("--quiet", action="store_true",
+                        help="print nothing but errors")
+    parser.add_argument("--wall-time", type=wall_time, metavar="TIME",
+                        help="stop after this time: seconds, hours:minutes:seconds, or "
+                        "days-hours:minutes:seconds")
+    return parser.parse_args(words)
+
+
+class Advice:
+    """What was asked for, and what was found."""
+
+    def __init__(self, options, program, log):
+        self.scene_file, self.target, self.log = options.scene, options.error, log
+        overrides = dict(text.partition("=")[::2] for text in options.set)
+        self.scene = parse_parameters(
+            program.parameters(options.scene, overrides))[0]
+        probes = dict(named_points(self.scene["Output/Probes"]))
+        quantities = choose_quantities(options.quantities, self.scene, probes)
+        self.directory = options.output or pathlib.Path(
+            (self.scene["Output directory"] or f"results/{options.scene.stem}")
+            + "_advice")
+        self.program, self.overrides = program, overrides
+        self.runs = Runs(program, options.scene, overrides, self.directory, log)
+        self.errors = Errors(self.runs, self.scene, quantities)
+        self.period = Period(self.scene, self.target)
+        self.common = {"Contact/Solver": "automatic", "Linear solver/Type": "automatic"}
+        for name in ("Contact/Relaxation table",):
+            if self.scene.get(name):
+                self.common[name] = ""
+        self.own = self.own_error = None
+
+    def settings(self, space, time, purpose):
+        return (self.common | space.settings | time.settings
+                | self.period.settings(time, purpose))
+
+    def run_pair(self, space, time, purpose):
+        return self.runs.run(
+            f"{space.name}__{time.name}{self.period.name(time, purpose)}",
+            self.settings(space, time, purpose))
+
+    def find(self):
+        in_time, in_space = families_in_time(self.scene), families_in_space(self.scene)
+        coarsest = self.coarsest_mesh(in_space[0], family_of("sdirk2", in_time))
+        self.period.choose(in_time, coarsest, self.common, self.runs, self.errors,
+                           self.log)
+        self.log("Time, on a coarse mesh:")
+        self.time = Search(
+            True, in_time, lambda steps: self.run_pair(coarsest, steps, SEARCH),
+            self.errors, self.log)
+        self.time.extend_to(PART_IN_TIME * self.target)
+        if not self.time.points:
+            raise CommandError("nothing could be run on the coarsest mesh: "
+                               + "; ".join(self.time.notes), 3)
+        self.errors.require_histories(self.time.points[0].run)
+        base = self.base_in_time()
+        self.log(f"Space, with {base.candidate.text}:")
+        self.space = Search(
+            False, in_space, lambda mesh: self.run_pair(mesh, base.candidate, SEARCH),
+            self.errors, self.log)
+        self.space.extend_to(PART_IN_SPACE * self.target)
+        if not self.space.points or not self.errors.counting():
+            raise CommandError("no history converges as the cells are halved, and no "
+                               "error can be reached: " + "; ".join(self.space.notes),
+                               3)
+        self.log("Both together:")
+        self.pairs = Pairs(self.space, self.time, base, self.target,
+                           self.period.times_the_periods, self.run_pair, self.errors)
+        self.reached = self.pairs.find()
+        self.best = self.pairs.best()
+
+    def coarsest_mesh(self, meshes, stable_steps):
+        """The first on which the scene is not refused, by a run of one period."""
+        steps = stable_steps.candidates[0]
+        for mesh in meshes.candidates[:meshes.refusals_that_pass + 1]:
+            trial = self.runs.run(
+                f"{mesh.name}__{steps.name}__one_period",
+                self.common | mesh.settings | steps.settings
+                | {"Periodic state/Method": "march",
+                   "Periodic state/Start from": "rest",
+                   "Periodic state/Tolerance": 0, "Periodic state/Maximum periods": 1})
+            if trial.usable:  # before much is computed
+                self.errors.require_histories(trial)
+            if trial.status != "refused":
+                return mesh
+        return meshes.candidates[0]
+
+    def base_in_time(self):
+        """The least work with errors that are small beside what happens."""
+        return min((point for point in self.time.points
+                    if point.error < ERROR_OF_BASE), key=lambda point: point.run.work,
+                   default=self.time.reference or self.time.points[0])
+
+    def write(self):
+        space, time = (point.candidate for point in self.pairs.points(self.best.pair))
+        self.choice = f"{space.text}; {time.text}; {self.period.text(time)}"
+        self.used = self.program.parameters(
+            self.scene_file, self.overrides | self.settings(space, time, RESULT)
+            | {"Output directory": ""})
+        self.advised = parse_parameters(self.used)[0]
+        advise_report.write(self.directory, self)
+        # Last: it may take longer than all else, and the advice is there already.
+        self.own = self.runs.run("original", {})
+        if self.own.has_results and self.best.reference:
+            self.own_error = self.errors.difference(self.own, self.best.reference)
+        advise_report.write(self.directory, self)
+        for line in advise_report.conclusion(self):
+            self.log(line)
+
+
+def take(directory):
+    """Keeps others out of the directory as long as the file is open."""
+    directory.mkdir(parents=True, exist_ok=True)
+    path = directory / "running"
+    file = open(path, "a+")
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise CommandError(f"Another run writes to {directory}. Choose another "
+                           "directory by --output DIR, or wait.", 4) from None
+    file.truncate(0)
+    file.write(f"process {os.getpid()} on {socket.gethostname()}\n")
+    file.flush()
+    return file
+
+
+def advise(options, stop):
+    lines = []
+
+    def log(line):
+        lines.append(line)
+        if not options.quiet:
+            print(line, flush=True)
+
+    program = Program(os.environ.get("CREVASSE_PROGRAM", "crevasse"), stop)
+    advice = Advice(options, program, log)
+    lock = take(advice.directory)
+    stop.file = advice.directory / "stop"
+    try:
+        log(f"Settings of {options.scene.name} for an error of {options.error:g}")
+        log("  compared is the periodic state: the last period, displacements without "
+            "their mean values" if advice.errors.periodic else
+            "  compared are all instants from rest")
+        advice.find()
+        advice.write()
+    finally:
+        (advice.directory / "advice.log").write_text("\n".join(lines) + "\n")
+        (advice.directory / "running").unlink(missing_ok=True)
+        lock.close()
+    if not advice.reached:
+        raise CommandError(
+            "the error is not reached: the nearest settings have an error of "
+            f"{advice.best.error:.2g}. {advice.directory}/advice.md tells how far each "
+            "kind of mesh and scheme was taken.", 3)
+
+
+def main(words):
+    try:
+        options = arguments(words)
+        advise(options, Stop(options.wall_time))
+    except CommandError as error:
+        print(f"crevasse advise: {error}", file=sys.stderr)
+        return error.status
+    except OSError as error:
+        print(f"crevasse advise: {error}", file=sys.stderr)
+        return 4
+    return 0

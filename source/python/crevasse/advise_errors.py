@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The quantities of an advice, and how they differ between two runs."""
+
+import difflib
+import math
+
+import numpy
+
+from crevasse.advise_candidates import has_lip
+from crevasse.advise_runs import CommandError
+
+PROBE = ("u", "s", "u_1", "u_2", "u_3", "s_11", "s_22", "s_33", "s_12", "s_13",
+         "s_23", "opening", "pressure")
+TABLES = {"contact": ("force", "largest_pressure"), "load_work": ("load_work",),
+          "crack_tip": ("K_I", "K_I_stress", "energy_release_rate", "strain_energy")}
+# These differ from mesh to mesh.
+OF_MESH = ("stress", "periods/stress_change", "contact/closed_nodes",
+           "crack_tip/K_I_error")
+# A stress or displacement that is so much smaller than at the other probes is zero
+# except for rounding.
+VANISHES = 1e-9
+SAME_INSTANT = 1e-9  # of the period
+
+
+def choose_quantities(text, scene, probes):
+    """Those of --quantities, or u and s of every probe."""
+    if scene["Periodic state/Maximum periods"] == "0":
+        raise CommandError("[Periodic state] Maximum periods = 0: nothing is "
+                           "marched, and no history has an error. Set it to at least "
+                           "1.", 2)
+    if text is None:
+        if not probes:
+            raise CommandError(
+                "the scene has no probes, and no history has an error. Name the "
+                "points whose displacement and stress matter, as --set "
+                "\"Output/Probes=mouth: 1, 0\", or other quantities, as --quantities "
+                "contact/force.", 2)
+        return [f"probe_{name}/{kind}" for name in probes for kind in "us"]
+    names = list(dict.fromkeys(map(str.strip, text.split(","))))
+    tables = {f"probe_{probe}": PROBE for probe in probes} | TABLES
+    problems = [f"--quantities {name}: {problem}" for name in names
+                if (problem := problem_of(name, scene, tables))]
+    if problems:
+        raise CommandError("\n".join(problems), 2)
+    return names
+
+
+def problem_of(name, scene, tables):
+    """None if the scene writes it."""
+    if name in OF_MESH:
+        return ("differs from mesh to mesh. Take columns of probes, contact, "
+                "crack_tip or load_work.")
+    table, slash, column = name.partition("/")
+    if table not in tables or not slash:
+        near = difflib.get_close_matches(table, tables, 1)
+        return ("is no quantity; allowed is TABLE/COLUMN with a table of: "
+                + ", ".join(tables) + (f"; did you mean {near[0]}?" if near else "."))
+    if column not in tables[table]:
+        return f"there is no such column; columns are: {', '.join(tables[table])}."
+    if table == "contact" and not has_lip(scene):
+        return "the scene has no contact."
+    if table == "crack_tip" and scene["Crack tip/Stress intensity"] != "true":
+        return "set [Crack tip] Stress intensity = true."
+    if table == "load_work" and scene["Output/Load work"] != "true":
+        return "set [Output] Load work = true."
+    return None
+
+
+class Errors:
+    """Relative differences of runs. Quantities can be left out."""
+
+    def __init__(self, runs, scene, quantities):
+        self.runs, self.quantities = runs, quantities
+        self.period = float(scene["Loads/Period"])
+        self.periodic = (float(scene["Periodic state/Tolerance"]) > 0
+                         or scene["Periodic state/Method"] != "march"
+                         or scene["Periodic state/Start from"] != "rest")
+        self.left_out = set()
+        self.known, self.tables = {}, {}
+
+    def counting(self):
+        return [name for name in self.quantities if name not in self.left_out]
+
+    def difference(self, one, reference):
+        """The largest of what counts."""
+        differences = self.differences(one, reference)
+        return max((differences[name] for name in self.counting()), default=0.)
+
+    def differences(self, one, reference):
+        """{quantity: relative difference}: infinite if unknown, 0 for
+        what vanishes in the reference."""
+        key = one.name, reference.name
+        if key not in self.known:
+            found = {name: self.compare(name, one, reference)
+                     for name in self.quantities}
+            largest = {}
+            for name, (_, size) in found.items():
+                column = name.split("/")[1]
+                largest[column] = max(largest.get(column, 0.), size or 0.)
+            self.known[key] = {
+                name: math.inf if size is None or not math.isfinite(difference) else
+                0. if size <= VANISHES * largest[name.split("/")[1]] else
+                difference / size for name, (difference, size) in found.items()}
+        return self.known[key]
+
+    def compare(self, quantity, one, reference):
+        """The largest difference, and the largest value of the reference; None if
+        there is no such column, or too few common instants."""
+        table, column = quantity.split("/")
+        mine, theirs = self.table(one, table), self.table(reference, table)
+        names = [name for name in theirs if name in mine
+                 and (name == column or column in ("u", "s")
+                      and name.startswith(column + "_"))]
+        if not names:
+            return math.inf, None
+        pairs = common_instants(mine["t"], theirs["t"], self.period)
+        if pairs is None:
+            return math.inf, None
+        difference = size = 0.
+        for name in names:
+            a, b, whole = mine[name][pairs[0]], theirs[name][pairs[1]], theirs[name]
+            if self.periodic and name.startswith("u_"):
+                a, whole, b = a - a.mean(), whole - b.mean(), b - b.mean()
+            difference = max(difference, abs(a - b).max())
+            size = max(size, abs(whole).max())
+        return difference, size
+
+    def table(self, run, name):
+        """The columns at the instants compared; empty if there is no table."""
+        key = run.name, name
+        if key not in self.tables:
+            path = self.runs.folder(run) / f"{name}.csv"
+            columns = {}
+            if path.is_file():
+                header = path.read_text().split("\n", 1)[0].split(",")
+                rows = numpy.loadtxt(path, delimiter=",", skiprows=1, ndmin=2)
+                columns = dict(zip(header, rows.T))
+            if self.periodic and columns:
+                t = columns["t"]
+                last = t >= t[-1] - (1 + SAME_INSTANT) * self.period
+                columns = {name: values[last] for name, values in columns.items()}
+                columns["t"] = columns["t"] - columns["t"][0]
+            self.tables[key] = columns
+        return self.tables[key]
+
+    def require_histories(self, run):
+        """What is compared must be written, and must not be zero."""
+        sizes = {name: self.compare(name, run, run)[1] for name in self.quantities}
+        for name, size in sizes.items():
+            if size is None:
+                raise CommandError(
+                    f"--quantities {name}: the scene does not write it. Probes have "
+                    "u_3 and stresses of it in space only, and opening and pressure "
+                    "on a lip.", 2)
+        if not any(sizes.values()):
+            raise CommandError(f"{run.name}: all that is compared is 0 at all "
+                               "instants, and has no relative error. Is the body "
+                               "loaded, and do the probes move?", 3)
+
+
+def common_instants(one, other, period):
+    """Rows of both with the same t; None if they are too few to tell an error: a
+    quarter of the rows, or ten a period."""
+    rows, i, j = [], 0, 0
+    while i < len(one) and j < len(other):
+        if abs(one[i] - other[j]) <= SAME_INSTANT * period:
+            rows.append((i, j))
+            i, j = i + 1, j + 1
+        elif one[i] < other[j]:
+            i += 1
+        else:
+            j += 1
+    if not rows or one[rows[-1][0]] <= SAME_INSTANT * period:
+        return None
+    if (4 * len(rows) < min(len(one), len(other))
+            and len(rows) < 10 * one[rows[-1][0]] / period):
+        return None
+    return numpy.array(rows).T

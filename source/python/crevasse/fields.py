@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""Reads the fields of one instant and makes them nodal."""
+
+import collections
+import re
+import xml.etree.ElementTree as ElementTree
+
+import meshio
+import numpy
+
+from crevasse.results import ResultsError, read_xml
+
+
+class Fields:
+    """Nodal fields on a conforming set of nodes: the program writes every cell
+    with points of its own, here those at the same place become one."""
+
+    def __init__(self, path):
+        self.path = path
+        points, quads, data = read_pieces(path)
+        # The grid of the keys is irrational to the coordinates, so that equal
+        # coordinates are not rounded apart.
+        self.grid = 1e-7 * numpy.pi * numpy.ptp(points, axis=0).max()
+        _, first, self.node = numpy.unique(self.keys(points), axis=0,
+                                           return_index=True,
+                                           return_inverse=True)
+        self.node = self.node.ravel()
+        self.points = points[first]
+        self.quads = self.node[quads]
+        self.first = first
+        self.data = data
+
+    def keys(self, points):
+        return numpy.round(points / self.grid).astype(numpy.int64)
+
+    def __getitem__(self, name):
+        """Mean over the points of each node."""
+        values = self.array(name)
+        count = numpy.bincount(self.node)
+        if values.ndim == 1:
+            return numpy.bincount(self.node, values) / count
+        return numpy.stack([numpy.bincount(self.node, column) / count
+                            for column in values[:, :2].T], axis=1)
+
+    def direction(self, name):
+        """As above for directions, which have no sign, in unit length."""
+        values = self.array(name)[:, :2]
+        turned = (values * values[self.first][self.node]).sum(axis=1) < 0
+        values = numpy.where(turned[:, None], -values, values)
+        sums = numpy.stack([numpy.bincount(self.node, column)
+                            for column in values.T], axis=1)
+        length = numpy.linalg.norm(sums, axis=1, keepdims=True)
+        return sums / numpy.where(length > 0, length, 1)
+
+    def array(self, name):
+        if name not in self.data:
+            raise ResultsError(f"{self.path}: there is no array {name}. Arrays: "
+                               f"{', '.join(sorted(self.data)) or 'none'}.")
+        return self.data[name]
+
+    def triangulation(self, wanted=20000):
+        """Triangles that follow the bilinear fields on about so many parts of
+        the quadrilaterals, and the function that carries nodal values over."""
+        n = int(numpy.clip((wanted / len(self.quads)) ** 0.5, 1, 16))
+        y, x = (numpy.mgrid[:n + 1, :n + 1] / n).reshape(2, -1)
+        weights = numpy.stack([(1 - x) * (1 - y), x * (1 - y), x * y,
+                               (1 - x) * y])
+
+        def spread(values):
+            return numpy.moveaxis(values[self.quads], 1, -1) @ weights
+
+        places = numpy.moveaxis(spread(self.points), 1, -1).reshape(-1, 2)
+        _, first, node = numpy.unique(self.keys(places), axis=0,
+                                      return_index=True, return_inverse=True)
+        node = node.reshape(len(self.quads), n + 1, n + 1)
+        a, b, c, d = (node[:, :-1, :-1].ravel(), node[:, :-1, 1:].ravel(),
+                      node[:, 1:, 1:].ravel(), node[:, 1:, :-1].ravel())
+        split = numpy.concatenate([numpy.stack([a, b, c], 1),
+                                   numpy.stack([a, c, d], 1)])
+        order = numpy.sort(split, axis=1)
+        split = split[(numpy.diff(order, axis=1) > 0).all(axis=1)]
+        return split, lambda values: spread(values).reshape(-1)[first]
+
+    def cell_edges(self, parts=1):
+        """Edges of the cells, of which each has that many quadrilaterals."""
+        if parts < 1 or len(self.quads) % parts:
+            parts = 1
+        cells = self.quads.reshape(-1, parts, 4)
+        edges = numpy.sort(numpy.stack([cells, numpy.roll(cells, -1, 2)], -1), -1)
+        cell = numpy.arange(len(cells)).repeat(4 * parts)
+        edges = numpy.column_stack([cell, edges.reshape(-1, 2)])
+        edges, count = numpy.unique(edges, axis=0, return_counts=True)
+        return numpy.unique(edges[count == 1, 1:], axis=0)
+
+    def outline(self):
+        """Edges of the body. An edge with a hanging node in its middle is seen
+        from one side only, as are its halves: all three are inside."""
+        edges = numpy.sort(numpy.stack([self.quads,
+                                        numpy.roll(self.quads, -1, 1)], -1), -1)
+        edges, count = numpy.unique(edges.reshape(-1, 2), axis=0,
+                                    return_counts=True)
+        single = {tuple(edge) for edge in edges[count == 1]}
+        neighbour = collections.defaultdict(set)
+        for a, b in single:
+            neighbour[a].add(b)
+            neighbour[b].add(a)
+        for a, b in list(single):
+            for middle in neighbour[a] & neighbour[b]:
+                centre = (self.points[a] + self.points[b]) / 2
+                if numpy.abs(self.points[middle] - centre).max() < 2 * self.grid:
+                    single -= {(a, b), tuple(sorted((a, middle))),
+                               tuple(sorted((middle, b)))}
+        return numpy.array(sorted(single))
+
+
+def read_pieces(path):
+    """Points, quadrilaterals and point data of a .vtu or of all of a .pvtu."""
+    files = [path]
+    if path.suffix == ".pvtu":
+        files = [path.parent / piece.get("Source")
+                 for piece in read_xml(path).iter("Piece")]
+    points, quads, data, shift = [], [], collections.defaultdict(list), 0
+    for file in files:
+        mesh = read_mesh(file)
+        if mesh is None:
+            continue
+        for block in mesh.cells:
+            if block.type != "quad":
+                raise ResultsError(f"{file}: has cells of type {block.type}; "
+                                   "only quadrilaterals are understood.")
+            quads.append(block.data.astype(numpy.int64) + shift)
+        points.append(mesh.points[:, :2].astype(float))
+        for name, values in mesh.point_data.items():
+            data[name].append(values.astype(float))
+        shift += len(mesh.points)
+    if not quads:
+        raise ResultsError(f"{path}: has no cells.")
+    return (numpy.concatenate(points), numpy.concatenate(quads),
+            {name: numpy.concatenate(parts) for name, parts in data.items()
+             if sum(map(len, parts)) == shift})
+
+
+def read_mesh(path):
+    """A .vtu file; None for that of a process without cells."""
+    try:
+        with open(path, "rb") as file:
+            if re.search(rb'NumberOfCells="0+"', file.read(4096)):
+                return None
+        return meshio.read(path)
+    except OSError as error:
+        raise ResultsError(f"{path}: cannot be read ({error}).") from None
+    except (meshio.ReadError, SystemExit, ValueError, KeyError, AssertionError,
+            ElementTree.ParseError):
+        raise ResultsError(f"{path}: is incomplete or in a form that meshio does "
+                           "not read.") from None

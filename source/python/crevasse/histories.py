@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""Charts of what a run has over time: probes, lip, stress intensity. A chart is
+what templates/charts.js draws: series, and views with the values of each."""
+
+import numpy
+
+from crevasse.plotting import BLUE, GREEN, INK, PURPLE, VERMILION
+
+COLOURS = (BLUE, VERMILION, GREEN, PURPLE, INK, "#E69F00")
+MOST_ROWS = 2000
+BEARS = 1e-6  # pressures below this part of the largest stress are noise
+ROUNDING = 1e-9  # so are values below this part of the largest of their kind
+
+
+def probe_charts(run, name):
+    """Displacement, stress and, on a lip, opening and pressure of a probe."""
+    table = run.tables[f"probe_{name}.csv"]
+    for kind, prefix, axis in (("displacement", "u_", "u (length)"),
+                               ("stress", "s_", "s (stress)"),
+                               ("opening", "opening", "u_N − gap (length)"),
+                               ("contact pressure", "pressure", "g (stress)")):
+        columns = [column for column in table if column.startswith(prefix)
+                   and not vanishes(table, column)]
+        if columns:
+            yield chart(run, table, columns, axis, f"{name}: {kind}",
+                        noise=ROUNDING * largest(table, kind))
+
+
+def largest(table, kind):
+    """Of all displacements, to which openings belong, or of all stresses."""
+    first = "u_" if kind in ("displacement", "opening") else "s_"
+    return max(abs(values).max() for column, values in table.items()
+               if column.startswith(first))
+
+
+def vanishes(table, column):
+    """s_33 of plane stress says nothing."""
+    return column == "s_33" and not table[column].any()
+
+
+def lip_charts(run):
+    """Force on the lip and how much of it is closed."""
+    table = run.tables["contact.csv"]
+    presses = table["largest_pressure"].max() > BEARS * largest_stress(run)
+    yield chart(run, table, ["force"],
+                "force" if run.dimension == 3 else "force per thickness",
+                "Contact force on the lip",
+                noise=ROUNDING * table["force"].max() if presses else numpy.inf)
+    yield chart(run, table, ["closed_nodes"], "closed nodes", "Closed nodes of "
+                f"the lip (it has {nodes_of_lip(run)})")
+
+
+def stress_intensity_charts(run):
+    table = run.tables["crack_tip.csv"]
+    columns = [column for column in table if column.startswith("K_I")
+               and column != "K_I_error"]
+    yield chart(run, table, columns, "K (stress × √length)",
+                "Stress intensity")
+    yield chart(run, table, ["energy_release_rate"], "force / length",
+                "Energy release rate, both halves")
+
+
+def load_work_charts(run):
+    yield chart(run, run.tables["load_work.csv"], ["load_work"], "force × length",
+                "Work ∫ loads · u")
+
+
+def chart(run, table, columns, axis, title, noise=0):
+    """With the whole run, thinned where it is long, and its last period. What is
+    noise is drawn as zero."""
+    t = table["t"]
+    values = [numpy.where(abs(table[column]) > noise, table[column], 0)
+              for column in columns]
+    views = {"whole": view(t, values, thin_rows(values))}
+    begin = last_period(t, run.period)
+    if begin is not None:
+        views["last"] = view(t, values, numpy.flatnonzero(
+            t >= begin - 1e-6 * run.period))
+    return {"kind": "history", "title": title, "y": axis, "period": run.period,
+            "series": [{"label": symbol(column), "colour": colour}
+                       for column, colour in zip(columns, COLOURS)],
+            "views": views}
+
+
+def view(t, values, rows):
+    return {"t": rounded(t[rows], 9), "values": [rounded(v[rows]) for v in values]}
+
+
+def rounded(values, digits=6):
+    """With the digits that can be seen."""
+    return [float(f"{value:.{digits}g}") for value in values]
+
+
+def thin_rows(values):
+    """Rows that show the same: of each of many stretches the extremes."""
+    rows = len(values[0])
+    if rows <= MOST_ROWS:
+        return numpy.arange(rows)
+    stretches = numpy.array_split(numpy.arange(rows),
+                                  MOST_ROWS // (2 * len(values)))
+    kept = {0, rows - 1}
+    for stretch in stretches:
+        for column in values:
+            kept |= {stretch[column[stretch].argmin()],
+                     stretch[column[stretch].argmax()]}
+    return numpy.array(sorted(kept))
+
+
+def last_period(t, period):
+    """Its beginning, one period before the end: a run that was stopped may have
+    ended within a period. None where that is nearly the whole run."""
+    if t[-1] - t[0] < 1.5 * period:
+        return None
+    return t[-1] - period
+
+
+def symbol(column):
+    """u_1 as it is written: with indices below."""
+    words = {"K_I_stress": "K_I by the fit to the stress",
+             "K_I_singular": "K_I of the singular function",
+             "energy_release_rate": "G", "closed_nodes": "closed nodes", "load_work": "work"}
+    kind, _, index = column.partition("_")
+    if not index.isdigit():
+        return words.get(column, column)
+    return kind + index.translate(str.maketrans("123", "₁₂₃"))
+
+
+def nodes_of_lip(run):
+    return run.summary.get("contact_nodes") or int(
+        run.tables["contact.csv"]["closed_nodes"].max())
+
+
+def lip_intervals(run):
+    """[begin, end, state] of "closed" and "partly closed" stretches of time;
+    between them the lip is open. A node that touches without pressing is open:
+    so the lip is at rest."""
+    table = run.tables.get("contact.csv")
+    if table is None:
+        return []
+    presses = table["largest_pressure"] > BEARS * largest_stress(run)
+    closed = table["closed_nodes"] >= nodes_of_lip(run)
+    states = numpy.where(presses, numpy.where(closed, 2, 1), 0)
+    t = table["t"]
+    middle = numpy.concatenate([t[:1], (t[1:] + t[:-1]) / 2, t[-1:]])
+    changes = numpy.flatnonzero(numpy.diff(states)) + 1
+    ends = [0, *changes, len(t)]
+    return [[float(middle[a]), float(middle[b]), int(states[a])]
+            for a, b in zip(ends[:-1], ends[1:]) if states[a]]
+
+
+def largest_stress(run):
+    """Of the run: much smaller pressures are noise."""
+    sizes = [run.summary_number("extremes", "stress") or 0,
+             abs(run.tables["contact.csv"]["largest_pressure"]).max()]
+    for name, table in run.tables.items():
+        if name.startswith("probe_"):
+            sizes += [abs(values).max() for column, values in table.items()
+                      if column.startswith("s_")]
+    return max(sizes)
+
+
+def share_of_states(run, intervals):
+    """Parts of the last period, or of the run, in which the lip is closed,
+    partly closed and open."""
+    t = run.tables["contact.csv"]["t"]
+    begin = last_period(t, run.period)
+    begin = t[0] if begin is None else begin
+    length = t[-1] - begin
+    if length <= 0:
+        return None
+    parts = {state: sum(max(0, min(b, t[-1]) - max(a, begin))
+                        for a, b, s in intervals if s == state) / length
+             for state in (2, 1)}
+    return {"closed": parts[2], "partly": parts[1],
+            "open": 1 - parts[1] - parts[2]}

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""Parameters, points and XML files, as runs write them."""
+
+import xml.etree.ElementTree as ElementTree
+
+
+class ResultsError(Exception):
+    """Something is wrong with the results directory; the text says what."""
+
+
+def number(text):
+    """None if the text is no number."""
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def read_parameters(path):
+    """See below. Titles and names of files may be of any encoding."""
+    try:
+        return parse_parameters(path.read_text(encoding="utf-8", errors="replace"),
+                                path)
+    except OSError as error:
+        raise ResultsError(f"{path}: cannot be read ({error}).") from None
+
+
+def parse_parameters(text, source="used.prm"):
+    """({"Section/Name": value}, {"Section/Name": default}) of deal.II's parameter
+    format; the program writes defaults of the parameters that differ from them."""
+    values, defaults, section = {}, {}, []
+    for line_number, line in enumerate(text.splitlines(), 1):
+        words, mark, default = line.partition("# default:")
+        words = words.split("#")[0].strip()
+        if words.startswith("subsection "):
+            section.append(words.split(None, 1)[1])
+        elif words == "end":
+            if not section:
+                raise ResultsError(f"{source}: line {line_number}: end without a "
+                                   "subsection.")
+            section.pop()
+        elif words.startswith("set ") and "=" in words:
+            name, value = words[4:].split("=", 1)
+            name = "/".join(section + [name.strip()])
+            values[name] = value.strip()
+            if mark:
+                defaults[name] = default.strip()
+    return values, defaults
+
+
+def named_points(text):
+    """Name and coordinates of each entry of "A: 0, 0; B: 1, 0"."""
+    for entry in filter(None, map(str.strip, text.split(";"))):
+        name, _, point = entry.rpartition(":")
+        try:
+            yield name.strip(), tuple(map(float, point.split(",")))
+        except ValueError:
+            pass  # a formula or a form of a later version: not drawn
+
+
+def read_xml(path):
+    try:
+        return ElementTree.parse(path).getroot()
+    except (OSError, ElementTree.ParseError) as error:
+        raise ResultsError(f"{path}: cannot be read ({error}).") from None

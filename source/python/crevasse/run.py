@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""Reads what a run has written, whole or not, and notes what is damaged."""
+
+import collections
+import csv
+import pathlib
+import re
+
+import numpy
+
+from crevasse import summary_file
+from crevasse.results import (ResultsError, named_points, number, read_parameters,
+                              read_xml)
+
+Period = collections.namedtuple("Period", "number, begin, end")
+
+# Tables in which "nan" means unknown.
+MAY_BE_UNKNOWN = {"periods.csv": ("stress_change", "stress_error_estimate")}
+ROW_A_STEP = ("probe_", "contact.", "crack_tip.", "load_work.")
+TABLES_OF_EFFECTS = {"contact": "contact.csv", "stress intensity": "crack_tip.csv"}
+# Columns that the charts take; a later version may have others, too.
+COLUMNS = {"probe_": ("t", "u_1", "s_11"),
+           "contact.": ("t", "closed_nodes", "force", "largest_pressure"),
+           "crack_tip.": ("t", "K_I", "energy_release_rate"),
+           "load_work.": ("t", "load_work"),
+           "periods.": ("period", "t_end", "stress_change",
+                        "stress_error_estimate"),
+           "relaxation.": ("relaxation_factor", "iterations")}
+EFFECT = re.compile(r"^  (\S.*?)\s+(on|off) +\((.*)\)$", re.M)
+MESH = re.compile(r"^  mesh: (\d+) cells, (\d+) unknowns, (\d+) quadrature "
+                  r"points(?:, (\d+) contact nodes)?", re.M)
+
+
+class Run:
+    """One run, finished or not. Its summary is empty as long as it has none, and
+    what cannot be read is in the list of damages and nowhere else."""
+
+    def __init__(self, directory):
+        self.directory = pathlib.Path(directory)
+        if not self.directory.is_dir():
+            raise ResultsError(f"{directory}: no such directory. Run the scene "
+                               "first, and give its output directory.")
+        if not (self.directory / "used.prm").is_file():
+            raise ResultsError(f"{directory}: there is no used.prm. This is not the "
+                               "output directory of a run.")
+        self.parameters, self.defaults = read_parameters(self.directory / "used.prm")
+        self.period = self.number("Loads/Period")
+        if not self.period > 0:
+            raise ResultsError(f"{directory}/used.prm: Loads/Period = "
+                               f"{self.period:g} is not a period.")
+        self.damages = []
+        self.log = self.read_log()
+        self.finished = (self.directory / "summary.json").is_file()
+        self.summary = self.read_summary() if self.finished else {}
+        if not self.summary:
+            self.summary = self.summary_of_log()
+        self.tables = {}
+        for path in sorted(self.directory.glob("*.csv")):
+            if path.name.startswith(tuple(COLUMNS)):  # not what others left there
+                self.read_table(path)
+        if self.finished:
+            self.require_tables()
+            self.compare_lengths()
+        self.probes = {name: point for name, point
+                       in named_points(self.parameter("Output/Probes"))
+                       if f"probe_{name}.csv" in self.tables}
+
+    def parameter(self, name):
+        return self.parameters.get(name, "")
+
+    def number(self, name):
+        value = number(self.parameter(name))
+        if value is None:
+            raise ResultsError(f"{self.directory}/used.prm: {name} is not given as a "
+                               "number.")
+        return value
+
+    def read_log(self):
+        """The log of the last start; a run that was resumed has several."""
+        try:
+            text = (self.directory / "log.txt").read_text(encoding="utf-8",
+                                                          errors="replace")
+        except OSError:
+            return ""
+        starts = [match.start() for match
+                  in re.finditer(r"^Crevasse \d\S*: ", text, re.M)]
+        return text[starts[-1]:] if starts else text
+
+    def read_summary(self):
+        path = self.directory / "summary.json"
+        summary, troubles = summary_file.read(path)
+        for trouble in troubles:
+            self.note(path, trouble)
+        return summary
+
+    def summary_of_log(self):
+        """What the log says of a run without summary: effects and sizes."""
+        summary = {"effects": {name: {"on": state == "on", "why": why} for
+                               name, state, why in EFFECT.findall(self.log)}}
+        if sizes := MESH.search(self.log):
+            names = "cells", "unknowns", "quadrature_points", "contact_nodes"
+            summary |= {name: int(size or 0)
+                        for name, size in zip(names, sizes.groups())}
+        return summary
+
+    @property
+    def dimension(self):
+        return 3 if self.parameter("Dimension") == "3" else 2
+
+    def read_table(self, path):
+        """Into the tables if it is whole. The last row of a run that is going
+        on may be half written and is left out then."""
+        try:
+            with open(path, newline="", encoding="utf-8") as file:
+                header, *rows = list(csv.reader(file)) or [[]]
+        except (OSError, ValueError, csv.Error) as error:
+            return self.note(path, f"{error}")
+        if not self.finished and not ends_with_line(path):
+            rows = rows[:-1]
+        if not header:
+            return self.note(path, "is empty") if self.finished else None
+        for number, row in enumerate(rows, 2):
+            if len(row) != len(header):
+                return self.note(path, f"line {number} has {len(row)} of "
+                                       f"{len(header)} columns")
+        try:
+            values = numpy.array(rows, dtype=float).reshape(-1, len(header))
+        except ValueError as error:
+            return self.note(path, f"{error}")
+        table = dict(zip(header, values.T))
+        if trouble := self.trouble_with(path.name, table):
+            return self.note(path, trouble)
+        if len(rows):
+            self.tables[path.name] = table
+
+    def trouble_with(self, name, table):
+        """What is wrong with columns or numbers; None if nothing is."""
+        for column in columns_of(name):
+            if column not in table:
+                return f"has no column {column}"
+        for column, values in table.items():
+            if (name in MAY_BE_UNKNOWN and column in MAY_BE_UNKNOWN[name]
+                    or name == "relaxation.csv"):
+                continue
+            bad = numpy.flatnonzero(~numpy.isfinite(values))
+            if len(bad):
+                return (f"line {bad[0] + 2}: {column} is {values[bad[0]]:g}")
+        t = table.get("t", numpy.zeros(0))
+        back = numpy.flatnonzero(numpy.diff(t) < 0)
+        if len(back):
+            return f"line {back[0] + 3}: t goes back"
+        if name.startswith(ROW_A_STEP) and not len(t):
+            return "has no row" if self.finished else None
+        return None
+
+    def require_tables(self):
+        """Those that a finished run must have written."""
+        if self.summary.get("periods") == 0:
+            return
+        names = ["periods.csv"]
+        names += [f"probe_{name}.csv" for name, _ in
+                  named_points(self.parameter("Output/Probes"))]
+        names += [name for effect, name in TABLES_OF_EFFECTS.items()
+                  if self.summary.get("effects", {}).get(effect, {}).get("on")]
+        for name in names:
+            if not (self.directory / name).is_file():
+                self.note(self.directory / name, "is missing")
+
+    def compare_lengths(self):
+        """The tables of a finished run have a row for each step. What is shorter
+        would look as if nothing happened later."""
+        lengths = {name: len(table["t"]) for name, table in self.tables.items()
+                   if "t" in table and name.startswith(ROW_A_STEP)}
+        longest = max(lengths.values(), default=0)
+        for name, length in lengths.items():
+            if length < longest:
+                self.note(self.directory / name,
+                          f"ends after {length} rows, others have {longest}")
+                del self.tables[name]
+
+    def history(self, probe, wanted=None):
+        """Time series of a probe over a period (counted from 1; None: the last
+        that is complete), and that period."""
+        name = f"probe_{probe}.csv"
+        if name not in self.tables:
+            raise ResultsError(f"{self.directory}: there is no probe {probe} with "
+                               f"rows. Probes: {', '.join(self.probes) or 'none'}.")
+        t = self.tables[name]["t"]
+        slack = 1e-6 * self.period
+        complete = int((t[-1] - t[0] + slack) // self.period)
+        if complete < 1:
+            raise ResultsError(f"{self.directory}/{name}: ends at t = {t[-1]:g}, "
+                               f"before the first period ({self.period:g}) is over.")
+        period = wanted or complete
+        if not 1 <= period <= complete:
+            raise ResultsError(f"{self.directory}/{name}: period {period} is not "
+                               f"there; complete periods: 1 to {complete}.")
+        begin = t[0] + (period - 1) * self.period
+        inside = (t >= begin - slack) & (t <= begin + self.period + slack)
+        return ({column: values[inside]
+                 for column, values in self.tables[name].items()},
+                Period(period, begin, begin + self.period))
+
+    def instants(self):
+        """(t, file) of every stored field; empty where none were wanted."""
+        path = self.directory / "solution.pvd"
+        if not path.is_file():
+            return []
+        try:
+            return [(float(record.attrib["timestep"]),
+                     self.directory / record.attrib["file"])
+                    for record in read_xml(path).iter("DataSet")]
+        except (KeyError, ValueError) as error:
+            raise ResultsError(f"{path}: cannot be read ({error}).") from None
+
+    def choose_instant(self, within_period):
+        """The stored field nearest to that time within the period; of several
+        that are equally near, the last."""
+        def distance(instant):
+            shift = (instant[0] - within_period) / self.period
+            return round(abs(shift - round(shift)), 6)
+        return min(reversed(self.instants()), key=distance)
+
+    def note(self, path, trouble):
+        self.damages.append(f"{path.name}: {trouble.rstrip('.')}.")
+
+    def summary_number(self, *names):
+        """A number of the summary by its path; None if there is none."""
+        value = self.summary
+        for name in names:
+            value = value.get(name) if isinstance(value, dict) else None
+        return value if isinstance(value, (int, float)) and not isinstance(
+            value, bool) else None
+
+
+def columns_of(name):
+    """Those that a table of this name must have."""
+    return next(columns for begin, columns in COLUMNS.items()
+                if name.startswith(begin))
+
+
+def ends_with_line(path):
+    """Whether the last row of a table is complete."""
+    text = path.read_bytes()
+    return not text or text.endswith(b"\n")

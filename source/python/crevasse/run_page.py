@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The report of one run: gathers what templates/run.html shows."""
+
+import datetime
+import math
+import os
+
+from crevasse import histories, paper
+from crevasse.ending import checkpoint, ending_of
+from crevasse.page import render
+from crevasse.plotting import BLUE, GREY, VERMILION
+from crevasse.results import number
+from crevasse.run import Run
+
+PARTS_OF_PHASES = {"harmonics": "direct in time",
+                   "periodic contact": "direct in time"}
+
+
+def page(directory):
+    """The text, what to say of the run, and what is damaged."""
+    run = Run(directory)
+    ending = ending_of(run)
+    pictures, missing = paper.pictures(run)
+    groups = history_groups(run)
+    convergence = convergence_chart(run)
+    charts = [chart for group in groups for chart in group["charts"]]
+    relaxation = relaxation_chart(run)
+    charts += [chart for chart in (convergence, relaxation) if chart]
+    for k, chart in enumerate(charts):
+        chart["id"] = f"chart{k}"
+    shades = histories.lip_intervals(run)
+    lip = "contact.csv" in run.tables
+    text = render(
+        "run.html", run=run, summary=run.summary, ending=ending,
+        title=run.parameter("Title") or directory.resolve().name,
+        directory=directory.resolve(), written=time_of(run),
+        changed=changed_parameters(run), pictures=pictures, missing=missing,
+        groups=groups, convergence=convergence, relaxation=relaxation,
+        shares=histories.share_of_states(run, shades) if lip else None,
+        lip=lip, presses=bool(shades),
+        periods=run.tables.get("periods.csv"), phases=phases(run),
+        thinned=is_thinned(charts),
+        several=any("last" in chart.get("views", ()) for chart in charts),
+        data={"charts": charts, "shades": shades, "lip": lip})
+    return text, list(notes_on(run, ending)), run.damages
+
+
+def notes_on(run, ending):
+    """What is said of a run that is not simply done, and what to do."""
+    if ending.kind != "good":
+        yield f"{ending.heading}." + (f" {checkpoint(run)}" if ending.kind == "bad"
+                                      and not run.finished else "")
+
+
+def time_of(run):
+    """When the newest of the files that tell the end was written."""
+    times = [os.path.getmtime(run.directory / name)
+             for name in ("summary.json", "log.txt", "used.prm")
+             if (run.directory / name).is_file()]
+    return datetime.datetime.fromtimestamp(max(times)).strftime("%Y-%m-%d %H:%M")
+
+
+def changed_parameters(run):
+    """(name, value, default) of those that are not the default."""
+    return [(name, run.parameters[name], default)
+            for name, default in run.defaults.items()]
+
+
+def history_groups(run):
+    """Charts over time: of each probe, the lip, and the crack tip."""
+    groups = []
+    for name in run.tables:
+        if name.startswith("probe_"):
+            probe = name[len("probe_"):-len(".csv")]
+            point = ", ".join(f"{x:g}" for x in run.probes.get(probe, ()))
+            groups.append({
+                "heading": f"Probe {probe}" + (f" ({point})" if point else ""),
+                "charts": list(histories.probe_charts(run, probe))})
+    if "contact.csv" in run.tables:
+        groups.append({"heading": "The lip as a whole",
+                       "charts": list(histories.lip_charts(run))})
+    if "crack_tip.csv" in run.tables:
+        groups.append({"heading": "Crack tip", "charts":
+                       list(histories.stress_intensity_charts(run))})
+    if "load_work.csv" in run.tables:
+        groups.append({"heading": "Loads", "charts":
+                       list(histories.load_work_charts(run))})
+    return groups
+
+
+def relaxation_chart(run):
+    """The paper's Table 1: iterations of SOR by relaxation factor."""
+    table = run.tables.get("relaxation.csv")
+    if table is None:
+        return None
+    order = table["relaxation_factor"].argsort()
+    return {"kind": "points", "title": "Table 1: iterations of SOR",
+            "x": "relaxation factor", "y": "iterations", "log": ["y"],
+            "series": [points(label, colour, table["relaxation_factor"][order],
+                              table[column][order])
+                       for column, label, colour in
+                       (("iterations", "to the residual of a direct solver", BLUE),
+                        ("iterations_27_bits", "to that of 27 bits", VERMILION))
+                       if column in table]}
+
+
+def is_thinned(charts):
+    return any(len(chart["views"]["whole"]["t"]) > histories.MOST_ROWS / 2
+               and "last" in chart["views"] for chart in charts
+               if chart["kind"] == "history")
+
+
+def convergence_chart(run):
+    """Change and estimated error of the stress by period; None if there is one
+    period only."""
+    table = run.tables.get("periods.csv")
+    if table is None or len(table["period"]) < 2:
+        return None
+    series = [points("change from the period before", BLUE, table["period"][1:],
+                     table["stress_change"][1:]),
+              points("estimated error", VERMILION, table["period"],
+                     table["stress_error_estimate"])]
+    tolerance = number(run.parameter("Periodic state/Tolerance"))
+    if tolerance:
+        ends = table["period"][[0, -1]]
+        series.append(points("tolerance", GREY, ends, [tolerance, tolerance])
+                      | {"bare": True})
+    return {"kind": "points", "title": "Way to the periodic state",
+            "x": "period", "y": "relative to the largest stress",
+            "log": ["y"], "whole": True, "series": series}
+
+
+def points(label, colour, xs, ys):
+    """A line through those that a logarithmic axis can show."""
+    return {"label": label, "colour": colour,
+            "points": [[float(x), float(y)] for x, y in zip(xs, ys)
+                       if math.isfinite(y) and y > 0]}
+
+
+def phases(run):
+    """(phase, seconds, part of the whole, is it part of the one before)."""
+    seconds = {name: value for name, value
+               in run.summary.get("seconds", {}).items()
+               if isinstance(value, (int, float))}
+    total = seconds.pop("total", 0)
+    if not total > 0:
+        return []
+    seconds.pop("vi_mean", None), seconds.pop("back_solve_mean", None)
+    parts = {name: seconds.pop(name) for name in PARTS_OF_PHASES
+             if name in seconds}
+    rows = []
+    for name, value in seconds.items():
+        rows.append((name, value, value / total, False))
+        rows += [(part, parts[part], parts[part] / total, True)
+                 for part in parts if PARTS_OF_PHASES[part] == name]
+    rest = total - sum(seconds.values())
+    if rest > 0:
+        rows.append(("mesh, output and all else", rest, rest / total, False))
+    return rows + [("total", total, 1, False)]

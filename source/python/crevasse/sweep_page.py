@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The report of a sweep: what accuracy costs, which points no other one beats,
+and, where a parameter of the problem itself varies, what the points found."""
+
+import json
+import math
+import re
+
+from crevasse import summary_file, sweep_table
+from crevasse.histories import COLOURS
+from crevasse.page import render
+from crevasse.plotting import INK
+from crevasse.results import ResultsError, number
+from crevasse.run import Run
+
+MARKERS = ("circle", "rect", "triangle", "rectRot", "crossRot", "star")
+COSTS = {"seconds": "wall time (s)", "vi_solves": "contact problems",
+         "linear_solves": "linear solves"}
+# What a point has found, by its path in summary.json.
+FINDINGS = {
+    "largest stress": ("extremes", "stress"),
+    "largest opening": ("extremes", "opening"),
+    "largest K_I": ("crack_tip", "K_I", "largest"),
+    "smallest K_I": ("crack_tip", "K_I", "smallest"),
+    "C*": ("crack_tip", "C_star"),
+    "da/dN": ("crack_tip", "da_dN")}
+
+
+def page(directory):
+    """The text, what to say of the sweep, and what is damaged."""
+    rows = sweep_table.read_rows(directory)
+    description, damages = read_description(directory)
+    quantities = sweep_table.quantities(rows)
+    along, others, lines = sweep_table.lines_of(rows)
+    findings = find(directory, rows, damages)
+    studies = [study(rows, lines, quantity) for quantity in quantities]
+    charts = [chart for part in studies for chart in part["charts"]]
+    found = finding_charts(findings, lines, along)
+    charts += found
+    for k, chart in enumerate(charts):
+        chart["id"] = f"chart{k}"
+    unfinished = points_to_come(directory, rows)
+    text = render(
+        "sweep.html", title=description.get("title") or f"Sweep {directory.name}",
+        directory=directory.resolve(), rows=rows,
+        names=sweep_table.parameters(rows), values=values(rows), along=along,
+        quantities=quantities, studies=studies, unfinished=unfinished,
+        reference=description.get("reference", {}), findings=findings,
+        found=found, damages=damages, states=states(rows),
+        scene=scene_of(directory, rows), costs=COSTS,
+        shown=first_with_points(studies, rows, quantities),
+        data={"charts": charts, "shades": [], "lip": False})
+    return text, [unfinished] * bool(unfinished), damages
+
+
+def read_description(directory):
+    """Title and reference, of sweep.json."""
+    path = directory / "sweep.json"
+    try:
+        description = json.loads(path.read_text(encoding="utf-8"))
+        if isinstance(description, dict):
+            return description, []
+        return {}, [f"{path.name}: is not a description of a sweep."]
+    except (OSError, ValueError) as error:
+        return {}, [f"{path.name}: {error}."]
+
+
+def values(rows):
+    """The values of each varied parameter, in the order of the points."""
+    return {name: list(dict.fromkeys(row[name] for row in rows))
+            for name in sweep_table.parameters(rows)}
+
+
+def states(rows):
+    """How many points ended how."""
+    counts = {}
+    for row in rows:
+        counts[row["status"]] = counts.get(row["status"], 0) + 1
+    return counts
+
+
+def points_to_come(directory, rows):
+    """What the log says of points that are not in the table; nothing if the
+    sweep is whole."""
+    try:
+        text = (directory / "sweep.log").read_text(errors="replace")
+    except OSError:
+        return ""
+    planned = re.findall(r"^  \d+ of (\d+): ", text, re.M)
+    if not planned or int(planned[-1]) <= len(rows):
+        return ""
+    return (f"Not finished: {len(rows)} of {planned[-1]} points are done. Repeat the "
+            "command to continue.")
+
+
+def words(row, names):
+    """The parameters of a point, shown when hovering over it."""
+    return [f"{name.split('/')[-1]} = {row[name]}" for name in names]
+
+
+def study(rows, lines, quantity):
+    """Error of one quantity against costs: charts, and the points of the Pareto
+    fronts by their cost."""
+    charts, fronts = [], {}
+    for cost in chosen_costs(rows):
+        series, best = work_precision_series(rows, lines, quantity, cost)
+        if series:
+            charts.append({"kind": "points", "x": COSTS[cost], "log": ["x", "y"],
+                           "y": "relative error", "series": series,
+                           "title": f"Error of {quantity} against {COSTS[cost]}"})
+            fronts[cost] = {row["point"] for row in best}
+    return {"quantity": quantity, "charts": charts, "fronts": fronts}
+
+
+def chosen_costs(rows):
+    """Wall time, and contact problems; where there are none, linear solves."""
+    contact = any(number(row["vi_solves"]) for row in rows)
+    return "seconds", "vi_solves" if contact else "linear_solves"
+
+
+def work_precision_series(rows, lines, quantity, cost):
+    """The lines of a chart, and the points on its Pareto front."""
+    error = "error:" + quantity
+    names = sweep_table.parameters(rows)
+    series = []
+    for k, (label, members) in enumerate(lines):
+        shown = [row for row in members if drawable(row, cost, error)]
+        if shown:
+            series.append({
+                "label": label or quantity, "colour": COLOURS[k % len(COLOURS)],
+                "marker": MARKERS[k % len(MARKERS)],
+                "points": [[number(row[cost]), number(row[error]),
+                            words(row, names) + not_done(row)] for row in shown]})
+    best = pareto_front([row for row in rows if drawable(row, cost, error)], cost,
+                        error)
+    if series:
+        series.append({"label": "no other point is cheaper and as accurate",
+                       "colour": INK, "hollow": True, "loose": True,
+                       "points": [[number(row[cost]), number(row[error])]
+                                  for row in best]})
+    return series, best
+
+
+def not_done(row):
+    return [] if row["status"] == "done" else [row["status"]]
+
+
+def drawable(row, cost, error):
+    """Whether logarithmic axes can show it."""
+    return (0 < (number(row[cost]) or 0) < math.inf
+            and 0 < (number(row[error]) or 0) < math.inf)
+
+
+def pareto_front(rows, cost, error):
+    """Points than which no other one has a smaller cost and a smaller error."""
+    best, least = [], float("inf")
+    for row in sorted(rows, key=lambda row: (number(row[cost]),
+                                             number(row[error]))):
+        if number(row[error]) < least:
+            least = number(row[error])
+            best.append(row)
+    return best
+
+
+def first_with_points(studies, rows, quantities):
+    """The quantity that is shown first."""
+    if not quantities:
+        return None
+    first = sweep_table.first_of_size(rows, quantities)
+    drawn = [part["quantity"] for part in studies if part["charts"]]
+    return first if first in drawn or not drawn else drawn[0]
+
+
+def find(directory, rows, damages):
+    """What the points found: {finding: {point: value}}."""
+    found = {name: {} for name in FINDINGS}
+    for row in rows:
+        path = directory / row["point"]
+        if not (path / "summary.json").is_file():
+            continue
+        summary, troubles = summary_file.read(path / "summary.json")
+        damages += [f"{row['point']}/summary.json: {trouble.rstrip('.')}."
+                    for trouble in troubles]
+        for name, keys in FINDINGS.items():
+            value = summary
+            for key in keys:
+                value = value.get(key) if isinstance(value, dict) else None
+            if isinstance(value, (int, float)) and math.isfinite(value):
+                found[name][row["point"]] = value
+    return {name: points for name, points in found.items()
+            if points and changes(points.values())}
+
+
+def changes(values):
+    """By more than the errors that a study of accuracy is about."""
+    return max(values) - min(values) > 0.01 * max(map(abs, values))
+
+
+def finding_charts(findings, lines, along):
+    """Against the parameter with the most numbers."""
+    charts = []
+    for name, points in findings.items():
+        series = []
+        for k, (label, members) in enumerate(lines):
+            shown = [[number(row[along]), points[row["point"]]] for row in members
+                     if row["point"] in points and number(row[along]) is not None]
+            if len(shown) > 1:
+                series.append({"label": label or name, "points": shown,
+                               "colour": COLOURS[k % len(COLOURS)],
+                               "marker": MARKERS[k % len(MARKERS)]})
+        if series:
+            charts.append({"kind": "points", "title": name, "y": name,
+                           "x": along.split("/")[-1], "series": series})
+    return charts
+
+
+def scene_of(directory, rows):
+    """One of the runs. The scenes differ in the varied parameters only."""
+    for name in ["reference", *(row["point"] for row in rows)]:
+        try:
+            return Run(directory / name)
+        except ResultsError:
+            continue
+    return None

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The table of a sweep: its rows, and the lines that its points form."""
+
+import csv
+
+from crevasse.results import ResultsError, number
+
+COSTS = {"vi_solves": "variational inequalities",
+         "linear_solves": "linear solves",
+         "seconds": "wall time (s)",
+         "processor_seconds": "CPU time (s)",
+         "seconds_time_stepping": "wall time of the time stepping (s)"}
+
+
+def read_rows(directory):
+    path = directory / "sweep.csv"
+    try:
+        with open(path, newline="") as file:
+            rows = list(csv.DictReader(file))
+    except OSError as error:
+        raise ResultsError(f"{path}: {error.strerror}. Give the output directory "
+                           "of crevasse sweep.") from None
+    except (ValueError, csv.Error) as error:
+        raise ResultsError(f"{path}: {error}.") from None
+    if not rows:
+        raise ResultsError(f"{path}: there are no points yet.")
+    for name in ("point", "status", *COSTS):
+        if name not in rows[0]:
+            raise ResultsError(f"{path}: has no column {name}: it is not the table "
+                               "of a sweep.")
+    for point, row in enumerate(rows, 1):
+        if None in row or None in row.values():
+            raise ResultsError(f"{path}: point {point} has another number of "
+                               "columns than the header.")
+    return rows
+
+
+def parameters(rows):
+    """The columns between "point" and "status"."""
+    names = list(rows[0])
+    return names[1:names.index("status")]
+
+
+def most_numeric(rows, names):
+    """The parameter with the most values, among those that are numbers."""
+    def values(name):
+        texts = {row[name] for row in rows}
+        return len(texts) if all(number(text) is not None
+                                 for text in texts) else 0
+    return max(names, key=values)
+
+
+def lines(rows, along, others):
+    """Label and rows of each line, in the order in which they were computed."""
+    groups = {}
+    for row in rows:
+        groups.setdefault(tuple(row[name] for name in others), []).append(row)
+    for values, members in groups.items():
+        members.sort(key=lambda row: (number(row[along]) is None,
+                                      number(row[along]) or 0))
+        label = ", ".join(
+            value if number(value) is None and value not in ("true", "false")
+            else f"{name.split('/')[-1]} {value}"
+            for name, value in zip(others, values))
+        yield label, members
+
+
+def changes_with(rows, name, along):
+    """Whether a number has one value for each value of another: the two were
+    changed together. What is no number makes lines of its own."""
+    pairs = {(row[along], row[name]) for row in rows}
+    return (len(pairs) == len({row[along] for row in rows})
+            and all(number(row[name]) is not None for row in rows))
+
+
+def lines_of(rows, along=None):
+    """The parameter that is followed along a line, by default that with the most
+    numbers, those that tell the lines apart, and the lines."""
+    along = along or most_numeric(rows, parameters(rows))
+    others = [name for name in parameters(rows)
+              if name != along and not changes_with(rows, name, along)]
+    return along, others, list(lines(rows, along, others))
+
+
+def first_of_size(rows, quantities):
+    """The first quantity whose errors are more than rounding, if there is."""
+    for quantity in quantities:
+        if any((number(row["error:" + quantity]) or 0) > 1e-12
+               for row in rows):
+            return quantity
+    return quantities[0]
+
+
+def quantities(rows):
+    """Those that have errors."""
+    return [name.removeprefix("error:") for name in rows[0]
+            if name.startswith("error:")]

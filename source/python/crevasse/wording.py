@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""Numbers and units of measurement as text."""
+
+import math
+
+from crevasse.results import number
+
+MINUS = "\N{MINUS SIGN}"
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def significant(value, digits=4):
+    """With that many digits, and a power of ten where it would be long."""
+    if value is None:
+        return "–"
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return str(value)
+    if not math.isfinite(value):
+        return "not known"
+    if value == 0:
+        return "0"
+    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+    power = int(exponent)
+    if -4 <= power < 6:
+        text = f"{float(f'{value:.{digits}g}'):.{max(digits - 1 - power, 0)}f}"
+        if "." in text:
+            text = text.rstrip("0").rstrip(".")
+    else:
+        if "." in mantissa:
+            mantissa = mantissa.rstrip("0").rstrip(".")
+        text = f"{mantissa} · 10{str(power).translate(SUPERSCRIPTS)}"
+    return text.replace("-", MINUS, 1) if value < 0 else text
+
+
+def measured(text, digits=4):
+    """A number of a table as above; nothing where there is none."""
+    value = number(text)
+    return text if value is None else significant(value, digits)
+
+
+def whole(value):
+    """An integer in groups of three digits."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return "–" if value is None else str(value)
+    return f"{value:,.0f}".replace(",", "\N{NO-BREAK SPACE}")
+
+
+def seconds(value):
+    if not isinstance(value, (int, float)) or not math.isfinite(value):
+        return "–"
+    if value < 120:
+        return f"{significant(value, 3)} s"
+    minutes, rest = divmod(round(value), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours} h {minutes} min" if hours else f"{minutes} min {rest} s"
+
+
+def megabytes(value):
+    if not isinstance(value, (int, float)):
+        return "–"
+    return f"{whole(value / 1e6)} MB"
+
+
+def plural(count, noun):
+    return f"{whole(count)} {noun}" + ("" if count == 1 else "s")

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/problems.h>
+#include <crevasse/linear/abandoned_factors.h>
+#include <crevasse/simulation/periodic_start.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Does without the flow, or throws. */
+    void
+    do_without_flow(const Scene       &scene,
+                    const std::string &what,
+                    PeriodicStart     &start)
+    {
+      SecularSplit &split = start.split;
+      if (scene.periodic_state.secular_split == SecularSplitType::on)
+        throw NumericalError("[Periodic state] Secular split = on: " + what);
+      if (split.is_split && !start.choice.may_fall_back)
+        throw NumericalError(what +
+                             " [Periodic state] Method = march does "
+                             "without.");
+      if (split.is_split)
+        start.choice = {PeriodicMethodType::march,
+                        false,
+                        true,
+                        "automatic: the flow was not found"};
+      // Nothing else of the run needs it.
+      split.is_split       = false;
+      split.strain_returns = false;
+      split.effect.on      = false;
+      split.effect.why     = what;
+    }
+
+
+
+    template <int dim>
+    void
+    find_secular_flow(const RunSetup<dim>     &setup,
+                      ContactSystemCache<dim> &systems,
+                      Log                     &log,
+                      PeriodicStart           &start)
+    {
+      TimerOutput::Scope phase(systems.settings().phases, "secular problem");
+      try
+        {
+          start.flow =
+            solve_secular_problem(setup.body, start.split.mean_load, systems);
+        }
+      catch (const NumericalError &error)
+        {
+          end_abandoned_factors();
+          const std::string what =
+            std::string(
+              "the stationary contact problem for beta, with the "
+              "viscosity for the stiffness, was not solved: ") +
+            error.what();
+          do_without_flow(setup.scene, what, start);
+          log.line("  warning: " + what);
+        }
+    }
+
+
+
+    /** The flow that belongs to the samples is that of the run. */
+    void
+    take_flow(PeriodicStart &start, Log &log)
+    {
+      const bool flows     = start.direct->flow.has_value();
+      start.flow           = start.direct->flow;
+      start.split.is_split = flows;
+      if (flows && !start.split.effect.on)
+        {
+          start.split.effect.why =
+            "the mean of the samples does not vanish, "
+            "though that of the load does";
+          start.warnings.push_back(
+            "[Time integration] Steps per period: the mean load vanishes, but "
+            "not that of its samples: what flows is an error of the steps");
+          log.line("  warning: " + start.warnings.back());
+        }
+      start.split.effect.on = flows;
+    }
+
+
+
+    template <int dim>
+    void
+    balance_harmonics(const RunSetup<dim>     &setup,
+                      ContactSystemCache<dim> &systems,
+                      Log                     &log,
+                      PeriodicStart           &start)
+    {
+      TimerOutput::Scope phase(systems.settings().phases, "direct in time");
+      try
+        {
+          FourierResult result =
+            solve_fourier_problem(setup.scene,
+                                  setup.body,
+                                  setup.steps,
+                                  systems,
+                                  setup.relaxation_times.smallest);
+          for (const std::string &line : result.describe())
+            log.line(line);
+          for (const std::string &warning : result.warnings)
+            log.line("  warning: " + warning);
+          start.warnings = result.warnings;
+          if (start.choice.method != PeriodicMethodType::fourier)
+            result.keep_start();
+          start.direct = std::move(result);
+        }
+      catch (const NumericalError &error)
+        {
+          if (!start.choice.may_fall_back)
+            throw;
+          end_abandoned_factors();
+          log.line(
+            "  warning: the direct method failed, anderson takes over: " +
+            std::string(error.what()));
+          start.choice.method = PeriodicMethodType::anderson;
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  PeriodicStart
+  find_periodic_start(const RunSetup<dim>     &setup,
+                      ContactSystemCache<dim> &systems,
+                      Log                     &log)
+  {
+    PeriodicStart start{setup.periodic_choice, setup.secular_split, {}, {}, {}};
+    if (start.choice.uses_fourier())
+      balance_harmonics(setup, systems, log, start);
+    if (start.direct && start.choice.method == PeriodicMethodType::fourier)
+      take_flow(start, log);
+    else if (start.split.effect.on)
+      find_secular_flow(setup, systems, log, start);
+    return start;
+  }
+
+
+
+  template PeriodicStart
+  find_periodic_start<2>(const RunSetup<2> &, ContactSystemCache<2> &, Log &);
+  template PeriodicStart
+  find_periodic_start<3>(const RunSetup<3> &, ContactSystemCache<3> &, Log &);
+} // namespace Crevasse

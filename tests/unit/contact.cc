@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+// Contact solvers on random problems and on plates, against brute force and
+// each other.
+
+#include <crevasse_tests/tests.h>
+
+void
+condensed_problem();
+void
+contact_solvers();
+void
+projected_sor();
+
+int
+main(int argc, char **argv)
+{
+  return run_tests(argc,
+                   argv,
+                   {{"condensed_problem", condensed_problem},
+                    {"contact_solvers", contact_solvers},
+                    {"projected_sor", projected_sor}});
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+// Operators, supports and singular functions on distorted meshes with hanging
+// nodes.
+
+#include <crevasse_tests/tests.h>
+
+void
+operators();
+void
+patch_test();
+void
+rigid_motions();
+void
+singular_functions();
+
+int
+main(int argc, char **argv)
+{
+  return run_tests(argc,
+                   argv,
+                   {{"operators", operators},
+                    {"patch_test", patch_test},
+                    {"rigid_motions", rigid_motions},
+                    {"singular_functions", singular_functions}});
+}
