@@ -60,13 +60,13 @@ namespace
 
   /** Makes it ready for the rest of them. */
   std::unique_ptr<DirectoryLock>
-  take_up(const OutputChoice &output,
-          const std::string  &used,
-          const Checkpoints  &checkpoints)
+  resume(const OutputChoice &output,
+         const std::string  &used,
+         const Checkpoints  &checkpoints)
   {
     const CheckpointManifest &manifest = checkpoints.resumed_manifest();
     checkpoints.folder().require_tables(manifest);
-    auto lock = output.take_up();
+    auto lock = output.resume();
     checkpoints.folder().set_aside_after(manifest.number);
     checkpoints.folder().cut_tables(manifest);
     write_used_parameters(output.directory(), used);
@@ -75,7 +75,7 @@ namespace
 
 
 
-  /** Whether there is nothing left to go on with, which is told. */
+  /** Whether nothing is left to compute, which is reported. */
   bool
   has_finished(const OutputChoice &output,
                const Scene        &scene,
@@ -141,7 +141,7 @@ namespace
     std::unique_ptr<DirectoryLock> lock;
     collectively(communicator, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        lock = command.resume ? take_up(output, used, checkpoints)
+        lock = command.resume ? resume(output, used, checkpoints)
                               : prepare(output, used, log);
     });
     log.open_file(directory + "/log.txt", command.resume);

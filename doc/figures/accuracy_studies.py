@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Crevasse authors
 
-"""What accuracy costs in seconds of the processor: meshes, contact solvers, time
+"""What accuracy costs in CPU seconds: meshes, contact solvers, time
 schemes and linear solvers, by one sweep each over scenes of prm/studies. Draws the
 figures of doc/accuracy.md. What a sweep has computed is not computed again."""
 
@@ -17,7 +17,7 @@ from crevasse.plotting import BLUE, GREEN, GREY, INK, PURPLE, VERMILION, pyplot,
 from crevasse.work_precision import name_costs
 
 ORANGE, SKY, BROWN = "#E69F00", "#56B4E9", "#8C510A"
-SECONDS = "seconds of the processor"
+SECONDS = "CPU seconds"
 
 
 class Studies:

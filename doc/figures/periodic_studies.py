@@ -125,7 +125,7 @@ class Studies:
         shutil.rmtree(raw)
         about = {"periods": periods, "scale": summary["extremes"]["stress"],
                  "seconds": {name: summary["seconds"].get(name, 0.)
-                             for name in ("direct in time", "time stepping",
+                             for name in ("harmonic balance", "time stepping",
                                           "total")}}
         (directory / "run.json").write_text(json.dumps(about))
 
@@ -172,7 +172,7 @@ def cost(run, reference):
     if n and not (reference.table["stress_error_estimate"][-1]
                   < GOOD_REFERENCE * TOLERANCE):
         return "?"
-    seconds = run.seconds["direct in time"] + run.table["seconds"][:n].sum()
+    seconds = run.seconds["harmonic balance"] + run.table["seconds"][:n].sum()
     return f"{n or f'> {len(errors)}'} ({short(seconds)})"
 
 
@@ -200,7 +200,7 @@ def periods_to_error(studies):
 
 
 def sum_of_direct(run):
-    return run.seconds["direct in time"] + run.seconds["time stepping"]
+    return run.seconds["harmonic balance"] + run.seconds["time stepping"]
 
 
 def estimates(studies):

@@ -174,7 +174,7 @@ namespace Crevasse
 
 
   std::unique_ptr<DirectoryLock>
-  OutputChoice::take_up() const
+  OutputChoice::resume() const
   {
     require_writable_directory(path);
     auto            lock = std::make_unique<DirectoryLock>(path);

@@ -45,11 +45,11 @@ namespace Crevasse
   std::string
   read_text_file(const std::string &file_name)
   {
-    const auto refuse = [&file_name](const std::string &reason) {
+    const auto throw_error = [&file_name](const std::string &reason) {
       throw FileError("The file \"" + file_name + "\" " + reason + ".");
     };
     if (const std::string reason = why_unreadable(file_name); !reason.empty())
-      refuse(reason);
+      throw_error(reason);
 
     errno = 0;
     std::ifstream      file(file_name, std::ios::binary);
@@ -58,7 +58,7 @@ namespace Crevasse
     if (file && file.peek() != std::ifstream::traits_type::eof())
       text << file.rdbuf();
     if (!file.is_open() || file.bad() || !text)
-      refuse(because_of_system());
+      throw_error(because_of_system());
 
     const std::string byte_order_mark = "\xEF\xBB\xBF";
     const std::string result          = text.str();

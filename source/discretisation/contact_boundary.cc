@@ -276,13 +276,13 @@ namespace Crevasse
 
 
   template <int dim>
-  std::vector<typename ContactBoundary<dim>::Speaker>
+  std::vector<typename ContactBoundary<dim>::MasterNode>
   ContactBoundary<dim>::speakers_for(
     const LipNode<dim>              &node,
     const types::global_dof_index    nearest,
     const AffineConstraints<double> &constraints)
   {
-    std::vector<Speaker>    speakers;
+    std::vector<MasterNode> speakers;
     double                  rest      = 1.;
     double                  most      = 0.;
     types::global_dof_index strongest = nearest;
@@ -313,7 +313,7 @@ namespace Crevasse
     Vector interpolated = space.ghosted_vector();
     Vector held         = space.ghosted_vector();
     for (const HeldNode &node : held_nodes)
-      for (const Speaker &speaker : node.speakers)
+      for (const MasterNode &speaker : node.speakers)
         (speaker.interpolates ? interpolated : held)(speaker.dof) +=
           speaker.factor * node.weight;
     interpolated.compress(VectorOperation::add);
@@ -335,7 +335,7 @@ namespace Crevasse
     for (const HeldNode &node : held_nodes)
       {
         double value = 0.;
-        for (const Speaker &speaker : node.speakers)
+        for (const MasterNode &speaker : node.speakers)
           value += speaker.factor * values(speaker.dof);
         values(node.dof) = value;
       }
@@ -351,7 +351,7 @@ namespace Crevasse
     values.zero_out_ghost_values();
     for (const HeldNode &node : held_nodes)
       {
-        for (const Speaker &speaker : node.speakers)
+        for (const MasterNode &speaker : node.speakers)
           values(speaker.dof) += speaker.factor * values(node.dof);
         values(node.dof) = 0.;
       }

@@ -233,8 +233,8 @@ namespace Crevasse
 
   template <int dim>
   void
-  ExternalLoads<dim>::survey(const std::vector<double> &instants,
-                             const MPI_Comm             communicator) const
+  ExternalLoads<dim>::validate_and_bound(const std::vector<double> &instants,
+                                         const MPI_Comm communicator) const
   {
     collectively(communicator, [&]() {
       for (const double t : instants)

@@ -189,8 +189,8 @@ namespace Crevasse
 
   template <int dim>
   RelaxationTimes
-  MaterialField<dim>::survey(const std::vector<double> &instants,
-                             const double               period) const
+  MaterialField<dim>::validate_and_bound(const std::vector<double> &instants,
+                                         const double period) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     check_factor(law.stiffness_factor(), "Stiffness time factor", instants);
@@ -275,9 +275,11 @@ namespace Crevasse
   template void
   MaterialField<3>::check_requirements(const std::vector<double> &) const;
   template RelaxationTimes
-  MaterialField<2>::survey(const std::vector<double> &, const double) const;
+  MaterialField<2>::validate_and_bound(const std::vector<double> &,
+                                       const double) const;
   template RelaxationTimes
-  MaterialField<3>::survey(const std::vector<double> &, const double) const;
+  MaterialField<3>::validate_and_bound(const std::vector<double> &,
+                                       const double) const;
   template double
   MaterialField<2>::largest_thermal_strain(const std::vector<double> &) const;
   template double

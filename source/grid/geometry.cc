@@ -298,17 +298,17 @@ namespace Crevasse
   void
   make_mesh(const GeometryParameters                      &parameters,
             Triangulation<dim>                            &mesh,
-            const std::function<void(const CellCounts &)> &look)
+            const std::function<void(const CellCounts &)> &on_cell_count)
   {
     const bool         is_file = parameters.shape == Shape::mesh_file;
     Triangulation<dim> from_file;
     if (is_file)
       read_mesh(parameters.mesh_file, mesh.get_communicator(), from_file);
-    if (look)
+    if (on_cell_count)
       {
         const double n = is_file ? from_file.n_active_cells()
                                  : n_cells_of_plate<dim>(parameters);
-        look({n, n * std::pow(2., dim * parameters.refinements)});
+        on_cell_count({n, n * std::pow(2., dim * parameters.refinements)});
       }
     if (is_file)
       mesh.copy_triangulation(from_file);

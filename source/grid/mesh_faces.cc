@@ -71,7 +71,7 @@ namespace Crevasse
 
 
     [[noreturn]] void
-    refuse(const Face &face, const std::string &reason)
+    throw_error(const Face &face, const std::string &reason)
     {
       std::vector<std::string> nodes;
       for (const std::size_t node : face.nodes)
@@ -93,12 +93,14 @@ namespace Crevasse
             continue;
           const std::string other = std::to_string(before.element);
           if (face.opposite != before.opposite)
-            refuse(face,
-                   "of a face are in another order in the element " + other);
+            throw_error(face,
+                        "of a face are in another order in the element " +
+                          other);
           if (i > 1 && faces[i - 2].nodes == face.nodes)
-            refuse(face,
-                   "are a face of this cell and of two others, the elements " +
-                     std::to_string(faces[i - 2].element) + " and " + other);
+            throw_error(
+              face,
+              "are a face of this cell and of two others, the elements " +
+                std::to_string(faces[i - 2].element) + " and " + other);
         }
     }
 
@@ -115,15 +117,16 @@ namespace Crevasse
                            return a.nodes < b.nodes;
                          });
       if (begin == end || begin->opposite != face.opposite)
-        refuse(face,
-               "are no face of a cell; only faces of cells can be boundary");
+        throw_error(
+          face, "are no face of a cell; only faces of cells can be boundary");
       if (end - begin > 1)
-        refuse(face,
-               "are a face within the body, between the elements " +
-                 std::to_string(begin->element) + " and " +
-                 std::to_string((begin + 1)->element) +
-                 "; only its surface can be boundary (Gmsh: physical groups of "
-                 "the surface alone, Mesh.SaveAll = 0)");
+        throw_error(
+          face,
+          "are a face within the body, between the elements " +
+            std::to_string(begin->element) + " and " +
+            std::to_string((begin + 1)->element) +
+            "; only its surface can be boundary (Gmsh: physical groups of "
+            "the surface alone, Mesh.SaveAll = 0)");
     }
   } // namespace
 
@@ -154,10 +157,10 @@ namespace Crevasse
     for (std::size_t i = 1; i < of_boundary.size(); ++i)
       if (const Face &before = of_boundary[i - 1], &face = of_boundary[i];
           face.nodes == before.nodes && face.group != before.group)
-        refuse(face,
-               "have the boundary id " + std::to_string(face.group) +
-                 ", but in the element " + std::to_string(before.element) +
-                 " " + std::to_string(before.group) +
-                 "; each belongs to one physical group at most");
+        throw_error(face,
+                    "have the boundary id " + std::to_string(face.group) +
+                      ", but in the element " + std::to_string(before.element) +
+                      " " + std::to_string(before.group) +
+                      "; each belongs to one physical group at most");
   }
 } // namespace Crevasse

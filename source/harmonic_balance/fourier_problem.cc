@@ -74,7 +74,7 @@ namespace Crevasse
                    const double          step,
                    const double          smallest_relaxation_time)
     {
-      // Opening and closing are told to the nearest instant.
+      // Opening and closing are reported to the nearest instant.
       constexpr unsigned int   enough = 5;
       std::vector<std::string> warnings;
       if (step > 2. * smallest_relaxation_time)
@@ -129,13 +129,13 @@ namespace Crevasse
         result.contact = contact.statistics().describe() +
                          ", certificate: " + contact.certificate().describe();
       });
-      const auto tell = [communicator](auto &value) {
+      const auto report = [communicator](auto &value) {
         value = Utilities::MPI::broadcast(communicator, value, 0);
       };
-      tell(solution.forces);
-      tell(solution.openings);
-      tell(solution.offsets);
-      tell(result.contact);
+      report(solution.forces);
+      report(solution.openings);
+      report(solution.offsets);
+      report(result.contact);
       return solution;
     }
   } // namespace
@@ -156,7 +156,7 @@ namespace Crevasse
   FourierResult::describe() const
   {
     std::vector<std::string> lines = {
-      "  direct in time: " + std::to_string(motion.loaded_harmonics) +
+      "  harmonic balance: " + std::to_string(motion.loaded_harmonics) +
       " loaded harmonics, " + std::to_string(motion.complex_factorisations) +
       " complex factorisations"};
     if (!contact.empty())

@@ -145,7 +145,7 @@ namespace Crevasse
   std::string
   PrescribedMotion::description() const
   {
-    return "direct in time";
+    return "harmonic balance";
   }
 
 

@@ -98,7 +98,7 @@ namespace Crevasse
     const double error = force.l2_norm();
     if (!(error <= tolerance * size))
       throw NumericalError(
-        "The product with the stiffness without a matrix differs from that of "
+        "The matrix-free product with the stiffness differs from that of "
         "strains and stresses by " +
         Text::from_number(error / size) + " (allowed " +
         Text::from_number(tolerance) +

@@ -77,7 +77,7 @@ namespace Crevasse
 
 
   bool
-  expands(const MaterialParameters &material)
+  has_thermal_expansion(const MaterialParameters &material)
   {
     for (const auto &strain : material.free_strains())
       if (strain.is_thermal && !are_zero(*strain.components))

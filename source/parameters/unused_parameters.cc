@@ -92,7 +92,8 @@ namespace Crevasse
          "[Loads] Temperature = 0"},
         {LoadParameters::section,
          "Temperature",
-         !expands(material) && !material_depends_on("theta", material),
+         !has_thermal_expansion(material) &&
+           !material_depends_on("theta", material),
          "[Material] Thermal expansion = 0, and no coefficient depends on "
          "theta"},
       };
@@ -112,7 +113,7 @@ namespace Crevasse
       const bool               varies =
         material_depends_on("t", scene.material) ||
         material_depends_on("theta", scene.material) ||
-        (expands(scene.material) && has_temperature(scene.loads));
+        (has_thermal_expansion(scene.material) && has_temperature(scene.loads));
       const bool implicit =
         scene.material.viscosity != ViscosityType::none &&
         traits(scene.time_integration.scheme).keeps_matrices;

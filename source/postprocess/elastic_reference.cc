@@ -16,7 +16,7 @@ namespace Crevasse
   namespace
   {
     [[noreturn]] void
-    refuse(const ComparedLip comparison, const std::string &reason)
+    throw_error(const ComparedLip comparison, const std::string &reason)
     {
       throw SceneError("[Output] Elastic comparison = " + name_of(comparison) +
                        ": " + reason + " Set it to none.");
@@ -58,7 +58,7 @@ namespace Crevasse
             reason << "the loads at t = " << t
                    << " are not a multiple of those at t = " << reference_time
                    << "; the closed form holds for loads F(t) p(x) only.";
-            refuse(comparison, reason.str());
+            throw_error(comparison, reason.str());
           }
         return factor;
       }
@@ -82,19 +82,22 @@ namespace Crevasse
       for (const LipNode<dim> &node : body.lip.nodes())
         has_gap = has_gap || node.gap != 0.;
       if (Utilities::MPI::max(has_gap ? 1 : 0, body.space.communicator()) == 1)
-        refuse(comparison,
-               "the closed forms hold for a lip without initial opening; here "
-               "[Boundary] Gap is not 0.");
+        throw_error(
+          comparison,
+          "the closed forms hold for a lip without initial opening; here "
+          "[Boundary] Gap is not 0.");
       if (body.material.stiffness_varies() ||
           body.material.has_thermal_strain())
-        refuse(comparison,
-               "the closed forms hold for a constant stiffness and without "
-               "thermal strain.");
+        throw_error(
+          comparison,
+          "the closed forms hold for a constant stiffness and without "
+          "thermal strain.");
       if (body.effects.viscosity.on && !body.law.uniform_relaxation_time())
-        refuse(comparison,
-               "the closed forms hold for a viscosity in proportion to the "
-               "stiffness ([Material] Viscosity = relaxation time), all "
-               "constant, or none.");
+        throw_error(
+          comparison,
+          "the closed forms hold for a viscosity in proportion to the "
+          "stiffness ([Material] Viscosity = relaxation time), all "
+          "constant, or none.");
     }
 
 
@@ -114,13 +117,15 @@ namespace Crevasse
           *most <= negligible)
         return;
       if (comparison == ComparedLip::closed)
-        refuse(comparison,
-               "the loads F(t) p(x) change their sign over the period, so that "
-               "the lip does not stay closed.");
+        throw_error(
+          comparison,
+          "the loads F(t) p(x) change their sign over the period, so that "
+          "the lip does not stay closed.");
       if (!body.effects.viscosity.on)
-        refuse(comparison,
-               "the loads F(t) p(x) change their sign over the period, and "
-               "without viscosity the lip opens and closes with them.");
+        throw_error(
+          comparison,
+          "the loads F(t) p(x) change their sign over the period, and "
+          "without viscosity the lip opens and closes with them.");
     }
   } // namespace
 
@@ -145,9 +150,10 @@ namespace Crevasse
       {
         const TimeQuadrature rule = integrator->quadrature();
         if (rule.weights.empty())
-          refuse(comparison,
-                 "[Time integration] Scheme = " + integrator->description() +
-                   " weights the loads by how fast they relax.");
+          throw_error(comparison,
+                      "[Time integration] Scheme = " +
+                        integrator->description() +
+                        " weights the loads by how fast they relax.");
         for (unsigned int k = 0; k < steps.n_steps(); ++k)
           for (unsigned int s = 0; s < rule.nodes.size(); ++s)
             if (rule.weights[s] != 0.)

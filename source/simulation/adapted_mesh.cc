@@ -126,8 +126,9 @@ namespace Crevasse
     const StepList  steps(scene.time_integration,
                          scene.loads.period,
                          scene.output.field_times);
-    body.loads.survey(steps.survey_instants({}), body.space.communicator());
-    body.material.survey(steps.survey_instants({}), steps.period());
+    body.loads.validate_and_bound(steps.survey_instants({}),
+                                  body.space.communicator());
+    body.material.validate_and_bound(steps.survey_instants({}), steps.period());
 
     ContactSystemCache<dim> systems(scene,
                                     body,

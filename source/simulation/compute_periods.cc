@@ -134,7 +134,7 @@ namespace Crevasse
       periods.finish(r);
       const double defect = motion.largest_defect();
       periods.report(defect);
-      log.line("  direct in time: states and samples differ by " +
+      log.line("  harmonic balance: states and samples differ by " +
                Text::from_number(defect) + " at most");
       PeriodicResult result = periods.result();
       result.converged      = defect <= tolerable;

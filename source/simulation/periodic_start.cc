@@ -95,7 +95,7 @@ namespace Crevasse
                       Log                     &log,
                       PeriodicStart           &start)
     {
-      TimerOutput::Scope phase(systems.settings().phases, "direct in time");
+      TimerOutput::Scope phase(systems.settings().phases, "harmonic balance");
       try
         {
           FourierResult result =

@@ -27,12 +27,12 @@ namespace Crevasse
      * with them, and the extreme relaxation times. */
     template <int dim>
     RelaxationTimes
-    survey(const Body<dim>           &body,
-           const std::vector<double> &instants,
-           const double               period)
+    validate_and_bound(const Body<dim>           &body,
+                       const std::vector<double> &instants,
+                       const double               period)
     {
-      body.loads.survey(instants, body.space.communicator());
-      return body.material.survey(instants, period);
+      body.loads.validate_and_bound(instants, body.space.communicator());
+      return body.material.validate_and_bound(instants, period);
     }
 
 
@@ -84,7 +84,9 @@ namespace Crevasse
             scene.output.field_times)
     , integrator(make_integrator())
     , relaxation_times(
-        survey(body, survey_instants(steps, integrator.get()), steps.period()))
+        validate_and_bound(body,
+                           survey_instants(steps, integrator.get()),
+                           steps.period()))
     , largest_thermal_strain(body.material.largest_thermal_strain(
         survey_instants(steps, integrator.get())))
     , largest_nodal_force(largest_load(body, steps))

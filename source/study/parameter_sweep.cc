@@ -221,7 +221,7 @@ namespace Crevasse
     const auto        read_stress = [&](const SweepResult &of) {
       if (want_stress(quantities) && has_periods(of))
         reference_stress =
-          std::make_unique<StressRecord>(folder.file(SweepFolder::stress_file));
+          std::make_unique<StressReader>(folder.file(SweepFolder::stress_file));
     };
 
     SweepResult result;
@@ -339,7 +339,7 @@ namespace Crevasse
       return MeasuredError::none("the run has computed no period");
     if (reference_stress == nullptr)
       return MeasuredError::none("the reference has computed no period");
-    return StressRecord(folder.file(SweepFolder::stress_file))
+    return StressReader(folder.file(SweepFolder::stress_file))
       .error(*reference_stress);
   }
 

@@ -8,7 +8,7 @@
 #include <crevasse/linear/abandoned_factors.h>
 #include <crevasse/simulation/adaptive_run.h>
 #include <crevasse/simulation/conclusion.h>
-#include <crevasse/study/stress_samples.h>
+#include <crevasse/study/stress_writer.h>
 #include <crevasse/study/sweep_run.h>
 
 #include <filesystem>
@@ -42,8 +42,8 @@ namespace Crevasse
       run.describe();
       status = "failed";
 
-      std::optional<StressSamples<dim>> samples;
-      std::vector<Observer *>           observers;
+      std::optional<StressWriter<dim>> samples;
+      std::vector<Observer *>          observers;
       if (keep_stress)
         {
           samples.emplace(run.discretised_body(), scene.loads.period);

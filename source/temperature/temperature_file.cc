@@ -23,7 +23,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  TemperatureFile<dim>::refuse(const std::string &reason) const
+  TemperatureFile<dim>::throw_error(const std::string &reason) const
   {
     throw SceneError("[Loads] Temperature = " + file_name + ": " + reason);
   }
@@ -36,10 +36,11 @@ namespace Crevasse
   {
     instants = std::move(new_instants);
     if (instants.front() < 0. || instants.back() > period)
-      refuse("its instants go from " + Text::from_number(instants.front()) +
-             " to " + Text::from_number(instants.back()) +
-             "; they must be within the period, from 0 to [Loads] Period = " +
-             Text::from_number(period) + ".");
+      throw_error(
+        "its instants go from " + Text::from_number(instants.front()) + " to " +
+        Text::from_number(instants.back()) +
+        "; they must be within the period, from 0 to [Loads] Period = " +
+        Text::from_number(period) + ".");
   }
 
 

@@ -19,22 +19,22 @@ namespace Crevasse
   namespace
   {
     /** @throw SceneError */
-    using Refuse = std::function<void(const std::string &)>;
+    using ThrowError = std::function<void(const std::string &)>;
 
     /** The arrays of numbers of an HDF5 file. deal.II's classes check nothing
      * in the optimised flavour. */
     class NumberFile
     {
     public:
-      NumberFile(const std::string &name, const Refuse &refuse)
-        : refuse(refuse)
+      NumberFile(const std::string &name, const ThrowError &throw_error)
+        : throw_error(throw_error)
       {
         if (const std::string why = why_unreadable(name); !why.empty())
           throw FileError("[Loads] Temperature = " + name + ": " + why);
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // messages are ours
         file = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
         if (file < 0)
-          refuse(
+          throw_error(
             "is not an HDF5 file, or a damaged one; the fields of "
             "other programs are converted by \"crevasse temperature\".");
       }
@@ -60,7 +60,7 @@ namespace Crevasse
                             ? H5Dopen2(file, name.c_str(), H5P_DEFAULT)
                             : -1;
         if (set < 0)
-          refuse("has no dataset \"" + name + "\".");
+          throw_error("has no dataset \"" + name + "\".");
         const hid_t          space    = H5Dget_space(set);
         std::vector<hsize_t> extents  = {0, 1};
         const int            n_dims   = H5Sget_simple_extent_ndims(space);
@@ -79,23 +79,23 @@ namespace Crevasse
                                                          numbers.data()) >= 0;
         H5Dclose(set);
         if (!is_read)
-          refuse("its dataset \"" + name + "\" must be rows of " +
-                 std::to_string(n_columns) + " numbers" +
-                 (name.rfind("points", 0) == 0
-                    ? ", for Dimension = " + std::to_string(n_columns)
-                    : "") +
-                 ".");
+          throw_error("its dataset \"" + name + "\" must be rows of " +
+                      std::to_string(n_columns) + " numbers" +
+                      (name.rfind("points", 0) == 0
+                         ? ", for Dimension = " + std::to_string(n_columns)
+                         : "") +
+                      ".");
         if (!std::all_of(numbers.begin(), numbers.end(), [](const double x) {
               return std::isfinite(x);
             }))
-          refuse("its dataset \"" + name +
-                 "\" has a number that is not finite.");
+          throw_error("its dataset \"" + name +
+                      "\" has a number that is not finite.");
         return numbers;
       }
 
     private:
-      const Refuse &refuse;
-      hid_t         file;
+      const ThrowError &throw_error;
+      hid_t             file;
     };
 
 
@@ -104,7 +104,7 @@ namespace Crevasse
     std::shared_ptr<const SimplexLocator<dim>>
     read_simplices(const NumberFile  &file,
                    const std::string &number,
-                   const Refuse      &refuse)
+                   const ThrowError  &throw_error)
     {
       const auto coordinates = file.read("points_" + number, dim);
       const auto corners     = file.read("cells_" + number, dim + 1);
@@ -117,10 +117,10 @@ namespace Crevasse
       for (std::size_t i = 0; i < corners.size(); ++i)
         {
           if (!(corners[i] >= 0. && corners[i] < points.size()))
-            refuse("its dataset \"cells_" + number + "\" has the entry " +
-                   Text::from_number(corners[i]) +
-                   "; allowed are integers from 0 to " +
-                   std::to_string(points.size() - 1) + ".");
+            throw_error("its dataset \"cells_" + number + "\" has the entry " +
+                        Text::from_number(corners[i]) +
+                        "; allowed are integers from 0 to " +
+                        std::to_string(points.size() - 1) + ".");
           cells[i / (dim + 1)][i % (dim + 1)] = corners[i];
         }
       return std::make_shared<const SimplexLocator<dim>>(std::move(points),
@@ -135,34 +135,36 @@ namespace Crevasse
                                             const double       period)
     : TemperatureFile<dim>(file_name, period)
   {
-    const Refuse refuse = [this](const std::string &reason) {
-      this->refuse(reason);
+    const ThrowError throw_error = [this](const std::string &reason) {
+      this->throw_error(reason);
     };
-    const NumberFile file(file_name, refuse);
+    const NumberFile file(file_name, throw_error);
     const auto       times = file.read("times", 1);
     if (std::adjacent_find(times.begin(),
                            times.end(),
                            std::greater_equal<>()) != times.end())
-      refuse("its dataset \"times\" must be ascending.");
+      throw_error("its dataset \"times\" must be ascending.");
     this->set_instants(times);
 
     const auto mesh_of = file.read("mesh_of", 1);
     if (mesh_of.size() != times.size())
-      refuse("its dataset \"mesh_of\" must have as many entries as \"times\".");
+      throw_error(
+        "its dataset \"mesh_of\" must have as many entries as \"times\".");
     std::map<double, std::shared_ptr<const SimplexLocator<dim>>> meshes;
     for (std::size_t i = 0; i < times.size(); ++i)
       {
         auto &locator = meshes[mesh_of[i]];
         if (locator == nullptr)
-          locator =
-            read_simplices<dim>(file, Text::from_number(mesh_of[i]), refuse);
+          locator = read_simplices<dim>(file,
+                                        Text::from_number(mesh_of[i]),
+                                        throw_error);
         const std::string name = "theta_" + std::to_string(i);
         snapshots.push_back({locator, file.read(name, 1)});
         if (const std::size_t n = snapshots.back().values.size();
             n != locator->n_vertices())
-          refuse("its dataset \"" + name + "\" has " + std::to_string(n) +
-                 " rows for " + std::to_string(locator->n_vertices()) +
-                 " points.");
+          throw_error("its dataset \"" + name + "\" has " + std::to_string(n) +
+                      " rows for " + std::to_string(locator->n_vertices()) +
+                      " points.");
       }
   }
 
@@ -176,16 +178,16 @@ namespace Crevasse
     const Snapshot &snapshot = snapshots[instant];
     double          value    = 0.;
     if (!snapshot.locator->interpolate(point, snapshot.values, value))
-      this->refuse("the body has the point " + Text::from_point(point) +
-                   ", which lies outside of the mesh" +
-                   (snapshots.size() == 1
-                      ? ""
-                      : " of instant " + std::to_string(instant + 1) + " of " +
-                          std::to_string(snapshots.size())) +
-                   ", further than " +
-                   Text::from_number(SimplexLocator<dim>::largest_gap) +
-                   " of the size of the cells there; the mesh must cover the "
-                   "body, in the same unit of length.");
+      this->throw_error(
+        "the body has the point " + Text::from_point(point) +
+        ", which lies outside of the mesh" +
+        (snapshots.size() == 1 ? ""
+                               : " of instant " + std::to_string(instant + 1) +
+                                   " of " + std::to_string(snapshots.size())) +
+        ", further than " +
+        Text::from_number(SimplexLocator<dim>::largest_gap) +
+        " of the size of the cells there; the mesh must cover the "
+        "body, in the same unit of length.");
     return value;
   }
 

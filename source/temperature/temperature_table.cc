@@ -118,18 +118,20 @@ namespace Crevasse
       {
         coordinates[d] = values_of<dim>(rows, d + 1);
         if (coordinates[d].size() < 2)
-          this->refuse("its points do not differ in coordinate " +
-                       std::to_string(d + 1) + "; a grid needs two at least.");
+          this->throw_error("its points do not differ in coordinate " +
+                            std::to_string(d + 1) +
+                            "; a grid needs two at least.");
         size[d] = coordinates[d].size();
         n_points *= coordinates[d].size();
         lower[d] = coordinates[d].front();
         upper[d] = coordinates[d].back();
       }
     if (rows.size() != n_points * instants.size())
-      this->refuse("has " + std::to_string(rows.size()) + " rows; " +
-                   std::to_string(instants.size()) + " instants of a grid of " +
-                   std::to_string(n_points) + " points make " +
-                   std::to_string(instants.size() * n_points) + ".");
+      this->throw_error("has " + std::to_string(rows.size()) + " rows; " +
+                        std::to_string(instants.size()) +
+                        " instants of a grid of " + std::to_string(n_points) +
+                        " points make " +
+                        std::to_string(instants.size() * n_points) + ".");
 
     std::vector<Table<dim, double>> tables(instants.size());
     for (Table<dim, double> &table : tables)
@@ -146,8 +148,8 @@ namespace Crevasse
           }
         const std::size_t instant = index_of(instants, row[0]);
         if (!filled.emplace(instant, number).second)
-          this->refuse("has two rows for t = " + Text::from_number(row[0]) +
-                       " at the same point.");
+          this->throw_error("has two rows for t = " +
+                            Text::from_number(row[0]) + " at the same point.");
         tables[instant](place) = row[dim + 1];
       }
     for (Table<dim, double> &table : tables)
@@ -164,10 +166,10 @@ namespace Crevasse
     for (unsigned int d = 0; d < dim; ++d)
       if (const double margin = 1e-10 * (upper[d] - lower[d]);
           point[d] < lower[d] - margin || point[d] > upper[d] + margin)
-        this->refuse("the body has the point " + Text::from_point(point) +
-                     ", which lies outside of the grid from " +
-                     Text::from_point(lower) + " to " +
-                     Text::from_point(upper) + ".");
+        this->throw_error("the body has the point " + Text::from_point(point) +
+                          ", which lies outside of the grid from " +
+                          Text::from_point(lower) + " to " +
+                          Text::from_point(upper) + ".");
     return grids[instant]->value(point);
   }
 

@@ -15,9 +15,9 @@ namespace Crevasse
     /** How much larger the largest entry of the rate of stress is than the root
      * mean square of all, for the elastic body over a period; at least 1. */
     double
-    peak_of_elastic_rates(RememberedRate &equation,
-                          const Vector   &strain_per_stress,
-                          const double    period)
+    peak_of_elastic_rates(CachedRate   &equation,
+                          const Vector &strain_per_stress,
+                          const double  period)
     {
       constexpr unsigned int n_instants = 8;
       Vector                 none, rate;

@@ -121,7 +121,7 @@ namespace Crevasse
 
   ArkodeDriver::ArkodeDriver(const Settings    &settings,
                              const ArkodeTable &table,
-                             RememberedRate    &equation,
+                             CachedRate        &equation,
                              const double       t,
                              const Vector      &r)
     : settings(settings)

@@ -5,7 +5,7 @@ meshes and steps, that reaches the error.
 
     OMP_NUM_THREADS=1 /usr/bin/python3 tests/benchmarks/advise.py build/crevasse [SCENE ...]
 
-Costs are seconds of the processor, the least of several. Without names all scenes are
+Costs are CPU seconds, the least of several. Without names all scenes are
 computed, some half an hour; what is finished in the working directory is not computed
 again. result.json of each scene has more than the table."""
 
@@ -239,8 +239,8 @@ def error(directory, reference, probes, period, periodic, left_out):
 
 
 def seconds(program, probe, scenes, where):
-    """The least of several measurements of each scene, taken in turns: seconds of the
-    processor, as a sweep of one point tells them."""
+    """The least of several measurements of each scene, taken in turns: CPU
+    seconds, as a sweep of one point tells them."""
     least = [math.inf] * len(scenes)
     for repetition in range(5):
         for k, file in enumerate(scenes):

@@ -6,7 +6,7 @@ ratios count.
     OMP_NUM_THREADS=1 /usr/bin/python3 tests/benchmarks/direct_in_time.py build/crevasse [CELLS]
 
 A period costs the difference of two marches; how many periods it takes to 1e-6
-is told by the same problem on the mesh of the paper, where the exact state
+is given by the same problem on the mesh of the paper, where the exact state
 (Heun's, by Anderson's acceleration) is cheap: it does not depend on the mesh by
 much."""
 

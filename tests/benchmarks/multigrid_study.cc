@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-// Conjugate gradients with geometric multigrid, without a matrix, and with ML
+// Conjugate gradients with matrix-free geometric multigrid, and with ML
 // on the assembled one: iterations, time and memory for a cracked block.
 //
 //     multigrid_study iterations gmg|ml [LARGEST]

@@ -39,7 +39,7 @@ def test_growth():
 
 def test_bound():
     """A step of the bound but 1e-9 of it is taken; the bound itself is refused,
-    and so is what is longer. The number of steps that is told is the least."""
+    and so is what is longer. The number of steps in the message is the least."""
     compute("stability_bound", settings("heun", STEP / 2 * (1 + 1e-9)))
     for factor in (1, 1 - 1e-9):
         refuse("stability_bound", settings("heun", STEP / 2 * factor), 3,

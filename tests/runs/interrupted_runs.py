@@ -37,7 +37,7 @@ CASES = {
     "events": periods(5) + ["Time integration/Scheme=rk4",
                             "Time integration/Locate contact events=true"],
     "sdirk2": REDISTRIBUTES + periods(6) + ["Time integration/Scheme=sdirk2"],
-    "direct in time": REDISTRIBUTES + periods(1) + [
+    "harmonic balance": REDISTRIBUTES + periods(1) + [
         "Time integration/Scheme=trapezoid", "Periodic state/Method=fourier",
         "Material/Viscosity=relaxation time", "Material/Relaxation time=60",
         "Geometry/Subdivisions=24, 24"],

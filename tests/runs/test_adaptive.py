@@ -1,5 +1,5 @@
 """Adaptive steps: the error follows the tolerance, steps of one period serve the
-next, matrices stay few, and steps end where they are told to."""
+next, matrices stay few, and steps end at the instants given."""
 
 import itertools
 import math
@@ -200,7 +200,7 @@ check_below(probe_difference(run(SCENE, "one", RANKS),
                              run_on(2, SCENE, "two", RANKS)), 1e-8,
             "adaptive steps with events, two ranks")
 
-# No load, no error; and an impossible tolerance is told.
+# No load, no error; and an impossible tolerance is reported.
 results = run(SCENE, "nothing", ["Loads/Traction=", "Output/Fields=none",
                                  "Boundary/Loaded=3"] + adaptive("heun", 1e-4))
 check(results.summary["extremes"]["stress"] == 0., "no load, no stress")

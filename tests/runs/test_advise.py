@@ -1,5 +1,5 @@
 """Advice: what it chooses has the error asked for, against a run that knows nothing
-of it; the advised scene runs; nothing is computed twice; what cannot be done is told;
+of it; the advised scene runs; nothing is computed twice; what cannot be done is reported;
 ranks do not matter."""
 
 import json

@@ -748,7 +748,7 @@ UNUSED = [  # settings, and the warnings that they give
       "list"]),
     (["Output/Fields=none", "Output/Field times=150"],
      [r"\[Output\] Field times = 150 is not used: Fields = none"]),
-    # Used, but hardly meant.
+    # Used, but probably a mistake.
     (["Material/Thermal expansion=1e-3", "Loads/Temperature=0.5*t*(1+x)"],
      [r"\[Material\] Thermal expansion and \[Loads\] Temperature: the thermal "
       r"strain is up to 0\.5\d+; the theory is one of small strains",
@@ -783,7 +783,7 @@ def warnings_of(scene, settings=()):
 
 
 def test_unused_parameters():
-    """What is set but has no effect is told, and nothing else."""
+    """What is set but has no effect is reported, and nothing else."""
     scene = pathlib.Path("unused.prm")
     scene.write_text(SCENE)
     for settings, expected in UNUSED:

@@ -238,7 +238,7 @@ def test_set_anywhere():
 
 
 def test_told_where():
-    """What becomes of earlier results is told."""
+    """What becomes of earlier results is reported."""
     scene = write_scene("kept.prm")
     directory = remove("results/kept")
     arguments = (scene, "--set", "Periodic state/Maximum periods=1")

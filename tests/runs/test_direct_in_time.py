@@ -1,4 +1,4 @@
-"""The periodic state found direct in time: against the trapezoidal rule, whose
+"""The periodic state found by harmonic balance: against the trapezoidal rule, whose
 state it is, against closed forms; what it does not compute, and what it refuses."""
 
 import math
@@ -210,7 +210,7 @@ def test_exact_harmonics():
 
 
 def counts(results):
-    found = re.search(r"direct in time: (\d+) loaded harmonics?, (\d+) complex",
+    found = re.search(r"harmonic balance: (\d+) loaded harmonics?, (\d+) complex",
                       log(results))
     check(found, "the log tells what was computed")
     return int(found[1]), int(found[2])

@@ -1,4 +1,4 @@
-"""The periodic state found direct in time tends to that of another scheme as the
+"""The periodic state found by harmonic balance tends to that of another scheme as the
 steps get short."""
 
 import math

@@ -190,7 +190,7 @@ def keys_of(value, name=""):
 
 
 def array_name(name):
-    """Components are told by their first one."""
+    """Components are named by their first one."""
     return re.sub(r"_(\d\d|[123])$", "", name)
 
 

@@ -1,4 +1,4 @@
-"""Geometric multigrid without a matrix gives what the other linear solvers do,
+"""Matrix-free geometric multigrid gives what the other linear solvers do,
 in the plane and in space, on one and two ranks; what it cannot do is refused.
 """
 

@@ -1,5 +1,5 @@
 """Anderson's acceleration, marching and the automatic choice: how many periods
-they take, that their estimates of the error are honest, and that they all end
+they take, that their estimates of the error are correct, and that they all end
 in the same state."""
 
 import math
@@ -30,7 +30,7 @@ def test_anderson():
                       f"{error_estimate(found):.1e}, error {error:.1e}")
                 check(found.summary["converged"] and n <= most,
                       "few periods")
-                check(error <= 3 * tolerance, "an honest estimate")
+                check(error <= 3 * tolerance, "a correct estimate")
 
 
 @full
@@ -68,13 +68,13 @@ def test_march():
                   f"{error_estimate(found):.1e}")
             check(error > 20 * change, "the change is much less")
             check(1 / factor < error_estimate(found) / error < factor,
-                  "an honest estimate")
-    # Until it converges: the paper's test is told.
+                  "a correct estimate")
+    # Until it converges: the paper's test is reported.
     settings = case("b", 1)
     found = compute("found", settings + method("march", "heun", 1e-5))
     lines = [s for s in log(found).splitlines() if "the paper's test" in s]
     print(lines)
-    check(len(lines) == 1, "the paper's test is told")
+    check(len(lines) == 1, "the paper's test is reported")
     exact = compute("exact", settings + method("anderson", "heun"))
     check_below(difference(exact, found), 3e-5, "march to 1e-5")
 
@@ -398,7 +398,7 @@ def test_onset():
     last = secular["last_contact_of_opening_nodes"]
     print(f"last pressed at {max(pressed)}, told {last}")
     check(last <= onsets[1] + 15, "no contact after t_0, to a step")
-    check(abs(last - max(pressed)) <= 15, "the last contact is told")
+    check(abs(last - max(pressed)) <= 15, "the last contact is reported")
 
 
 @full

@@ -1,4 +1,4 @@
-"""Whole random problems, drawn from fixed seeds, direct in time: piecewise
+"""Whole random problems, drawn from fixed seeds, by harmonic balance: piecewise
 moduli, anisotropic viscosities, relaxation times from a thirtieth to thirty
 periods, loads of several harmonics with compressive or mixed means. All are
 solved, and certified."""

@@ -187,7 +187,7 @@ for scheme, systems in (("predictor corrector", 8), ("sdirk2", 16)):
                 f"{scheme}, stress with and without memory")
 
 # A body that flows without end, and one that flows far within a period: stress
-# is the difference of strains that rounding swamps, which is told. Under a mean
+# is the difference of strains that rounding swamps, which is reported. Under a mean
 # load the contact problems fail, else the stress of a run that ended well does.
 for name, load, words in (
         ("mean load", " + 3", "Secular split = on takes the mean away"),
@@ -201,4 +201,4 @@ for name, load, words in (
             "Periodic state/Maximum periods=2", "Periodic state/Tolerance=0",
             *steps_of("sdirk2", 40)]))
     print(f"{name}: {message}")
-    check(status == 3 and words in message, f"{name}: rounding is told")
+    check(status == 3 and words in message, f"{name}: rounding is reported")

@@ -414,7 +414,7 @@ MISSED = ["Loads/Traction=0; 10*sin(2*pi*t/600)+1",
 RAOUS = SOURCE / "prm/raous1980.prm"
 status, output, _ = execute("--check", RAOUS, *overrides(MISSED))
 check(status == 0 and "is not the one that the time steps see" in output,
-      "a missed part of the mean is told")
+      "a missed part of the mean is reported")
 status, _, message = execute("--check", RAOUS, *overrides(
     MISSED + ["Periodic state/Secular split=on"]))
 print(message)
@@ -425,7 +425,7 @@ check(status == 2 and "is not the one that the time steps see" in message,
 status, output, _ = execute("--check", RAOUS, *overrides(
     ["Loads/Traction=0; 10*sin(2*3.1416*t/600)"]))
 check(status == 0 and "Or is it meant to vanish?" in output,
-      "a mean load that is hardly any is told to be")
+      "a mean load that is almost zero is reported")
 
 # beta does not depend on how the viscosity is written: in tau or in eta_0.
 rates = [run(RAOUS, "written", [

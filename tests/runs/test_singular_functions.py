@@ -115,7 +115,7 @@ marched = run(BODY, "direct", FINE + [
     "Periodic state/Maximum periods=2",
     "Loads/Traction=0; 10*(sin(2*pi*t/600) - 0.1)"]).summary
 check_below(marched["stress_change"][-1], 1e-9,
-            "direct in time: change of the stress over a marched period")
+            "harmonic balance: change of the stress over a marched period")
 
 # The other schemes agree to their order.
 history = run(BODY, "heun", FINE + [

@@ -110,7 +110,7 @@ def test_step_astray():
 
 @full
 def test_negative_weights():
-    """Of steps that weigh some of their stages negatively users are warned, and
+    """Steps that weigh some of their stages negatively cause a warning, and
     only where it matters."""
     for load, kind, order, is_warned in (
             ("+ 5", "implicit", 2, False), ("+ 5", "implicit", 3, True),

@@ -69,7 +69,7 @@ for order, limit in tier(((3, 2.5127),), (
     message = execute(SCENE, "--output", "results/refused", *overrides(settings(
         "arkode explicit", STEP / limit * 0.98, 0)
         + [f"Time integration/Order={order}"]))[2]
-    check(f"{limit:.4g}"[:4] in message, f"the bound is told: {message}")
+    check(f"{limit:.4g}"[:4] in message, f"the bound is reported: {message}")
 
 # Half of a bar relaxes a million times faster than the other. A smooth rise of
 # the load: whatever rises or falls all the time does so with steps of T/40. A

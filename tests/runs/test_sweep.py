@@ -220,7 +220,7 @@ def test_no_error():
 @full
 def test_too_few_instants():
     """Adaptive steps meet those of a reference at 0 and T alone, where the load
-    is zero: that tells nothing, unless they end where they are told to."""
+    is zero: that tells nothing, unless they end at instants given."""
     axes = ("--set", "Time integration/Step control=adaptive",
             "--vary", "Time integration/Relative tolerance=1e-3,1e-4",
             "--reference", "Time integration/Step control=uniform", *REFERENCE)
@@ -228,7 +228,7 @@ def test_too_few_instants():
     check(all(row["error:probe_top/s"] == row["error:stress"] == ""
               for row in rows), "no error at two instants")
     check("name instants" in pathlib.Path("results/few/sweep.md").read_text(),
-          "what to do is told")
+          "what to do is reported")
     steps = ",".join(str(15 * k) for k in range(1, 40))
     rows, _ = sweep("named", *axes, "--set", f"Time integration/Steps={steps}")
     for row, tolerance in zip(rows, (1e-3, 1e-4)):

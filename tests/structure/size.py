@@ -10,13 +10,12 @@ import pathlib
 import sys
 
 TARGET_LINES, TARGET_CODE = 50000, 36000
-LIMIT_LINES, LIMIT_CODE = 57800, 42800
+LIMIT_LINES, LIMIT_CODE = 58600, 43400
 LARGEST_SHARE = 1 / 7
 LONGEST_FILE = 400
 # Longer files and their lengths: they may only shrink.
 LONGER = {
     "source/discretisation/stress_estimator.cc": 405,
-    "source/parameters/parameters.cc": 471,
     "source/postprocess/crack_tip_analysis.cc": 412,
 }
 

@@ -48,7 +48,7 @@ namespace Crevasse
     /** Makes the directory that of a run that has not ended, which goes on
      * there, and of no other as long as the lock exists. @throw FileError */
     std::unique_ptr<DirectoryLock>
-    take_up() const;
+    resume() const;
 
     /** Creates the directory where needed, clears the results of an earlier
      * run away, and keeps others out as long as the lock exists.

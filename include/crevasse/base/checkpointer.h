@@ -12,7 +12,7 @@
 namespace Crevasse
 {
   /**
-   * The moments between two steps: there a run may be kept, left, or taken up
+   * The moments between two steps: there a run may be saved, left, or resumed
    * where another one was left. What the state of the run consists of makes
    * itself known as a SerializationScope.
    */

@@ -20,7 +20,7 @@ namespace Crevasse
     using std::runtime_error::runtime_error;
   };
 
-  /** The mathematics refuse: no convergence, unstable step, rigid motion left
+  /** A numerical failure: no convergence, unstable step, rigid-body motion left
    * free. The program ends with exit status 3. */
   struct NumericalError : std::runtime_error
   {

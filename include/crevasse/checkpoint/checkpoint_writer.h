@@ -26,7 +26,7 @@ namespace Crevasse
      * @param n_stresses the fields of a stress that a checkpoint may have.
      * @param last_period after which more periods may be wanted: then there
      * is a checkpoint; 0: never.
-     * @param header which a run that is taken up has read already. */
+     * @param header which a resumed run has read already. */
     CheckpointWriter(Checkpoints       &checkpoints,
                      const Body<dim>   &body,
                      const unsigned int n_stresses,

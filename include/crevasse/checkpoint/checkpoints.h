@@ -17,7 +17,7 @@
 namespace Crevasse
 {
   /** The checkpoints of one run: when they are written, and the one that it is
-   * taken up from. What they contain is told by CheckpointWriter. */
+   * resumed from. CheckpointWriter documents what they contain. */
   class Checkpoints
   {
   public:
@@ -42,11 +42,11 @@ namespace Crevasse
     void
     resume(const MPI_Comm communicator);
 
-    /** Whether a run is to be taken up, as long as it has not been. */
+    /** Whether a run is to be resumed, as long as it has not been. */
     bool
     is_resuming() const;
 
-    /** What all ranks have alike of the run that is taken up. */
+    /** What all ranks have alike of the resumed run. */
     CommonArchive &
     resumed();
 
@@ -72,8 +72,8 @@ namespace Crevasse
     void
     expect(const double bytes);
 
-    /** Names the tables that the run writes, which go on when it is taken
-     * up. */
+    /** Names the tables that the run writes, which go on when it is
+     * resumed. */
     void
     set_tables(const std::vector<std::string> &names);
 
@@ -90,7 +90,7 @@ namespace Crevasse
     const Summary &
     scene() const;
 
-    /** Notes that the run was taken up. */
+    /** Notes that the run was resumed. */
     void
     has_resumed(const CheckpointManifest &from);
 

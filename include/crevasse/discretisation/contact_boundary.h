@@ -98,7 +98,7 @@ namespace Crevasse
     /** A free node that speaks for one that is not free, with its factor:
      * either the interpolation of a hanging node, or for lack of a better
      * one. */
-    struct Speaker
+    struct MasterNode
     {
       dealii::types::global_dof_index dof;
       double                          factor;
@@ -110,7 +110,7 @@ namespace Crevasse
     struct HeldNode
     {
       dealii::types::global_dof_index dof;
-      std::vector<Speaker>            speakers;
+      std::vector<MasterNode>         speakers;
       double                          weight; ///< ∫φ over the lip
     };
 
@@ -120,7 +120,7 @@ namespace Crevasse
     /** Who speaks for a node with constraints.
      *
      * @param nearest the nearest free node on its faces, or invalid. */
-    static std::vector<Speaker>
+    static std::vector<MasterNode>
     speakers_for(const LipNode<dim>                      &node,
                  const dealii::types::global_dof_index    nearest,
                  const dealii::AffineConstraints<double> &constraints);

@@ -37,8 +37,8 @@ namespace Crevasse
      * a run does not find out. Collective.
      * @throw SceneError with the point and the instant. */
     void
-    survey(const std::vector<double> &instants,
-           const MPI_Comm             communicator) const;
+    validate_and_bound(const std::vector<double> &instants,
+                       const MPI_Comm             communicator) const;
 
     /** The mean of the loads divided by a function of time over a period,
      * to rounding: see period_mean(). Collective. */

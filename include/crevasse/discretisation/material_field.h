@@ -118,7 +118,8 @@ namespace Crevasse
      * @throw SceneError with the worst point and instant.
      */
     RelaxationTimes
-    survey(const std::vector<double> &instants, const double period) const;
+    validate_and_bound(const std::vector<double> &instants,
+                       const double               period) const;
 
     /** The largest magnitude among the components of thermal strain at all
      * points and the given instants; 0 if there is none. Collective.

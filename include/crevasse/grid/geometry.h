@@ -25,8 +25,8 @@ namespace Crevasse
    * straight crack front a line of the mesh: where uniform cells do not meet
    * it, the two sides of it are divided separately.
    *
-   * @param look sees how many cells there are going to be while there is no
-   * more than a file that was read; it may throw.
+   * @param on_cell_count sees how many cells there are going to be while there
+   * is no more than a file that was read; it may throw.
    * @throw SceneError if the file cannot be understood as a mesh of
    * quadrilaterals (hexahedra), or if the crack cannot be resolved.
    */
@@ -34,7 +34,7 @@ namespace Crevasse
   void
   make_mesh(const GeometryParameters                      &parameters,
             dealii::Triangulation<dim>                    &mesh,
-            const std::function<void(const CellCounts &)> &look = {});
+            const std::function<void(const CellCounts &)> &on_cell_count = {});
 } // namespace Crevasse
 
 #endif

@@ -18,7 +18,8 @@
 
 namespace Crevasse
 {
-  /** The periodic state found direct in time, and what was found on the way. */
+  /** The periodic state found by harmonic balance, and what was found on the
+   * way. */
   struct FourierResult
   {
     PeriodicMotion             motion;
@@ -61,7 +62,7 @@ namespace Crevasse
                   const StepList  &steps);
 
   /**
-   * Finds the periodic state of a scene direct in time: see Fourier. The
+   * Finds the periodic state of a scene by harmonic balance: see Fourier. The
    * secular flow is that of the mean of the samples. Collective.
    *
    * @param smallest_relaxation_time of the material, for a warning.

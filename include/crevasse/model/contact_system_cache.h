@@ -83,7 +83,7 @@ namespace Crevasse
     statistics() const;
 
     /** Shows the state of the contact solvers of all instants; those of a run
-     * that is taken up are made first. */
+     * that is resumed are made first. */
     void
     serialize(StateArchive &archive);
 

@@ -30,7 +30,7 @@ namespace Crevasse
 
   /** Whether the temperature causes strain, where there is one. */
   bool
-  expands(const MaterialParameters &material);
+  has_thermal_expansion(const MaterialParameters &material);
 
   /** Whether there is a change of temperature. */
   bool

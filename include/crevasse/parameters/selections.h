@@ -89,8 +89,8 @@ namespace Crevasse
 
   /** Of which point the change of volume in the strain is: of the displacement
    * gradient at the point, or the mean of that over the cell (B-bar; Hughes
-   * 1980), which keeps linear elements from locking where the volume hardly
-   * changes. */
+   * 1980), which keeps linear elements from locking in nearly incompressible
+   * bodies. */
   enum class VolumetricStrain
   {
     full,

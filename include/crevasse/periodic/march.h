@@ -23,7 +23,7 @@ namespace Crevasse
     /** @param tolerance for the estimated error of the stress relative to its
      * maximum; 0: compute as many periods as are allowed.
      * @param slowness 1/(1−λ) with the contraction λ of the slowest point by
-     * itself: changes may go on to shrink by that at last. 1: not known. */
+     * itself: changes may decrease by that ratio in the end. 1: not known. */
     March(ObservedPeriods<dim> &periods,
           const double          tolerance,
           const double          slowness);

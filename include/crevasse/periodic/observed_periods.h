@@ -133,7 +133,7 @@ namespace Crevasse
     bool   ignores_drift = false;
     bool   lip_opens     = false; ///< and stands open
 
-    // Of the period that is being computed, and before it was taken up.
+    // Of the period that is being computed, and before it was resumed.
     dealii::Timer            timer;
     std::size_t              solves_before  = 0;
     double                   seconds_before = 0.;

@@ -30,7 +30,7 @@ namespace Crevasse
               Checkpointer   *checkpointer = nullptr);
 
     /** Advances @p r over period @p period (1 for the first) and shows the
-     * state at the beginning of every step. A run that is taken up goes on in
+     * state at the beginning of every step. A resumed run continues in
      * the middle of another one. */
     void
     advance(unsigned int                               period,

@@ -21,7 +21,7 @@ namespace Crevasse
     bool        may_fall_back = false;
     std::string why;
 
-    /** Whether something is solved direct in time. */
+    /** Whether harmonic balance is used. */
     bool
     uses_fourier() const;
 

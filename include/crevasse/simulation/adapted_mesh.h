@@ -48,7 +48,7 @@ namespace Crevasse
   public:
     /** Collective. @throw SceneError or NumericalError.
      *
-     * @param checkpoints The mesh is that of the run that is taken up. */
+     * @param checkpoints The mesh is that of the resumed run. */
     AdaptedMesh(const Scene   &scene,
                 const MPI_Comm communicator,
                 Log           &log,

@@ -8,7 +8,7 @@
 #include <crevasse/base/log.h>
 #include <crevasse/base/stop_request.h>
 #include <crevasse/study/quantity.h>
-#include <crevasse/study/stress_record.h>
+#include <crevasse/study/stress_reader.h>
 #include <crevasse/study/sweep_folder.h>
 #include <crevasse/study/sweep_plan.h>
 #include <crevasse/study/sweep_result.h>
@@ -100,7 +100,7 @@ namespace Crevasse
     std::vector<Quantity>         quantities;
     std::string                   directory;
     std::unique_ptr<SweepTable>   table;
-    std::unique_ptr<StressRecord> reference_stress; ///< on the first rank
+    std::unique_ptr<StressReader> reference_stress; ///< on the first rank
   };
 } // namespace Crevasse
 

@@ -22,7 +22,7 @@ namespace Crevasse
   class SweepFolder
   {
   public:
-    /** The stress at all quadrature points, see StressRecord. */
+    /** The stress at all quadrature points, see StressReader. */
     static constexpr const char *stress_file = "stress_samples.bin";
 
     /** @param used_parameters of the run that belongs there. */

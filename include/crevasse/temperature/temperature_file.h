@@ -37,7 +37,7 @@ namespace Crevasse
     set_instants(std::vector<double> instants);
 
     [[noreturn]] void
-    refuse(const std::string &reason) const;
+    throw_error(const std::string &reason) const;
 
     const std::string file_name;
 

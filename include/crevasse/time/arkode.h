@@ -99,7 +99,7 @@ namespace Crevasse
     const bool                      is_implicit, is_adaptive;
     const ArkodeTable               table;
 
-    RememberedRate                equation;
+    CachedRate                    equation;
     std::unique_ptr<ArkodeDriver> driver;         ///< once there is an r
     Vector                        allowed_errors; ///< see tolerances()
     bool                          is_continuing = false;

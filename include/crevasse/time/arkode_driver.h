@@ -5,8 +5,8 @@
 #define crevasse_time_arkode_driver_h
 
 #include <crevasse/time/arkode_table.h>
+#include <crevasse/time/cached_rate.h>
 #include <crevasse/time/exact_stage.h>
-#include <crevasse/time/remembered_rate.h>
 
 #include <deal.II/sundials/n_vector.h>
 
@@ -43,7 +43,7 @@ namespace Crevasse
      * equation must outlive this object. */
     ArkodeDriver(const Settings    &settings,
                  const ArkodeTable &table,
-                 RememberedRate    &equation,
+                 CachedRate        &equation,
                  const double       t,
                  const Vector      &r);
 
@@ -117,7 +117,7 @@ namespace Crevasse
     using Memory = std::unique_ptr<void, void (*)(void *)>;
 
     Settings                    settings;
-    RememberedRate             &equation;
+    CachedRate                 &equation;
     std::string                 words; ///< SUNDIALS' last message
     const Context               context;
     double                      current_time;

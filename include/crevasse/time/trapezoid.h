@@ -13,8 +13,8 @@ namespace Crevasse
    *
    *     r(t + Δt) = r + ½Δt f(r, t) + ½Δt f(r(t + Δt), t + Δt)
    *
-   * What is stiff swings on instead of decaying. With equal steps its periodic
-   * state is that of the direct method in time.
+   * Stiff components oscillate instead of decaying. With equal steps its
+   * periodic state is that of the direct method in time.
    */
   class Trapezoid : public Integrator
   {

@@ -14,8 +14,8 @@ from crevasse.plotting import BLUE, GREY, VERMILION
 from crevasse.results import number
 from crevasse.run import Run
 
-PARTS_OF_PHASES = {"harmonics": "direct in time",
-                   "periodic contact": "direct in time"}
+PARTS_OF_PHASES = {"harmonics": "harmonic balance",
+                   "periodic contact": "harmonic balance"}
 
 
 def page(directory):

@@ -20,7 +20,7 @@ template <int dim>
 class ContactBody
 {
 public:
-  /** @param traction on the loaded boundary, unless loads() is told another.
+  /** @param traction on the loaded boundary, unless loads() gets another.
    * The rest is what a Space needs. */
   ContactBody(std::shared_ptr<const Crevasse::Mesh<dim>>    mesh,
               const unsigned int                            degree,

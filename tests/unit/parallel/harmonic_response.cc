@@ -1,4 +1,4 @@
-// The periodic state direct in time: coefficients and samples, complex
+// The periodic state by harmonic balance: coefficients and samples, complex
 // factors against what they replace, and periodic states against steps in real
 // time, with and without contact.
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-// A without a matrix is the assembled one; geometric multigrid solves with it,
+// The matrix-free A is the assembled one; geometric multigrid solves with it,
 // in as many iterations on any mesh, with hanging nodes, coefficients that jump
 // and a part of the lip closed; on any number of ranks.
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-// Iterations that are kept and taken up go on as if they had never been left:
+// Iterations that are kept and resumed go on as if they had never been left:
 // Anderson's acceleration with its history, and the ratio of changes.
 
 #include <crevasse/periodic/anderson_acceleration.h>
@@ -47,7 +47,7 @@ namespace
 
   template <typename Kept>
   void
-  hand_over(Kept &from, Kept &to)
+  export_state(Kept &from, Kept &to)
   {
     MemoryArchive archive;
     from.serialize(archive);
@@ -63,16 +63,16 @@ namespace
   {
     constexpr unsigned int               n_after = 4;
     const AndersonAcceleration::Settings settings{5, 0.8};
-    AndersonAcceleration whole(settings), left(settings), taken_up(settings);
+    AndersonAcceleration whole(settings), left(settings), resumed(settings);
     Vector               x(n_unknowns), y(n_unknowns);
     iterate(whole, x, n_before + n_after);
 
     iterate(left, y, n_before);
-    hand_over(left, taken_up);
-    iterate(taken_up, y, n_after);
+    export_state(left, resumed);
+    iterate(resumed, y, n_after);
     y -= x;
     return y.linfty_norm() + std::abs(whole.unexplained_distance() -
-                                      taken_up.unexplained_distance());
+                                      resumed.unexplained_distance());
   }
 
 
@@ -80,7 +80,7 @@ namespace
   double
   difference_of_contractions(const unsigned int n_before)
   {
-    Contraction whole, left, taken_up;
+    Contraction whole, left, resumed;
     const auto  change = [](const unsigned int k) {
       return std::pow(0.5, k) * (1. + 0.9 * std::sin(1.7 * k));
     };
@@ -89,12 +89,12 @@ namespace
         whole.add(change(k), k > 0);
         left.add(change(k), k > 0);
       }
-    hand_over(left, taken_up);
+    export_state(left, resumed);
     double difference = 0.;
     for (unsigned int k = n_before; k < n_before + 3; ++k)
       {
         const double a = whole.add(change(k), k > 0);
-        const double b = taken_up.add(change(k), k > 0);
+        const double b = resumed.add(change(k), k > 0);
         difference += std::isnan(a) && std::isnan(b) ? 0. : std::abs(a - b);
       }
     return difference;

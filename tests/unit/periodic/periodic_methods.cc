@@ -235,7 +235,7 @@ namespace
       }
     check("a drift of 1e5 periods ends within 18 leaps",
           x <= 0. && n_leaps <= 18);
-    check("that it has ended is told", leaps.has_left());
+    check("that it has ended is reported", leaps.has_left());
     check("once", leaps.next(0.5, 0., 1.) == 0. && !leaps.has_left());
     check("the same drift goes on with the length of the last leap",
           leaps.next(1., 0., 1.) == 65536.);

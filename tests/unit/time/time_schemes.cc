@@ -499,7 +499,7 @@ namespace
     };
     check("arkode: what f throws comes through C code as it is",
           failure_of_arkode(true) == "no rate beyond 0.5");
-    check("arkode: what no step resolves is told, with a parameter",
+    check("arkode: what no step resolves is reported, with a parameter",
           contains(failure_of_arkode(false),
                    "[Time integration] Relative tolerance"));
     bool all_advise = true;

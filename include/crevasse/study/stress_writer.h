@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_study_stress_samples_h
-#define crevasse_study_stress_samples_h
+#ifndef crevasse_study_stress_writer_h
+#define crevasse_study_stress_writer_h
 
 #include <crevasse/model/body.h>
 #include <crevasse/time/observer.h>
@@ -13,13 +13,13 @@
 namespace Crevasse
 {
   /** Keeps the stress at all quadrature points at the instants of the last
-   * period, and writes it for StressRecord. */
+   * period, and writes it for StressReader. */
   template <int dim>
-  class StressSamples : public Observer
+  class StressWriter : public Observer
   {
   public:
     /** @p body must outlive this. */
-    StressSamples(const Body<dim> &body, const double period);
+    StressWriter(const Body<dim> &body, const double period);
 
     void
     observe(const Sample &sample) override;

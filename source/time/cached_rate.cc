@@ -3,7 +3,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
-#include <crevasse/time/remembered_rate.h>
+#include <crevasse/time/cached_rate.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -14,7 +14,7 @@
 namespace Crevasse
 {
   void
-  RememberedRate::attach(RateEquation &new_equation)
+  CachedRate::attach(RateEquation &new_equation)
   {
     equation = &new_equation;
   }
@@ -22,7 +22,7 @@ namespace Crevasse
 
 
   void
-  RememberedRate::forget()
+  CachedRate::forget()
   {
     of_method.is_known = of_sample.is_known = false;
     latest                                  = nullptr;
@@ -31,9 +31,9 @@ namespace Crevasse
 
 
   bool
-  RememberedRate::matches(const Evaluation &evaluation,
-                          const double      t,
-                          const Vector     &r)
+  CachedRate::matches(const Evaluation &evaluation,
+                      const double      t,
+                      const Vector     &r)
   {
     // The last stage of a step is its end but for the order of summation.
     constexpr double rounding = 1e-13;
@@ -55,9 +55,7 @@ namespace Crevasse
 
 
   void
-  RememberedRate::keep(const double  t,
-                       const Vector &rate,
-                       Evaluation   &evaluation)
+  CachedRate::keep(const double t, const Vector &rate, Evaluation &evaluation)
   {
     ++evaluations;
     if (!std::isfinite(rate.l1_norm()))
@@ -77,10 +75,10 @@ namespace Crevasse
 
 
   void
-  RememberedRate::evaluate(const double  t,
-                           const Vector &r,
-                           Vector       &rate,
-                           Evaluation   &evaluation)
+  CachedRate::evaluate(const double  t,
+                       const Vector &r,
+                       Vector       &rate,
+                       Evaluation   &evaluation)
   {
     evaluation.is_known = false;
     latest              = nullptr;
@@ -92,7 +90,7 @@ namespace Crevasse
 
 
   void
-  RememberedRate::rate(const double t, const Vector &r, Vector &rate)
+  CachedRate::rate(const double t, const Vector &r, Vector &rate)
   {
     for (const Evaluation *evaluation : {&of_method, &of_sample})
       if (matches(*evaluation, t, r))
@@ -106,7 +104,7 @@ namespace Crevasse
 
 
   void
-  RememberedRate::show(const double t, const Vector &r, Vector &rate)
+  CachedRate::show(const double t, const Vector &r, Vector &rate)
   {
     if (latest != nullptr && matches(*latest, t, r))
       rate = latest->rate;
@@ -117,10 +115,10 @@ namespace Crevasse
 
 
   void
-  RememberedRate::implicit_rate(const double  t,
-                                const Vector &known,
-                                const double  c,
-                                Vector       &rate)
+  CachedRate::implicit_rate(const double  t,
+                            const Vector &known,
+                            const double  c,
+                            Vector       &rate)
   {
     of_method.is_known = false;
     latest             = nullptr;
@@ -133,7 +131,7 @@ namespace Crevasse
 
 
   void
-  RememberedRate::serialize(StateArchive &archive)
+  CachedRate::serialize(StateArchive &archive)
   {
     archive.section("remembered rates");
     for (Evaluation *evaluation : {&of_method, &of_sample})

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
-#include <crevasse/study/stress_record.h>
+#include <crevasse/study/stress_reader.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ namespace Crevasse
 
 
 
-  StressRecord::StressRecord(const std::string &file_name)
+  StressReader::StressReader(const std::string &file_name)
   {
     std::ifstream file(file_name, std::ios::binary);
     file.read(reinterpret_cast<char *>(&header), sizeof(header));
@@ -60,7 +60,7 @@ namespace Crevasse
 
 
   bool
-  StressRecord::has_the_points_of(const StressRecord &other) const
+  StressReader::has_the_points_of(const StressReader &other) const
   {
     if (coordinates.size() != other.coordinates.size() ||
         header.dimension != other.header.dimension ||
@@ -79,7 +79,7 @@ namespace Crevasse
 
 
   MeasuredError
-  StressRecord::error(const StressRecord &reference) const
+  StressReader::error(const StressReader &reference) const
   {
     if (!has_the_points_of(reference))
       return MeasuredError::none(

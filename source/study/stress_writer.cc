@@ -4,8 +4,8 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/discretisation/cell_values.h>
-#include <crevasse/study/stress_record.h>
-#include <crevasse/study/stress_samples.h>
+#include <crevasse/study/stress_reader.h>
+#include <crevasse/study/stress_writer.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/cell_id.h>
@@ -32,7 +32,7 @@ namespace Crevasse
 
 
   template <int dim>
-  StressSamples<dim>::StressSamples(const Body<dim> &body, const double period)
+  StressWriter<dim>::StressWriter(const Body<dim> &body, const double period)
     : body(body)
     , period(period)
   {
@@ -42,7 +42,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  StressSamples<dim>::observe(const Sample &sample)
+  StressWriter<dim>::observe(const Sample &sample)
   {
     if (sample.step == 0)
       instants.clear();
@@ -57,8 +57,8 @@ namespace Crevasse
 
 
   template <int dim>
-  std::vector<typename StressSamples<dim>::PointsOfCell>
-  StressSamples<dim>::cells_in_order() const
+  std::vector<typename StressWriter<dim>::PointsOfCell>
+  StressWriter<dim>::cells_in_order() const
   {
     std::vector<std::pair<CellId::binary_type, std::size_t>> mine;
     for (const auto &cell : body.space.mesh().active_cell_iterators())
@@ -88,8 +88,8 @@ namespace Crevasse
 
   template <int dim>
   std::vector<double>
-  StressSamples<dim>::gather(const std::vector<double>       &values,
-                             const std::vector<PointsOfCell> &cells) const
+  StressWriter<dim>::gather(const std::vector<double>       &values,
+                            const std::vector<PointsOfCell> &cells) const
   {
     std::vector<double> all;
     for (const auto &theirs :
@@ -112,7 +112,7 @@ namespace Crevasse
 
   template <int dim>
   std::vector<double>
-  StressSamples<dim>::coordinates() const
+  StressWriter<dim>::coordinates() const
   {
     CellValues<dim>     cell_values(body.space, update_quadrature_points);
     std::vector<double> all;
@@ -128,7 +128,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  StressSamples<dim>::write(const std::string &file_name) const
+  StressWriter<dim>::write(const std::string &file_name) const
   {
     if (instants.empty())
       return;
@@ -164,6 +164,6 @@ namespace Crevasse
 
 
 
-  template class StressSamples<2>;
-  template class StressSamples<3>;
+  template class StressWriter<2>;
+  template class StressWriter<3>;
 } // namespace Crevasse

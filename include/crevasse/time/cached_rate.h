@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_time_remembered_rate_h
-#define crevasse_time_remembered_rate_h
+#ifndef crevasse_time_cached_rate_h
+#define crevasse_time_cached_rate_h
 
 #include <crevasse/time/rate_equation.h>
 
@@ -17,7 +17,7 @@ namespace Crevasse
    * what is shown at a sample often is what a method has evaluated last, or
    * evaluates next. The last evaluation for either is kept.
    */
-  class RememberedRate
+  class CachedRate
   {
   public:
     /** From now on this equation is evaluated; it must live until the next

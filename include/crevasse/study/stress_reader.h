@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_study_stress_record_h
-#define crevasse_study_stress_record_h
+#ifndef crevasse_study_stress_reader_h
+#define crevasse_study_stress_reader_h
 
 #include <crevasse/study/measured_error.h>
 
@@ -12,7 +12,7 @@
 
 namespace Crevasse
 {
-  /** What the file of a StressRecord begins with. */
+  /** What the file of a StressReader begins with. */
   struct StressRecordHeader
   {
     static constexpr std::uint64_t our_mark = 0x3153534552545343; // "CSTRESS1"
@@ -31,26 +31,26 @@ namespace Crevasse
 
   /**
    * The stress at all quadrature points at the instants of the last period of
-   * a run, as StressSamples has written it: the header, the instants within
+   * a run, as StressWriter has written it: the header, the instants within
    * the period, the coordinates of the points, and for each instant the stress
    * of all points.
    */
-  class StressRecord
+  class StressReader
   {
   public:
     /** @throw FileError if the file cannot be read, or has another size than
      * its header says. */
-    explicit StressRecord(const std::string &file_name);
+    explicit StressReader(const std::string &file_name);
 
     /** The error beside a reference on the same points: the largest difference
      * of a component over the largest component of the reference, at the
      * common instants within the last period of each. */
     MeasuredError
-    error(const StressRecord &reference) const;
+    error(const StressReader &reference) const;
 
   private:
     bool
-    has_the_points_of(const StressRecord &other) const;
+    has_the_points_of(const StressReader &other) const;
 
     StressRecordHeader               header;
     std::vector<double>              instants;
