@@ -7,8 +7,8 @@ import pathlib
 import shutil
 
 from bars import BAR
-from crevasse_run import (check, check_below, execute, execute_on, overrides,
-                          run)
+from crevasse_run import (check, check_below, execute, execute_on, full,
+                          overrides, run)
 
 TARGET = 1e-2
 SCENE = "plate.prm"
@@ -77,6 +77,7 @@ def test_target():
     check("(chosen)" in (directory / "advice.md").read_text(), "advice.md")
 
 
+@full
 def test_again():
     """The same answer from what is there, on two ranks too."""
     first = json.loads(pathlib.Path("results/target/advice.json").read_text())
@@ -129,6 +130,7 @@ def test_refusals():
     check(code == 0 and "advised.prm" in output and "--error" in output, output)
 
 
+@full
 def test_first_is_refused():
     """Explicit steps of a tenth of the period are too long for this material."""
     directory, output, _ = advise("fast", "--error", TARGET, *SETTINGS, "--set",
@@ -156,12 +158,14 @@ def test_quantities():
         check(len(runs) <= 2, f"found out late, after {len(runs)} runs")
 
 
+@full
 def test_nothing_moves():
     _, output, error = advise("unloaded", "--error", "0.05", *SETTINGS, "--set",
                               "Loads/Traction=0; 0", status=3)
     check("0 at all instants" in error, output + error)
 
 
+@full
 def test_coarse_cells_are_refused():
     """Around the tip there is no room for the integral: finer meshes are tried."""
     scene = pathlib.Path("tip.prm")
@@ -177,6 +181,7 @@ def test_coarse_cells_are_refused():
           f"{advice['errors']}")
 
 
+@full
 def test_crack_tip():
     """The stress at a tip has no error that could be reached. The periodic state is
     looked for by what finds it."""
