@@ -375,7 +375,7 @@ namespace
   arkode(const std::string &kind, const unsigned int order)
   {
     TimeIntegrationParameters parameters;
-    parameters.scheme = "arkode " + kind;
+    parameters.scheme = value_of<Scheme>("arkode " + kind);
     parameters.order  = order;
     return parameters;
   }
@@ -405,7 +405,7 @@ namespace
         for (const double tolerance : {1e-4, 1e-6, 1e-8})
           {
             auto parameters               = arkode(kind, 4);
-            parameters.step_control       = "adaptive";
+            parameters.step_control       = StepControlType::adaptive;
             parameters.relative_tolerance = tolerance;
             Arkode       scheme(parameters, 2.);
             Relaxation   equation(0.5, 0.6);
