@@ -375,7 +375,7 @@ namespace Crevasse
     if (names.empty())
       return;
 
-    std::string message = "The supports leave rigid-body motions free:";
+    std::string message = "Unconstrained rigid-body motions:";
     for (const std::string &name : names)
       message += "\n  " + name;
     message +=

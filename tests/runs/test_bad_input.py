@@ -488,25 +488,25 @@ CASES = [
 
     # Rigid motions
     Case("free_translation", 3,
-         ["rigid-body motions free:\n  translation along x1\nContact",
+         ["Unconstrained rigid-body motions:\n  translation along x1\nContact",
           r"\[Boundary\] Clamped, Symmetry or Fixed points",
           r'--set "Boundary/Fixed points=0, 0"'],
          ["Boundary/Fixed points=none"]),
     Case("free_mesh", 3,
-         [r"rigid-body motions free:\n(.*\n)+Contact .* Boundary ids of the mesh that have no role: "
+         [r"Unconstrained rigid-body motions:\n(.*\n)+Contact .* Boundary ids of the mesh that have no role: "
           r"0, 1\."],
          ["Boundary/Symmetry=none", "Boundary/Loaded=3", "Boundary/Contact=2"],
          scene=MESH_SCENE),
     Case("free_rotation", 3,
-         [r"rigid-body motions free:\n  rotation in the plane x1-x2 about \(0\.5, 0\)\n"
+         [r"Unconstrained rigid-body motions:\n  rotation in the plane x1-x2 about \(0\.5, 0\)\n"
           "Contact"],
          ["Boundary/Symmetry=none", "Boundary/Fixed points=0.5, 0"]),
     Case("free_to_fly", 3,
-         ["rigid-body motions free:\n  translation along x1\n  translation along x2\n"
+         ["Unconstrained rigid-body motions:\n  translation along x1\n  translation along x2\n"
           "  rotation in the plane x1-x2 .*\nContact"],
          ["Boundary/Symmetry=none", "Boundary/Fixed points=none"]),
     Case("free_part", 3,
-         ["rigid-body motions free:\n  translation along x1 of part 2 of 2 .*\n"
+         ["Unconstrained rigid-body motions:\n  translation along x1 of part 2 of 2 .*\n"
           "  translation along x2 of part 2 of 2 .*\n"
           "  rotation in the plane x1-x2 .* of part 2 of 2 .*\nContact"],
          [mesh("two_parts"), "Boundary/Fixed points=0, 0: 1"],
