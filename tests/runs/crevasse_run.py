@@ -86,7 +86,7 @@ def print_cost():
 
 
 # These start a script in place of the program, found beside it.
-SCRIPTS = ("advise", "figures", "report")
+SCRIPTS = ("advise", "figures", "report", "temperature")
 
 
 def execute(*arguments, cwd=".", seconds=300):
@@ -98,7 +98,8 @@ def execute(*arguments, cwd=".", seconds=300):
                "directory": os.path.abspath(cwd), "seconds": seconds}
     print(json.dumps(request), file=server().stdin, flush=True)
     line = server().stdout.readline()
-    check(line, f"the scene server ended: {line or server().wait()}")
+    if not line:
+        raise Failure(f"the scene server ended: {server().wait()}")
     answer = json.loads(line)
     server().n_runs += 1
     return answer["status"], answer["output"], answer["error"]
