@@ -3,13 +3,28 @@
 
 #include <crevasse/discretisation/cell_polynomials.h>
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_tools.h>
 
 namespace Crevasse
 {
   using namespace dealii;
+
+  template <int dim>
+  std::vector<FullMatrix<double>>
+  fitting_matrices(const FiniteElement<dim> &fe, const Space<dim> &space)
+  {
+    std::vector<FullMatrix<double>> matrices;
+    for (const Quadrature<dim> &rule : space.quadratures())
+      {
+        matrices.emplace_back(fe.n_dofs_per_cell(), rule.size());
+        FETools::compute_projection_from_quadrature_points_matrix(
+          fe, rule, rule, matrices.back());
+      }
+    return matrices;
+  }
+
+
 
   template <int dim>
   CellPolynomials<dim>::CellPolynomials(const Mesh<dim>   &mesh,
@@ -24,41 +39,6 @@ namespace Crevasse
 
   template <int dim>
   void
-  CellPolynomials<dim>::distribute()
-  {
-    dofs.distribute_dofs(fe);
-  }
-
-
-
-  template <int dim>
-  Vector
-  CellPolynomials<dim>::coefficients() const
-  {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    return Vector(dofs.locally_owned_dofs(), relevant, dofs.get_communicator());
-  }
-
-
-
-  template <int dim>
-  FullMatrix<double>
-  CellPolynomials<dim>::fitting_matrix(const Quadrature<dim> &rule) const
-  {
-    const FiniteElement<dim> &scalar = fe.base_element(0);
-    FullMatrix<double>        matrix(scalar.n_dofs_per_cell(), rule.size());
-    FETools::compute_projection_from_quadrature_points_matrix(scalar,
-                                                              rule,
-                                                              rule,
-                                                              matrix);
-    return matrix;
-  }
-
-
-
-  template <int dim>
-  void
   CellPolynomials<dim>::fit(const Space<dim>           &space,
                             const QuadratureField<dim> &points,
                             const Vector               &field,
@@ -66,9 +46,7 @@ namespace Crevasse
                             const unsigned int          n_branches,
                             const unsigned int          branch) const
   {
-    std::vector<FullMatrix<double>> matrices;
-    for (const Quadrature<dim> &rule : space.quadratures())
-      matrices.push_back(fitting_matrix(rule));
+    const auto matrices = fitting_matrices(fe.base_element(0), space);
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
     coefficients.zero_out_ghost_values();
     coefficients = 0.;
@@ -124,6 +102,10 @@ namespace Crevasse
 
 
 
+  template std::vector<FullMatrix<double>>
+  fitting_matrices(const FiniteElement<2> &, const Space<2> &);
+  template std::vector<FullMatrix<double>>
+  fitting_matrices(const FiniteElement<3> &, const Space<3> &);
   template class CellPolynomials<2>;
   template class CellPolynomials<3>;
 } // namespace Crevasse

@@ -77,29 +77,6 @@ namespace Crevasse
 
   template <int dim>
   std::vector<VoigtMatrix<dim>>
-  cell_means(const Space<dim>                    &space,
-             const QuadratureField<dim>          &points,
-             const PointValues<VoigtMatrix<dim>> &values)
-  {
-    std::vector<VoigtMatrix<dim>> means(space.mesh().n_active_cells());
-    for (const auto &cell : space.mesh().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const std::size_t first =
-            points.offset(cell) / n_stress_components<dim>;
-          const unsigned int n    = space.quadrature(cell).size();
-          VoigtMatrix<dim>  &mean = means[cell->active_cell_index()];
-          for (unsigned int q = 0; q < n; ++q)
-            mean += values[first + q];
-          mean /= n;
-        }
-    return means;
-  }
-
-
-
-  template <int dim>
-  std::vector<VoigtMatrix<dim>>
   means_over_children(const Mesh<dim>                     &finer,
                       const CoarserMesh<dim>              &coarser,
                       const std::vector<VoigtMatrix<dim>> &of_finer)
@@ -137,10 +114,6 @@ namespace Crevasse
 #define INSTANTIATE(dim)                                           \
   template std::vector<CoarserMesh<dim>> coarser_meshes<dim>(      \
     const Mesh<dim> &, const std::size_t);                         \
-  template std::vector<VoigtMatrix<dim>> cell_means<dim>(          \
-    const Space<dim> &,                                            \
-    const QuadratureField<dim> &,                                  \
-    const PointValues<VoigtMatrix<dim>> &);                        \
   template std::vector<VoigtMatrix<dim>> means_over_children<dim>( \
     const Mesh<dim> &,                                             \
     const CoarserMesh<dim> &,                                      \

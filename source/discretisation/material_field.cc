@@ -102,8 +102,7 @@ namespace Crevasse
           if (cell->is_locally_owned())
             {
               const FEValues<dim> &values = cell_values.reinit(cell);
-              const std::size_t    first =
-                points.offset(cell) / n_stress_components<dim>;
+              const std::size_t    first  = points.first_point(cell);
               for (const unsigned int q : values.quadrature_point_indices())
                 {
                   locations[first + q] = values.quadrature_point(q);

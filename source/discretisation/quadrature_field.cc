@@ -69,26 +69,6 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  std::size_t
-  QuadratureField<dim>::offset(
-    const typename Triangulation<dim>::active_cell_iterator &cell) const
-  {
-    Assert(cell->is_locally_owned(), ExcInternalError());
-    return offsets[cell->active_cell_index()];
-  }
-
-
-
-  template <int dim>
-  std::size_t
-  QuadratureField<dim>::n_points() const
-  {
-    return partitioner->size() / n_components;
-  }
-
-
-
   template class QuadratureField<2>;
   template class QuadratureField<3>;
 } // namespace Crevasse

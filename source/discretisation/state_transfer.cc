@@ -7,7 +7,6 @@
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/solution_transfer.h>
-#include <deal.II/dofs/dof_tools.h>
 
 #include <array>
 #include <cmath>
@@ -18,30 +17,28 @@ namespace Crevasse
 
   template <int dim>
   FieldNorms<dim>
-  field_norms(const Space<dim>           &space,
-              const QuadratureField<dim> &points,
-              const Vector               &field,
-              const unsigned int          n_branches)
+  field_norms(const Space<dim>  &space,
+              const Vector      &field,
+              const unsigned int n_branches)
   {
     constexpr unsigned int    n = n_stress_components<dim>;
     std::array<double, n + 1> sums{}; // the integral, then the square
-    CellValues<dim>           cell_values(space, update_JxW_values);
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const FEValues<dim> &values = cell_values.reinit(cell);
-          std::size_t          place  = n_branches * points.offset(cell);
-          for (const unsigned int q : values.quadrature_point_indices())
-            for (unsigned int branch = 0; branch < n_branches; ++branch)
-              {
-                const VoigtVector<dim> value =
-                  QuadratureField<dim>::get(field, place);
-                for (unsigned int c = 0; c < n; ++c)
-                  sums[c] += value[c] * values.JxW(q);
-                sums[n] += value.norm_square() * values.JxW(q);
-                place += n;
-              }
-        }
+    for_each_point(space,
+                   update_JxW_values,
+                   [&](const FEValues<dim> &values,
+                       const unsigned int   q,
+                       const std::size_t    point) {
+                     for (unsigned int branch = 0; branch < n_branches;
+                          ++branch)
+                       {
+                         const VoigtVector<dim> value =
+                           QuadratureField<dim>::get(
+                             field, (point * n_branches + branch) * n);
+                         for (unsigned int c = 0; c < n; ++c)
+                           sums[c] += value[c] * values.JxW(q);
+                         sums[n] += value.norm_square() * values.JxW(q);
+                       }
+                   });
     Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
                         space.communicator(),
                         ArrayView<double>(sums.data(), sums.size()));
@@ -68,25 +65,12 @@ namespace Crevasse
   {
     // Numbered as the dofs of the space.
     displacement_dofs.distribute_dofs(space.finite_element());
-    nodal = displacement_vector();
+    nodal = make_vector(displacement_dofs);
     nodal.copy_locally_owned_data_from(space.nodal_values(displacement));
     nodal.update_ghost_values();
     for (unsigned int branch = 0; branch < n_branches; ++branch)
       polynomials.fit(
         space, points, viscous_strain, branches[branch], n_branches, branch);
-  }
-
-
-
-  template <int dim>
-  Vector
-  StateTransfer<dim>::displacement_vector() const
-  {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(displacement_dofs, relevant);
-    return Vector(displacement_dofs.locally_owned_dofs(),
-                  relevant,
-                  mesh.get_communicator());
   }
 
 
@@ -108,7 +92,7 @@ namespace Crevasse
 
     displacement_dofs.distribute_dofs(*displacement_dofs.get_fe().clone());
     polynomials.distribute();
-    nodal = displacement_vector();
+    nodal = make_vector(displacement_dofs);
     of_displacement.interpolate(nodal);
     std::vector<Vector *> after;
     for (Vector &branch : branches)
@@ -144,11 +128,10 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                  \
-  template FieldNorms<dim> field_norms<dim>(const Space<dim> &,           \
-                                            const QuadratureField<dim> &, \
-                                            const Vector &,               \
-                                            const unsigned int);          \
+#define INSTANTIATE(dim)                                         \
+  template FieldNorms<dim> field_norms<dim>(const Space<dim> &,  \
+                                            const Vector &,      \
+                                            const unsigned int); \
   template class StateTransfer<dim>
 
   INSTANTIATE(2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/discretisation/cell_values.h>
+#include <crevasse/discretisation/shape_strains.h>
 #include <crevasse/discretisation/stiffness.h>
 
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
@@ -12,128 +12,6 @@ namespace Crevasse
 
   namespace
   {
-    /** The strain of the shape function with the one nonzero component
-     * @p component. */
-    template <int dim>
-    VoigtVector<dim>
-    shape_strain(const Tensor<1, dim> &gradient, const unsigned int component)
-    {
-      VoigtVector<dim> strain;
-      for (unsigned int d = 0; d < dim; ++d)
-        strain[voigt_index<dim>(component, d)] = gradient[d];
-      return strain;
-    }
-
-
-
-    /** The means over a cell of the dilatations of its shape functions. */
-    template <int dim>
-    std::vector<double>
-    mean_dilatations(const FEValues<dim> &values)
-    {
-      const FiniteElement<dim> &fe = values.get_fe();
-      std::vector<double>       means(fe.n_dofs_per_cell(), 0.);
-      double                    volume = 0.;
-      for (const unsigned int q : values.quadrature_point_indices())
-        {
-          volume += values.JxW(q);
-          for (unsigned int i = 0; i < means.size(); ++i)
-            {
-              const unsigned int c = fe.system_to_component_index(i).first;
-              means[i] +=
-                values.shape_grad_component(i, q, c)[c] * values.JxW(q);
-            }
-        }
-      for (double &mean : means)
-        mean /= volume;
-      return means;
-    }
-
-
-
-    /** Adds a dilatation in equal parts to all three directions. */
-    template <int dim>
-    void
-    add_dilatation(VoigtVector<dim> &strain, const double dilatation)
-    {
-      for (unsigned int i = 0; i < 3; ++i)
-        strain[i] += dilatation / 3.;
-    }
-
-
-
-    /** Strains of all shape functions of a cell, those of the nodes and the
-     * singular ones. */
-    template <int dim>
-    class ShapeStrains
-    {
-    public:
-      explicit ShapeStrains(const Space<dim> &space)
-        : space(space)
-        , fe(space.finite_element())
-        , cell_values(space, flags(space))
-        , mean_volume(space.volumetric_strain() == VolumetricStrain::mean)
-      {
-      }
-
-
-
-      const FEValues<dim> &
-      reinit(const typename DoFHandler<dim>::active_cell_iterator &cell)
-      {
-        values = &cell_values.reinit(cell);
-        if (mean_volume)
-          means = mean_dilatations(*values);
-        if constexpr (dim == 2)
-          if (const SingularShapes *shapes = space.singular_shapes())
-            {
-              singular_gradients.resize(shapes->size());
-              for (unsigned int k = 0; k < shapes->size(); ++k)
-                shapes->gradients(k, *values, singular_gradients[k]);
-            }
-        return *values;
-      }
-
-
-
-      void
-      at_point(const unsigned int             q,
-               std::vector<VoigtVector<dim>> &strains) const
-      {
-        strains.clear();
-        for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
-          {
-            const unsigned int   c = fe.system_to_component_index(i).first;
-            const Tensor<1, dim> gradient =
-              values->shape_grad_component(i, q, c);
-            strains.push_back(shape_strain<dim>(gradient, c));
-            if (mean_volume)
-              add_dilatation<dim>(strains.back(), means[i] - gradient[c]);
-          }
-        for (const auto &gradients : singular_gradients)
-          strains.push_back(voigt_strain<dim>(gradients[q]));
-      }
-
-    private:
-      static UpdateFlags
-      flags(const Space<dim> &space)
-      {
-        return update_gradients | update_JxW_values |
-               (space.singular_shapes() != nullptr ? update_quadrature_points
-                                                   : update_default);
-      }
-
-      const Space<dim>                        &space;
-      const FESystem<dim>                     &fe;
-      CellValues<dim>                          cell_values;
-      const bool                               mean_volume;
-      const FEValues<dim>                     *values = nullptr;
-      std::vector<double>                      means;
-      std::vector<std::vector<Tensor<2, dim>>> singular_gradients;
-    };
-
-
-
     template <int dim>
     void
     initialize_matrix(const Space<dim> &space, SparseMatrix &matrix)
@@ -180,8 +58,7 @@ namespace Crevasse
           space.get_unknowns(cell, indices);
           const unsigned int n = indices.size();
           cell_matrix.reinit(n, n);
-          const std::size_t first =
-            points.offset(cell) / n_stress_components<dim>;
+          const std::size_t first = points.first_point(cell);
           for (const unsigned int q : values.quadrature_point_indices())
             {
               shapes.at_point(q, strains);

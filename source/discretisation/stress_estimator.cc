@@ -3,12 +3,13 @@
 
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/state_archive.h>
-#include <crevasse/base/text.h>
 #include <crevasse/discretisation/cell_values.h>
+#include <crevasse/discretisation/coarser_meshes.h>
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/material/voigt_matrix.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/fe/fe_interface_values.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 
@@ -21,23 +22,6 @@ namespace Crevasse
 
   namespace
   {
-    using Components = std::vector<dealii::Vector<double>>;
-
-    template <int dim>
-    Tensor<1, dim>
-    value_of(const std::vector<Expression> &components,
-             const Point<dim>              &point,
-             const double                   t)
-    {
-      Tensor<1, dim> value;
-      for (unsigned int d = 0; d < components.size(); ++d)
-        if (!components[d].is_zero())
-          value[d] = components[d].value(point, t);
-      return value;
-    }
-
-
-
     template <int dim>
     double
     size_of_face(const FEFaceValuesBase<dim> &face)
@@ -56,46 +40,29 @@ namespace Crevasse
   struct StressEstimator<dim>::Workspace
   {
     Workspace(const Space<dim> &space, const CellPolynomials<dim> &polynomials)
-      : fe(polynomials.dof_handler().get_fe())
-      , cell(space.mapping(),
-             fe,
-             QGauss<dim>(fe.degree + 1),
+      : cell(space.mapping(),
+             polynomials.dof_handler().get_fe(),
+             QGauss<dim>(space.finite_element().degree + 1),
              update_gradients | update_quadrature_points | update_JxW_values)
-      , face(space.mapping(), fe, space.face_quadrature(), flags())
-      , subface(space.mapping(), fe, space.face_quadrature(), flags())
-      , face_of_other(space.mapping(),
-                      fe,
-                      space.face_quadrature(),
-                      update_values)
-      , subface_of_other(space.mapping(),
-                         fe,
-                         space.face_quadrature(),
-                         update_values)
+      , faces(space.mapping(),
+              polynomials.dof_handler().get_fe(),
+              space.face_quadrature(),
+              update_values | update_normal_vectors | update_JxW_values |
+                update_quadrature_points)
       , stress(polynomials.coefficients())
       , gradients(cell.n_quadrature_points,
                   std::vector<Tensor<1, dim>>(n_stress_components<dim>))
-      , here(face.n_quadrature_points,
+      , here(space.face_quadrature().size(),
              dealii::Vector<double>(n_stress_components<dim>))
       , there(here)
     {
     }
 
-    static UpdateFlags
-    flags()
-    {
-      return update_values | update_normal_vectors | update_JxW_values |
-             update_quadrature_points;
-    }
-
-    const FiniteElement<dim>                &fe;
     FEValues<dim>                            cell;
-    FEFaceValues<dim>                        face;
-    FESubfaceValues<dim>                     subface;
-    FEFaceValues<dim>                        face_of_other;
-    FESubfaceValues<dim>                     subface_of_other;
+    FEInterfaceValues<dim>                   faces;
     Crevasse::Vector                         stress;
     std::vector<std::vector<Tensor<1, dim>>> gradients;
-    Components                               here, there;
+    std::vector<dealii::Vector<double>>      here, there;
   };
 
 
@@ -129,33 +96,62 @@ namespace Crevasse
     constexpr double of_faces = 1. / 16., of_cells = 1. / 16.;
 
     const std::vector<double> compliance = compliances(material);
-    const double              degree     = space.finite_element().degree;
-    Workspace                 workspace(space, polynomials);
-    const SingularStress<dim> singular(space, elastic_displacement);
-    polynomials.fit(space,
-                    points,
-                    singular.is_zero()
-                      ? stress
-                      : regular_part(stress, singular, material),
-                    workspace.stress);
+    const std::vector<double> singular =
+      singular_coefficients(elastic_displacement);
+    const auto stiffness_at = [&](const std::size_t point) {
+      return material.stiffness_factor * (*material.stiffness)[point];
+    };
+    Vector regular = stress;
+    if (!singular.empty())
+      for_each_point(space,
+                     update_quadrature_points,
+                     [&](const FEValues<dim> &values,
+                         const unsigned int   q,
+                         const std::size_t    point) {
+                       const std::size_t offset =
+                         point * n_stress_components<dim>;
+                       QuadratureField<dim>::set(
+                         regular,
+                         offset,
+                         QuadratureField<dim>::get(stress, offset) -
+                           singular_stress(singular,
+                                           values.quadrature_point(q),
+                                           stiffness_at(point)));
+                     });
+    const double degree = space.finite_element().degree;
+    Workspace    workspace(space, polynomials);
+    polynomials.fit(space, points, regular, workspace.stress);
     traction_residual.set_instant(t, contact_forces);
+
+    // h ∫ ‖what is left of the traction‖²
+    const auto boundary_residual = [&](const Cell &cell, const unsigned int f) {
+      workspace.faces.reinit(cell, f);
+      const auto &face = workspace.faces.get_fe_face_values(0);
+      face.get_function_values(workspace.stress, workspace.here);
+      if (!singular.empty())
+        for (const unsigned int q : face.quadrature_point_indices())
+          {
+            const VoigtVector<dim> added =
+              singular_stress(singular,
+                              face.quadrature_point(q),
+                              stiffness_at(points.first_point(cell)));
+            for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+              workspace.here[q][c] += added[c];
+          }
+      return size_of_face<dim>(face) *
+             traction_residual.square(cell, f, face, workspace.here);
+    };
     collectively(space.communicator(), [&]() {
       for (const auto &cell : polynomials.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
-            const double           c = compliance[cell->active_cell_index()];
-            const double           h = cell->diameter() / std::sqrt(dim);
-            const VoigtMatrix<dim> stiffness =
-              material.stiffness_factor *
-              (*material
-                  .stiffness)[points.offset(cell) / n_stress_components<dim>];
-            double faces = 0.;
+            const double c     = compliance[cell->active_cell_index()];
+            const double h     = cell->diameter() / std::sqrt(dim);
+            double       faces = 0.;
             for (const unsigned int f : cell->face_indices())
-              faces +=
-                cell->at_boundary(f)
-                  ? c *
-                      boundary_residual(cell, f, singular, stiffness, workspace)
-                  : 0.5 * jump(cell, f, compliance, workspace);
+              faces += cell->at_boundary(f)
+                         ? c * boundary_residual(cell, f)
+                         : 0.5 * jump(cell, f, compliance, workspace);
             const double square = of_faces / degree * faces +
                                   of_cells * c * h * h / (degree * degree) *
                                     volume_residual(cell, t, workspace);
@@ -169,32 +165,32 @@ namespace Crevasse
 
 
   template <int dim>
-  Vector
-  StressEstimator<dim>::regular_part(const Vector              &stress,
-                                     const SingularStress<dim> &singular,
-                                     const MaterialState<dim>  &material) const
+  std::vector<double>
+  StressEstimator<dim>::singular_coefficients(const Vector *displacement) const
   {
-    Vector          regular = stress;
-    CellValues<dim> cell_values(space, update_quadrature_points);
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          std::size_t offset = points.offset(cell);
-          for (const Point<dim> &point :
-               cell_values.reinit(cell).get_quadrature_points())
-            {
-              const VoigtMatrix<dim> K =
-                material.stiffness_factor *
-                (*material.stiffness)[offset / n_stress_components<dim>];
-              QuadratureField<dim>::set(regular,
-                                        offset,
-                                        QuadratureField<dim>::get(stress,
-                                                                  offset) -
-                                          singular.at(point, K));
-              offset += n_stress_components<dim>;
-            }
-        }
-    return regular;
+    std::vector<double> coefficients;
+    if (displacement != nullptr)
+      for (auto k = space.dof_handler().n_dofs(); k < space.n_unknowns(); ++k)
+        coefficients.push_back(Utilities::MPI::sum(
+          displacement->in_local_range(k) ? (*displacement)(k) : 0.,
+          space.communicator()));
+    return coefficients;
+  }
+
+
+
+  template <int dim>
+  VoigtVector<dim>
+  StressEstimator<dim>::singular_stress(const std::vector<double> &coefficients,
+                                        const Point<dim>          &point,
+                                        const VoigtMatrix<dim> &stiffness) const
+  {
+    Tensor<2, dim> gradient;
+    if constexpr (dim == 2)
+      for (unsigned int k = 0; k < coefficients.size(); ++k)
+        gradient += coefficients[k] *
+                    space.singular_shapes()->functions().gradient(k, point);
+    return stiffness * voigt_strain<dim>(gradient);
   }
 
 
@@ -203,23 +199,15 @@ namespace Crevasse
   std::vector<double>
   StressEstimator<dim>::compliances(const MaterialState<dim> &material) const
   {
-    std::vector<double> values(space.mesh().n_active_cells());
+    std::vector<double> values;
     collectively(space.communicator(), [&]() {
-      const auto norms = transform(*material.stiffness,
-                                   points.n_local_points(),
-                                   [](const VoigtMatrix<dim> &K) {
-                                     return inverse<dim>(K).norm();
-                                   });
-      for (const auto &cell : space.mesh().active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            const std::size_t first =
-              points.offset(cell) / n_stress_components<dim>;
-            const unsigned int n = space.quadrature(cell).size();
-            double            &c = values[cell->active_cell_index()];
-            for (unsigned int q = 0; q < n; ++q)
-              c += norms[first + q] / (n * material.stiffness_factor);
-          }
+      const auto norms =
+        transform(*material.stiffness,
+                  points.n_local_points(),
+                  [&](const VoigtMatrix<dim> &K) {
+                    return inverse<dim>(K).norm() / material.stiffness_factor;
+                  });
+      values = cell_means(space, points, norms);
     });
     GridTools::exchange_cell_data_to_ghosts<double, Triangulation<dim>>(
       space.mesh(),
@@ -241,22 +229,16 @@ namespace Crevasse
       transform(*material.stiffness,
                 points.n_local_points(),
                 [](const VoigtMatrix<dim> &K) { return inverse<dim>(K); });
-    CellValues<dim> cell_values(space, update_JxW_values);
-    double          sum = 0.;
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const FEValues<dim> &values = cell_values.reinit(cell);
-          std::size_t          offset = points.offset(cell);
-          for (const unsigned int q : values.quadrature_point_indices())
-            {
-              const VoigtVector<dim> s =
-                QuadratureField<dim>::get(stress, offset);
-              const std::size_t point = offset / n_stress_components<dim>;
-              sum += s * (compliance[point] * s) * values.JxW(q);
-              offset += n_stress_components<dim>;
-            }
-        }
+    double sum = 0.;
+    for_each_point(space,
+                   update_JxW_values,
+                   [&](const FEValues<dim> &values,
+                       const unsigned int   q,
+                       const std::size_t    point) {
+                     const VoigtVector<dim> s = QuadratureField<dim>::get(
+                       stress, point * n_stress_components<dim>);
+                     sum += s * (compliance[point] * s) * values.JxW(q);
+                   });
     return Utilities::MPI::sum(sum, space.communicator()) /
            material.stiffness_factor;
   }
@@ -309,8 +291,9 @@ namespace Crevasse
     double integral = 0.;
     for (const unsigned int q : values.quadrature_point_indices())
       {
-        Tensor<1, dim> residual =
-          value_of<dim>(body_force, values.quadrature_point(q), t);
+        Tensor<1, dim> residual;
+        for (unsigned int i = 0; i < body_force.size(); ++i)
+          residual[i] = body_force[i].value(values.quadrature_point(q), t);
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int j = 0; j < dim; ++j)
             residual[i] += workspace.gradients[q][voigt_index<dim>(i, j)][j];
@@ -323,77 +306,51 @@ namespace Crevasse
 
   template <int dim>
   double
-  StressEstimator<dim>::boundary_residual(const Cell                &cell,
-                                          const unsigned int         face,
-                                          const SingularStress<dim> &singular,
-                                          const VoigtMatrix<dim>    &stiffness,
-                                          Workspace                 &workspace)
-  {
-    workspace.face.reinit(cell, face);
-    workspace.face.get_function_values(workspace.stress, workspace.here);
-    if (!singular.is_zero())
-      for (const unsigned int q : workspace.face.quadrature_point_indices())
-        {
-          const VoigtVector<dim> stress =
-            singular.at(workspace.face.quadrature_point(q), stiffness);
-          for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
-            workspace.here[q][c] += stress[c];
-        }
-    return size_of_face<dim>(workspace.face) *
-           traction_residual.square(cell, face, workspace.face, workspace.here);
-  }
-
-
-
-  template <int dim>
-  double
   StressEstimator<dim>::jump(const Cell                &cell,
                              const unsigned int         face,
                              const std::vector<double> &compliance,
                              Workspace                 &workspace) const
   {
-    const auto between = [&](const FEFaceValuesBase<dim> &mine,
-                             const FEFaceValuesBase<dim> &theirs,
-                             const Cell                  &neighbor) {
+    constexpr auto whole = numbers::invalid_unsigned_int;
+    double         sum   = 0.;
+    const auto     add   = [&](const unsigned int subface,
+                         const Cell        &other,
+                         const unsigned int other_face,
+                         const unsigned int other_subface) {
+      workspace.faces.reinit(
+        cell, face, subface, other, other_face, other_subface);
+      const auto &mine = workspace.faces.get_fe_face_values(0);
       mine.get_function_values(workspace.stress, workspace.here);
-      theirs.get_function_values(workspace.stress, workspace.there);
+      workspace.faces.get_fe_face_values(1).get_function_values(
+        workspace.stress, workspace.there);
       double integral = 0.;
       for (const unsigned int q : mine.quadrature_point_indices())
         {
-          dealii::Vector<double> difference = workspace.here[q];
-          difference -= workspace.there[q];
-          integral +=
-            traction_of<dim>(difference, mine.normal_vector(q)).norm_square() *
-            mine.JxW(q);
+          workspace.here[q] -= workspace.there[q];
+          integral += traction_of<dim>(workspace.here[q], mine.normal_vector(q))
+                        .norm_square() *
+                      mine.JxW(q);
         }
-      return size_of_face<dim>(mine) * integral *
+      sum += size_of_face<dim>(mine) * integral *
              std::min(compliance[cell->active_cell_index()],
-                      compliance[neighbor->active_cell_index()]);
+                      compliance[other->active_cell_index()]);
     };
 
     const auto neighbor = cell->neighbor(face);
     if (neighbor->has_children())
-      {
-        double     sum   = 0.;
-        const auto other = cell->neighbor_of_neighbor(face);
-        for (unsigned int s = 0; s < cell->face(face)->n_children(); ++s)
-          {
-            const auto child = cell->neighbor_child_on_subface(face, s);
-            workspace.subface.reinit(cell, face, s);
-            workspace.face_of_other.reinit(child, other);
-            sum += between(workspace.subface, workspace.face_of_other, child);
-          }
-        return sum;
-      }
-    workspace.face.reinit(cell, face);
-    if (cell->neighbor_is_coarser(face))
+      for (unsigned int s = 0; s < cell->face(face)->n_children(); ++s)
+        add(s,
+            cell->neighbor_child_on_subface(face, s),
+            cell->neighbor_of_neighbor(face),
+            whole);
+    else if (cell->neighbor_is_coarser(face))
       {
         const auto place = cell->neighbor_of_coarser_neighbor(face);
-        workspace.subface_of_other.reinit(neighbor, place.first, place.second);
-        return between(workspace.face, workspace.subface_of_other, neighbor);
+        add(whole, neighbor, place.first, place.second);
       }
-    workspace.face_of_other.reinit(neighbor, cell->neighbor_of_neighbor(face));
-    return between(workspace.face, workspace.face_of_other, neighbor);
+    else
+      add(whole, neighbor, cell->neighbor_of_neighbor(face), whole);
+    return sum;
   }
 
 

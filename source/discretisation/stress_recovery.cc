@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/discretisation/cell_polynomials.h>
 #include <crevasse/discretisation/stress_recovery.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_tools.h>
 
 namespace Crevasse
 {
@@ -23,12 +23,7 @@ namespace Crevasse
     const FE_Q<dim> fe(space.finite_element().degree);
     nodal_dofs.distribute_dofs(fe);
 
-    for (const Quadrature<dim> &rule : space.quadratures())
-      {
-        extrapolations.emplace_back(fe.n_dofs_per_cell(), rule.size());
-        FETools::compute_projection_from_quadrature_points_matrix(
-          fe, rule, rule, extrapolations.back());
-      }
+    extrapolations = fitting_matrices(fe, space);
 
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(nodal_dofs, relevant);
@@ -36,7 +31,7 @@ namespace Crevasse
     DoFTools::make_hanging_node_constraints(nodal_dofs, hanging_nodes);
     hanging_nodes.close();
 
-    inverse_count = nodal_vector();
+    inverse_count = make_vector(nodal_dofs);
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
     for (const auto &cell : nodal_dofs.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -54,24 +49,11 @@ namespace Crevasse
 
 
   template <int dim>
-  Vector
-  StressRecovery<dim>::nodal_vector() const
-  {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(nodal_dofs, relevant);
-    return Vector(nodal_dofs.locally_owned_dofs(),
-                  relevant,
-                  space.communicator());
-  }
-
-
-
-  template <int dim>
   std::vector<Vector>
   StressRecovery<dim>::recover(const Vector &field) const
   {
     constexpr unsigned int n_components = n_stress_components<dim>;
-    std::vector<Vector>    nodal(n_components, nodal_vector());
+    std::vector<Vector>    nodal(n_components, make_vector(nodal_dofs));
     std::vector<types::global_dof_index> indices(
       nodal_dofs.get_fe().n_dofs_per_cell());
     for (const auto &cell : nodal_dofs.active_cell_iterators())
@@ -107,7 +89,7 @@ namespace Crevasse
       &nodal_weights) const
   {
     // The transpose of recover(), applied to the shape functions at the point.
-    Vector at_nodes = nodal_vector();
+    Vector at_nodes = make_vector(nodal_dofs);
     for (const auto &[dof, weight] : nodal_weights)
       if (const auto *entries = hanging_nodes.get_constraint_entries(dof))
         for (const auto &[parent, factor] : *entries)

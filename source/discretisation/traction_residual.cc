@@ -60,7 +60,7 @@ namespace Crevasse
   TractionResidual<dim>::square(
     const typename Triangulation<dim>::active_cell_iterator &cell,
     const unsigned int                                       face,
-    const FEFaceValues<dim>                                 &values,
+    const FEFaceValuesBase<dim>                             &values,
     const std::vector<dealii::Vector<double>>               &stress)
   {
     const BoundaryRoles     &roles = space.roles();
@@ -86,9 +86,7 @@ namespace Crevasse
         Tensor<1, dim>       residual = traction_of<dim>(stress[q], normal);
         if (is_loaded)
           for (unsigned int d = 0; d < loads.size(); ++d)
-            if (!loads[d].is_zero())
-              residual[d] -=
-                loads[d].value(values.quadrature_point(q), instant);
+            residual[d] -= loads[d].value(values.quadrature_point(q), instant);
         if (is_symmetry)
           residual -= (residual * normal) * normal;
         else if (is_lip)

@@ -52,7 +52,7 @@ namespace Crevasse
     Vector
     noise(const StrainOperator<dim> &D, const Space<dim> &space)
     {
-      Vector everywhere = space.nodal_vector();
+      Vector everywhere = make_vector(space.dof_handler());
       VectorTools::interpolate(space.mapping(),
                                space.dof_handler(),
                                Noise<dim>(GridTools::minimal_cell_diameter(

@@ -5,7 +5,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/refinement.h>
-#include <crevasse/discretisation/rigid_motions.h>
+#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/model/body.h>
 #include <crevasse/model/solver_memory.h>

@@ -115,7 +115,7 @@ namespace Crevasse
     for (unsigned int d = 0; d < dim; ++d)
       {
         invariants.principal_stress[d].reinit(nodal_stress[0]);
-        invariants.principal_direction[d] = space.nodal_vector();
+        invariants.principal_direction[d] = make_vector(space.dof_handler());
       }
 
     const auto set = [&](const types::global_dof_index                   node,

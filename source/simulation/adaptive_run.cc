@@ -150,7 +150,7 @@ namespace Crevasse
     const unsigned int n_branches = old.law.branches().size();
 
     const FieldNorms<dim> before =
-      field_norms(old.space, old.points, state.viscous_strain, n_branches);
+      field_norms(old.space, state.viscous_strain, n_branches);
     if (scene.refinement.tolerance > 0. && error <= scene.refinement.tolerance)
       adapted.keep();
     else
@@ -175,7 +175,7 @@ namespace Crevasse
                   state.displacement,
                   state.viscous_strain);
     const FieldNorms<dim> after =
-      field_norms(body.space, body.points, state.viscous_strain, n_branches);
+      field_norms(body.space, state.viscous_strain, n_branches);
 
     const Sizes sizes(body);
     char        text[200];

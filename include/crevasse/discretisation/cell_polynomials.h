@@ -11,8 +11,18 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <vector>
+
 namespace Crevasse
 {
+  /** From the values at the points of a cell to the coefficients of the nearest
+   * polynomial, for each rule of a space.
+   * @param fe with one component. */
+  template <int dim>
+  std::vector<dealii::FullMatrix<double>>
+  fitting_matrices(const dealii::FiniteElement<dim> &fe,
+                   const Space<dim>                 &space);
+
   /**
    * Fields at quadrature points as one polynomial a cell, of the degree of the
    * displacement in each direction: the one through the values where Gauss's
@@ -31,7 +41,10 @@ namespace Crevasse
 
     /** Numbers the coefficients, again after a change of the mesh. */
     void
-    distribute();
+    distribute()
+    {
+      dofs.distribute_dofs(fe);
+    }
 
     /** Of the coefficients of one vector at a point; their components are those
      * of a QuadratureField. */
@@ -43,7 +56,10 @@ namespace Crevasse
 
     /** A vector of coefficients, with those of the ghost cells. */
     Vector
-    coefficients() const;
+    coefficients() const
+    {
+      return make_vector(dofs);
+    }
 
     /** Fits the values of one branch, and sets ghost values. Collective.
      *
@@ -66,10 +82,6 @@ namespace Crevasse
              const unsigned int          branch     = 0) const;
 
   private:
-    /** From the values at the points of a cell to its coefficients. */
-    dealii::FullMatrix<double>
-    fitting_matrix(const dealii::Quadrature<dim> &rule) const;
-
     const dealii::FESystem<dim> fe;
     dealii::DoFHandler<dim>     dofs;
   };

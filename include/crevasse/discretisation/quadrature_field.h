@@ -39,7 +39,19 @@ namespace Crevasse
     /** Where the first point of a locally owned cell begins, as local index. */
     std::size_t
     offset(const typename dealii::Triangulation<dim>::active_cell_iterator
-             &cell) const;
+             &cell) const
+    {
+      Assert(cell->is_locally_owned(), dealii::ExcInternalError());
+      return offsets[cell->active_cell_index()];
+    }
+
+    /** The number of that point among those of this rank. */
+    std::size_t
+    first_point(const typename dealii::Triangulation<dim>::active_cell_iterator
+                  &cell) const
+    {
+      return offset(cell) / n_components;
+    }
 
     /** Points of this rank, and of all ranks. */
     std::size_t
@@ -48,7 +60,10 @@ namespace Crevasse
       return n_local;
     }
     std::size_t
-    n_points() const;
+    n_points() const
+    {
+      return partitioner->size() / n_components;
+    }
 
     /** The components that begin at local index @p offset. */
     static VoigtVector<dim>

@@ -25,10 +25,9 @@ namespace Crevasse
   /** Collective. */
   template <int dim>
   FieldNorms<dim>
-  field_norms(const Space<dim>           &space,
-              const QuadratureField<dim> &points,
-              const Vector               &field,
-              const unsigned int          n_branches);
+  field_norms(const Space<dim>  &space,
+              const Vector      &field,
+              const unsigned int n_branches);
 
   /**
    * Takes displacement and viscous strain over to the mesh that another one
@@ -66,9 +65,6 @@ namespace Crevasse
          Vector                     &viscous_strain) const;
 
   private:
-    Vector
-    displacement_vector() const;
-
     Mesh<dim>              &mesh;
     CellPolynomials<dim>    polynomials;
     dealii::DoFHandler<dim> displacement_dofs;

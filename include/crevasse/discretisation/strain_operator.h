@@ -4,7 +4,6 @@
 #ifndef crevasse_discretisation_strain_operator_h
 #define crevasse_discretisation_strain_operator_h
 
-#include <crevasse/discretisation/enrichment.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/space.h>
 
@@ -27,8 +26,8 @@ namespace Crevasse
    * the cell instead of its own.
    *
    * With singular functions, displacements carry their coefficients, and the
-   * cells near the tip are not MatrixFree's: see Enrichment. Its work space
-   * makes an operator one that only one thread at a time can apply.
+   * cells near the tip have rules that are none of MatrixFree's: the strains of
+   * all shape functions are stored instead.
    */
   template <int dim>
   class StrainOperator
@@ -57,23 +56,19 @@ namespace Crevasse
   private:
     using Number = dealii::VectorizedArray<double>;
 
-    /** Degree and rule are known when the program is compiled, but not with
-     * singular functions. */
-    static constexpr int run_time = -1;
     template <int degree>
-    using Evaluation = dealii::FEEvaluation<dim,
-                                            degree,
-                                            degree == run_time ? 0 : degree + 1,
-                                            dim,
-                                            double>;
+    using Evaluation =
+      dealii::FEEvaluation<dim, degree, degree + 1, dim, double>;
 
-    /** Points of a cell at most: degree 2 with singular functions. */
-    template <int degree>
-    static constexpr unsigned int
-    most_points()
+    /** A cell where there are singular functions. */
+    struct StoredCell
     {
-      return dealii::Utilities::pow(degree == run_time ? 4 : degree + 1, dim);
-    }
+      std::size_t                                  offset;
+      std::vector<dealii::types::global_dof_index> unknowns;
+      std::vector<double>                          weights; ///< of its points
+      std::vector<std::vector<VoigtVector<dim>>>
+        strains; ///< of each unknown, by point
+    };
 
     template <int degree, bool mean_volume, typename Function>
     void
@@ -83,20 +78,26 @@ namespace Crevasse
     void
     transpose_sweep(Vector &force, const Function &stress_at) const;
 
+    template <typename Function>
+    void
+    stored_strains(const Vector &displacement, const Function &f) const;
+
+    template <typename Function>
+    void
+    stored_transpose(Vector &force, const Function &stress_at) const;
+
     /** The mean of f(q) over the points of each cell of a batch. */
     template <typename CellEvaluation, typename Function>
     Number
     cell_mean(const CellEvaluation &evaluation, const Function &f) const;
 
-    /** Whether the cells of a batch are MatrixFree's. */
-    bool
-    has_batch(const unsigned int batch) const;
-
-    const unsigned int          degree;
-    const unsigned int          n_cell_points;
-    const bool                  mean_volume;
-    std::unique_ptr<Enrichment> enrichment; ///< by singular functions
-    std::shared_ptr<const dealii::MatrixFree<dim, double>> matrix_free;
+    const Space<dim>       &space;
+    const unsigned int      degree;
+    const unsigned int      n_cell_points;
+    const bool              mean_volume;
+    std::vector<StoredCell> stored_cells;
+    std::shared_ptr<const dealii::MatrixFree<dim, double>>
+      matrix_free; ///< null: cells are stored
 
     /** Where the points of each lane of each cell batch begin. */
     std::vector<std::array<std::size_t, Number::size()>> batch_offsets;
@@ -111,20 +112,9 @@ namespace Crevasse
                                        const Function &f) const
   {
     displacement.update_ghost_values();
-    if constexpr (dim == 2)
-      if (enrichment != nullptr)
-        {
-          enrichment->read(displacement);
-          const auto enriched = [&](const std::size_t       offset,
-                                    const VoigtVector<dim> &strain) {
-            f(offset, strain + enrichment->strain(offset));
-          };
-          strain_sweep<run_time, false>(enrichment->nodal_part(), enriched);
-          enrichment->for_each_special_strain(enriched);
-          displacement.zero_out_ghost_values();
-          return;
-        }
-    if (mean_volume)
+    if (matrix_free == nullptr)
+      stored_strains(displacement, f);
+    else if (mean_volume)
       strain_sweep<1, true>(displacement, f);
     else if (degree == 1)
       strain_sweep<1, false>(displacement, f);
@@ -141,21 +131,9 @@ namespace Crevasse
   StrainOperator<dim>::add_transpose(Vector         &force,
                                      const Function &stress_at) const
   {
-    if constexpr (dim == 2)
-      if (enrichment != nullptr)
-        {
-          enrichment->begin_transpose();
-          const auto enriched = [&](const std::size_t offset) {
-            const VoigtVector<dim> stress = stress_at(offset);
-            enrichment->add_stress(offset, stress);
-            return stress;
-          };
-          transpose_sweep<run_time, false>(enrichment->nodal_part(), enriched);
-          enrichment->add_special_transpose(enriched);
-          enrichment->end_transpose(force);
-          return;
-        }
-    if (mean_volume)
+    if (matrix_free == nullptr)
+      stored_transpose(force, stress_at);
+    else if (mean_volume)
       transpose_sweep<1, true>(force, stress_at);
     else if (degree == 1)
       transpose_sweep<1, false>(force, stress_at);
@@ -192,8 +170,6 @@ namespace Crevasse
     Evaluation<degree> evaluation(*matrix_free);
     for (unsigned int batch = 0; batch < matrix_free->n_cell_batches(); ++batch)
       {
-        if (!has_batch(batch))
-          continue;
         evaluation.reinit(batch);
         evaluation.gather_evaluate(displacement,
                                    dealii::EvaluationFlags::gradients);
@@ -235,18 +211,16 @@ namespace Crevasse
   StrainOperator<dim>::transpose_sweep(Vector         &force,
                                        const Function &stress_at) const
   {
-    const unsigned int n_points = n_cell_points;
-    std::array<dealii::SymmetricTensor<2, dim, Number>, most_points<degree>()>
-                                              stress{};
-    std::array<Number, most_points<degree>()> pressure{};
+    constexpr unsigned int most_points =
+      dealii::Utilities::pow(degree + 1, dim);
+    std::array<dealii::SymmetricTensor<2, dim, Number>, most_points> stress{};
+    std::array<Number, most_points>                                  pressure{};
 
     Evaluation<degree> evaluation(*matrix_free);
     for (unsigned int batch = 0; batch < matrix_free->n_cell_batches(); ++batch)
       {
-        if (!has_batch(batch))
-          continue;
         evaluation.reinit(batch);
-        for (unsigned int q = 0; q < n_points; ++q)
+        for (unsigned int q = 0; q < n_cell_points; ++q)
           for (unsigned int lane = 0;
                lane < matrix_free->n_active_entries_per_cell_batch(batch);
                ++lane)
@@ -264,13 +238,66 @@ namespace Crevasse
             const Number mean =
               cell_mean(evaluation,
                         [&](const unsigned int q) { return pressure[q]; });
-            for (unsigned int q = 0; q < n_points; ++q)
+            for (unsigned int q = 0; q < n_cell_points; ++q)
               for (unsigned int i = 0; i < dim; ++i)
                 stress[q][i][i] += mean - pressure[q];
           }
-        for (unsigned int q = 0; q < n_points; ++q)
+        for (unsigned int q = 0; q < n_cell_points; ++q)
           evaluation.submit_symmetric_gradient(stress[q], q);
         evaluation.integrate_scatter(dealii::EvaluationFlags::gradients, force);
+      }
+  }
+
+
+
+  template <int dim>
+  template <typename Function>
+  void
+  StrainOperator<dim>::stored_strains(const Vector   &displacement,
+                                      const Function &f) const
+  {
+    std::vector<double> values;
+    for (const StoredCell &cell : stored_cells)
+      {
+        values.resize(cell.unknowns.size());
+        space.constraints().get_dof_values(displacement,
+                                           cell.unknowns.begin(),
+                                           values.begin(),
+                                           values.end());
+        for (unsigned int q = 0; q < cell.weights.size(); ++q)
+          {
+            VoigtVector<dim> strain;
+            for (unsigned int i = 0; i < values.size(); ++i)
+              strain += values[i] * cell.strains[q][i];
+            f(cell.offset + q * n_stress_components<dim>, strain);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  template <typename Function>
+  void
+  StrainOperator<dim>::stored_transpose(Vector         &force,
+                                        const Function &stress_at) const
+  {
+    std::vector<double> forces;
+    for (const StoredCell &cell : stored_cells)
+      {
+        forces.assign(cell.unknowns.size(), 0.);
+        for (unsigned int q = 0; q < cell.weights.size(); ++q)
+          {
+            const VoigtVector<dim> stress =
+              cell.weights[q] *
+              stress_at(cell.offset + q * n_stress_components<dim>);
+            for (unsigned int i = 0; i < forces.size(); ++i)
+              forces[i] += stress * cell.strains[q][i];
+          }
+        space.constraints().distribute_local_to_global(forces.begin(),
+                                                       forces.end(),
+                                                       cell.unknowns.begin(),
+                                                       force);
       }
   }
 } // namespace Crevasse

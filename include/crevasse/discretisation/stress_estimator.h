@@ -9,7 +9,6 @@
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/singular_stress.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/discretisation/traction_residual.h>
 #include <crevasse/parameters/parameters.h>
@@ -94,6 +93,20 @@ namespace Crevasse
     double
     energy(const Vector &stress, const MaterialState<dim> &material) const;
 
+    /** The coefficients c_k of singular functions; none if there is no
+     * displacement, as without such functions. */
+    std::vector<double>
+    singular_coefficients(const Vector *displacement) const;
+
+    /** K Σ c_k Dψ_k, not shifted: what is left without it is the stress of
+     * polynomials. w₁ and w₃ are in equilibrium and leave the lip free; what D
+     * lacks is left out of account, for an elastic body has hardly any of it.
+     */
+    VoigtVector<dim>
+    singular_stress(const std::vector<double> &coefficients,
+                    const dealii::Point<dim>  &point,
+                    const VoigtMatrix<dim>    &stiffness) const;
+
     /** ∫ ‖div s + φ₁‖² */
     double
     volume_residual(const Cell  &cell,
@@ -107,20 +120,6 @@ namespace Crevasse
          const unsigned int         face,
          const std::vector<double> &compliance,
          Workspace                 &workspace) const;
-
-    /** h ∫ ‖what is left of the traction‖² on a face of the boundary. */
-    double
-    boundary_residual(const Cell                &cell,
-                      const unsigned int         face,
-                      const SingularStress<dim> &singular,
-                      const VoigtMatrix<dim>    &stiffness,
-                      Workspace                 &workspace);
-
-    /** The stress without that of singular functions. */
-    Vector
-    regular_part(const Vector              &stress,
-                 const SingularStress<dim> &singular,
-                 const MaterialState<dim>  &material) const;
 
     const Space<dim>             &space;
     const QuadratureField<dim>   &points;

@@ -59,9 +59,6 @@ namespace Crevasse
     evaluate(const Vector &field, const PointWeights &weights) const;
 
   private:
-    Vector
-    nodal_vector() const;
-
     const Space<dim>                 &space;
     const QuadratureField<dim>       &points;
     dealii::DoFHandler<dim>           nodal_dofs;

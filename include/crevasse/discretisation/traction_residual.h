@@ -51,7 +51,7 @@ namespace Crevasse
     square(
       const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
       const unsigned int                                               face,
-      const dealii::FEFaceValues<dim>                                 &values,
+      const dealii::FEFaceValuesBase<dim>                             &values,
       const std::vector<dealii::Vector<double>>                       &stress);
 
   private:

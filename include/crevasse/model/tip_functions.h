@@ -4,7 +4,6 @@
 #ifndef crevasse_model_tip_functions_h
 #define crevasse_model_tip_functions_h
 
-#include <crevasse/discretisation/singular_functions.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/material/maxwell_law.h>
 #include <crevasse/parameters/scene.h>
