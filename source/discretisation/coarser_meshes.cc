@@ -20,10 +20,8 @@ namespace Crevasse
     coarsen(Mesh<dim> &mesh)
     {
       std::vector<Cells> numbers(mesh.n_active_cells());
-      for (const auto &cell : mesh.active_cell_iterators())
-        if (cell->is_locally_owned())
-          numbers[cell->active_cell_index()] = {
-            cell->global_active_cell_index()};
+      for (const auto &cell : owned_cells(mesh))
+        numbers[cell->active_cell_index()] = {cell->global_active_cell_index()};
 
       const auto all_of_them = [](const auto &, const std::vector<Cells> &of) {
         Cells all;
@@ -97,10 +95,9 @@ namespace Crevasse
       for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
         {
           entries.zero_out_ghost_values();
-          for (const auto &cell : finer.active_cell_iterators())
-            if (cell->is_locally_owned())
-              entries(cell->global_active_cell_index()) =
-                of_finer[cell->active_cell_index()][i][j];
+          for (const auto &cell : owned_cells(finer))
+            entries(cell->global_active_cell_index()) =
+              of_finer[cell->active_cell_index()][i][j];
           entries.update_ghost_values();
           for (std::size_t c = 0; c < means.size(); ++c)
             for (const auto child : coarser.children[c])

@@ -99,6 +99,10 @@ namespace Crevasse
     relevant_unknowns.add_range(dofs.n_dofs(), n_unknowns());
     for (IndexSet *set : {&owned_unknowns, &relevant_unknowns})
       set->compress();
+    partitioner =
+      std::make_shared<const Utilities::MPI::Partitioner>(owned_unknowns,
+                                                          relevant_unknowns,
+                                                          communicator());
   }
 
 
@@ -286,17 +290,16 @@ namespace Crevasse
     constexpr double            far = std::numeric_limits<double>::max();
     std::array<double, dim + 1> nearest;
     nearest.fill(far);
-    for (const auto &cell : dofs.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            std::array<double, dim + 1> candidate{
-              cell->vertex(v).distance(fixed_point.point)};
-            for (unsigned int d = 0; d < dim; ++d)
-              candidate[d + 1] = cell->vertex(v)[d];
-            if (candidate < nearest && is_free(cell, v))
-              nearest = candidate;
-          }
+    for (const auto &cell : owned_cells(dofs))
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          std::array<double, dim + 1> candidate;
+          candidate[0] = cell->vertex(v).distance(fixed_point.point);
+          for (unsigned int d = 0; d < dim; ++d)
+            candidate[d + 1] = cell->vertex(v)[d];
+          if (candidate < nearest && is_free(cell, v))
+            nearest = candidate;
+        }
     for (const auto &of_rank :
          Utilities::MPI::all_gather(communicator(), nearest))
       nearest = std::min(nearest, of_rank);

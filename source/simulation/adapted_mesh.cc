@@ -3,7 +3,6 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
-#include <crevasse/discretisation/refinement.h>
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/elastic_estimate.h>
 #include <crevasse/model/largest_load.h>
@@ -126,8 +125,7 @@ namespace Crevasse
     const StepList  steps(scene.time_integration,
                          scene.loads.period,
                          scene.output.field_times);
-    body.loads.validate_and_bound(steps.survey_instants({}),
-                                  body.space.communicator());
+    body.loads.validate_and_bound(steps.survey_instants({}));
     body.material.validate_and_bound(steps.survey_instants({}), steps.period());
 
     ContactSystemCache<dim> systems(scene,
@@ -223,7 +221,7 @@ namespace Crevasse
         clear_flags(*current);
         set_flags(*current, squares, scene.refinement, std::pow(0.5, attempt));
         const Marks marks = flagged_cells(*current);
-        if (is_affordable(*history.make_with(marks)))
+        if (is_affordable(*history.make(marks)))
           return marks;
       }
     clear_flags(*current);

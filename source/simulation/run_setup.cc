@@ -31,7 +31,7 @@ namespace Crevasse
                        const std::vector<double> &instants,
                        const double               period)
     {
-      body.loads.validate_and_bound(instants, body.space.communicator());
+      body.loads.validate_and_bound(instants);
       return body.material.validate_and_bound(instants, period);
     }
 

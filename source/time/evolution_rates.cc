@@ -124,15 +124,19 @@ namespace Crevasse
                                    const double       c,
                                    Vector            &values)
   {
-    using Field     = QuadratureField<dim>;
-    const auto &phi = instants.relaxation_at(instant_of(t), c).phi[order - 1];
+    using Field             = QuadratureField<dim>;
+    const auto &branches    = instants.relaxation_at(instant_of(t), c).branches;
     const std::size_t n     = Field::n_components;
-    const std::size_t block = n * phi.size();
+    const std::size_t block = n * branches.size();
     for (std::size_t place = 0; place < values.locally_owned_size(); place += n)
-      Field::set(values,
-                 place,
-                 phi[place % block / n][place / block] *
-                   Field::get(values, place));
+      {
+        const PhiFunctions<dim> &phi =
+          branches[place % block / n][place / block];
+        Field::set(values,
+                   place,
+                   (order == 1 ? phi.first : phi.second) *
+                     Field::get(values, place));
+      }
   }
 
 

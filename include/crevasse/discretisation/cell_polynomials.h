@@ -8,7 +8,9 @@
 #include <crevasse/discretisation/space.h>
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <vector>
@@ -21,7 +23,17 @@ namespace Crevasse
   template <int dim>
   std::vector<dealii::FullMatrix<double>>
   fitting_matrices(const dealii::FiniteElement<dim> &fe,
-                   const Space<dim>                 &space);
+                   const Space<dim>                 &space)
+  {
+    std::vector<dealii::FullMatrix<double>> matrices;
+    for (const dealii::Quadrature<dim> &rule : space.quadratures())
+      {
+        matrices.emplace_back(fe.n_dofs_per_cell(), rule.size());
+        dealii::FETools::compute_projection_from_quadrature_points_matrix(
+          fe, rule, rule, matrices.back());
+      }
+    return matrices;
+  }
 
   /**
    * Fields at quadrature points as one polynomial a cell, of the degree of the
@@ -37,7 +49,12 @@ namespace Crevasse
     static constexpr unsigned int n_components = n_stress_components<dim>;
 
     /** @param mesh that must outlive this object, but may be refined. */
-    CellPolynomials(const Mesh<dim> &mesh, const unsigned int degree);
+    CellPolynomials(const Mesh<dim> &mesh, const unsigned int degree)
+      : fe(dealii::FE_DGQ<dim>(degree), n_components)
+      , dofs(mesh)
+    {
+      distribute();
+    }
 
     /** Numbers the coefficients, again after a change of the mesh. */
     void
@@ -70,7 +87,28 @@ namespace Crevasse
         const Vector               &field,
         Vector                     &coefficients,
         const unsigned int          n_branches = 1,
-        const unsigned int          branch     = 0) const;
+        const unsigned int          branch     = 0) const
+    {
+      const auto matrices = fitting_matrices(fe.base_element(0), space);
+      std::vector<dealii::types::global_dof_index> indices(
+        fe.n_dofs_per_cell());
+      coefficients.zero_out_ghost_values();
+      coefficients = 0.;
+      for (const auto &cell : owned_cells(dofs))
+        {
+          cell->get_dof_indices(indices);
+          const auto       &matrix = matrices[space.rule(cell)];
+          const std::size_t first  = n_branches * points.offset(cell);
+          for (unsigned int i = 0; i < matrix.m(); ++i)
+            for (unsigned int q = 0; q < matrix.n(); ++q)
+              for (unsigned int c = 0; c < n_components; ++c)
+                coefficients(indices[fe.component_to_system_index(c, i)]) +=
+                  matrix(i, q) *
+                  field.local_element(
+                    first + (q * n_branches + branch) * n_components + c);
+        }
+      coefficients.update_ghost_values();
+    }
 
     /** The values of the polynomials at the points, for one branch. */
     void
@@ -79,7 +117,29 @@ namespace Crevasse
              const Vector               &coefficients,
              Vector                     &field,
              const unsigned int          n_branches = 1,
-             const unsigned int          branch     = 0) const;
+             const unsigned int          branch     = 0) const
+    {
+      const dealii::FiniteElement<dim>            &scalar = fe.base_element(0);
+      std::vector<dealii::types::global_dof_index> indices(
+        fe.n_dofs_per_cell());
+      for (const auto &cell : owned_cells(dofs))
+        {
+          cell->get_dof_indices(indices);
+          const dealii::Quadrature<dim> &rule = space.quadrature(cell);
+          const std::size_t first = n_branches * points.offset(cell);
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            for (unsigned int c = 0; c < n_components; ++c)
+              {
+                double value = 0.;
+                for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
+                  value +=
+                    scalar.shape_value(i, rule.point(q)) *
+                    coefficients(indices[fe.component_to_system_index(c, i)]);
+                field.local_element(
+                  first + (q * n_branches + branch) * n_components + c) = value;
+              }
+        }
+    }
 
   private:
     const dealii::FESystem<dim> fe;

@@ -49,13 +49,12 @@ namespace Crevasse
   {
     CellValues<dim> cell_values(space, flags);
     std::size_t     p = 0;
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const dealii::FEValues<dim> &values = cell_values.reinit(cell);
-          for (const unsigned int q : values.quadrature_point_indices())
-            f(values, q, p++);
-        }
+    for (const auto &cell : owned_cells(space.dof_handler()))
+      {
+        const dealii::FEValues<dim> &values = cell_values.reinit(cell);
+        for (const unsigned int q : values.quadrature_point_indices())
+          f(values, q, p++);
+      }
   }
 } // namespace Crevasse
 

@@ -44,15 +44,14 @@ namespace Crevasse
              const PointValues<Value>   &values)
   {
     std::vector<Value> means(space.mesh().n_active_cells());
-    for (const auto &cell : space.mesh().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const unsigned int n    = space.quadrature(cell).size();
-          Value             &mean = means[cell->active_cell_index()];
-          for (unsigned int q = 0; q < n; ++q)
-            mean += values[points.first_point(cell) + q];
-          mean /= n;
-        }
+    for (const auto &cell : owned_cells(space.mesh()))
+      {
+        const unsigned int n    = space.quadrature(cell).size();
+        Value             &mean = means[cell->active_cell_index()];
+        for (unsigned int q = 0; q < n; ++q)
+          mean += values[points.first_point(cell) + q];
+        mean /= n;
+      }
     return means;
   }
 

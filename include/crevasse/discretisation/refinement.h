@@ -8,13 +8,17 @@
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/refinement_parameters.h>
 
+#include <deal.II/grid/cell_id.h>
+#include <deal.II/lac/vector.h>
+
 #include <functional>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace Crevasse
 {
+  class StateArchive;
+
   /** The finest level of a mesh: beyond it the coordinates of the cells, and of
    * p4est's quadrants, are not told apart. */
   template <int dim>
@@ -33,33 +37,6 @@ namespace Crevasse
                      const RefinementParameters &parameters,
                      const unsigned int          degree);
 
-  /** The ends of cracks as the coarse mesh has them: points in the plane,
-   * straight edges in space. */
-  template <int dim>
-  class CrackFront
-  {
-  public:
-    CrackFront(const Mesh<dim> &mesh, const BoundaryRoles &roles);
-
-    bool
-    empty() const;
-
-    /** Whether a vertex of the cell lies on the front. */
-    bool
-    touches(const typename Mesh<dim>::cell_iterator &cell) const;
-
-  private:
-    using Point = dealii::Point<dim>;
-
-    /** Both ends of each edge; in the plane twice the same point. */
-    std::vector<std::pair<Point, Point>> edges;
-  };
-
-  /** Divides the cells at the crack front once. Collective. */
-  template <int dim>
-  void
-  refine_front(Mesh<dim> &mesh, const CrackFront<dim> &front);
-
   /**
    * The mesh of Strategy = tip: the cells that touch the front are divided
    * Cycles times, or as long as there are no more unknowns than wished for.
@@ -75,6 +52,77 @@ namespace Crevasse
               const BoundaryRoles                               &roles,
               const RefinementParameters                        &parameters,
               const unsigned int                                 degree);
+
+  /** The cells that one adaptation divides and joins, by name and from all
+   * ranks, so that a mesh can be made again, by whatever ranks there are. */
+  struct Marks
+  {
+    std::vector<dealii::CellId> refined, coarsened;
+  };
+
+  /** Sets the flags that the parameters ask for: the cells with the largest
+   * part of the squares of the estimates are divided, those with the smallest
+   * joined where all their siblings are. Cells at the finest level stay.
+   * Collective.
+   *
+   * @param squares by active cell index.
+   * @param share of Refine fraction. */
+  template <int dim>
+  void
+  set_flags(Mesh<dim>                   &mesh,
+            const dealii::Vector<float> &squares,
+            const RefinementParameters  &parameters,
+            const double                 share = 1.);
+
+  /** The cells with flags, over all ranks. Collective. */
+  template <int dim>
+  Marks
+  flagged_cells(const Mesh<dim> &mesh);
+
+  /** Divides and joins these cells. Collective. */
+  template <int dim>
+  void
+  apply(const Marks &marks, Mesh<dim> &mesh);
+
+  /** A mesh, and how it came to be: there is no way back from a mesh that has
+   * become too large, but it can be made anew. */
+  template <int dim>
+  class MeshHistory
+  {
+  public:
+    using MakeMesh = std::function<std::shared_ptr<Mesh<dim>>()>;
+
+    explicit MeshHistory(const MakeMesh &make_mesh)
+      : make_first(make_mesh)
+    {
+    }
+
+    /** What the first mesh became, or would become next, once more and
+     * independent of others. */
+    std::shared_ptr<Mesh<dim>>
+    make(const Marks &next = {}) const
+    {
+      const std::shared_ptr<Mesh<dim>> mesh = make_first();
+      for (const Marks &marks : all)
+        apply<dim>(marks, *mesh);
+      apply<dim>(next, *mesh);
+      return mesh;
+    }
+
+    void
+    add(const Marks &marks)
+    {
+      all.push_back(marks);
+    }
+
+    /** Shows what it became so far. */
+    void
+    serialize(StateArchive &archive);
+
+  private:
+    MakeMesh           make_first;
+    std::vector<Marks> all;
+  };
 } // namespace Crevasse
 
 #endif

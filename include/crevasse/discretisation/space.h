@@ -13,6 +13,7 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/hp/q_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
@@ -29,6 +30,15 @@ namespace Crevasse
 
   template <int dim>
   using Mesh = dealii::parallel::distributed::Triangulation<dim>;
+
+  /** The active cells of this rank, of a mesh or of its dofs. */
+  template <typename MeshOrDofs>
+  auto
+  owned_cells(const MeshOrDofs &all)
+  {
+    return all.active_cell_iterators() |
+           dealii::IteratorFilters::LocallyOwnedCell();
+  }
 
   /** A vector of zeros for the dofs, with ghosts for those of the cells that
    * this rank sees. */
@@ -172,7 +182,7 @@ namespace Crevasse
     Vector
     ghosted_vector() const
     {
-      return Vector(owned_unknowns, relevant_unknowns, communicator());
+      return Vector(partitioner);
     }
 
     /** What a displacement is at all nodes, constraints resolved, with ghost
@@ -260,8 +270,10 @@ namespace Crevasse
 
     std::unique_ptr<const SingularShapes> shapes; ///< of singular functions
     dealii::IndexSet                      owned_unknowns, relevant_unknowns;
-    dealii::hp::QCollection<dim>          rules;
-    std::vector<std::uint8_t> rule_of_cell; ///< empty: all have the first
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
+                                 partitioner; ///< of both
+    dealii::hp::QCollection<dim> rules;
+    std::vector<std::uint8_t>    rule_of_cell; ///< empty: all have the first
 
     mutable std::shared_ptr<const dealii::MatrixFree<dim, double>>
       cell_loops; ///< once asked for

@@ -7,7 +7,7 @@
 #include <crevasse/base/log.h>
 #include <crevasse/base/summary.h>
 #include <crevasse/checkpoint/checkpoints.h>
-#include <crevasse/discretisation/marking.h>
+#include <crevasse/discretisation/refinement.h>
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/body.h>
 #include <crevasse/parameters/scene.h>

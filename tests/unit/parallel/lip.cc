@@ -12,7 +12,7 @@
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/linear/mumps.h>
-#include <crevasse/material/isotropic.h>
+#include <crevasse/material/voigt_matrix.h>
 #include <crevasse/model/body.h>
 #include <crevasse/parameters/built_in_boundary.h>
 #include <crevasse/postprocess/lip_state.h>

@@ -7,7 +7,6 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/material/maxwell_law.h>
-#include <crevasse/material/phi_functions.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/time/arkode.h>
 #include <crevasse/time/arkode_driver.h>
