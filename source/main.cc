@@ -64,11 +64,10 @@ namespace
          const std::string  &used,
          const Checkpoints  &checkpoints)
   {
-    const CheckpointManifest &manifest = checkpoints.resumed_manifest();
+    const CheckpointManifest &manifest = checkpoints.last_manifest();
     checkpoints.folder().require_tables(manifest);
     auto lock = output.resume();
-    checkpoints.folder().set_aside_after(manifest.number);
-    checkpoints.folder().cut_tables(manifest);
+    checkpoints.folder().go_back_to(manifest);
     write_used_parameters(output.directory(), used);
     return lock;
   }

@@ -102,10 +102,10 @@ namespace Crevasse
   {
     const FiniteElement<dim>            &scalar = fe.base_element(0);
     std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-    for (const auto &cell : dofs.active_cell_iterators())
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          cell->get_dof_indices(indices);
+          same_cell(cell->id(), dofs)->get_dof_indices(indices);
           const Quadrature<dim> &rule  = space.quadrature(cell);
           const std::size_t      first = n_branches * points.offset(cell);
           for (unsigned int q = 0; q < rule.size(); ++q)

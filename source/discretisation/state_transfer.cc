@@ -110,6 +110,7 @@ namespace Crevasse
     polynomials.distribute();
     nodal = displacement_vector();
     of_displacement.interpolate(nodal);
+    nodal.update_ghost_values();
     std::vector<Vector *> after;
     for (Vector &branch : branches)
       {
@@ -130,8 +131,17 @@ namespace Crevasse
                            Vector                     &displacement,
                            Vector                     &viscous_strain) const
   {
-    for (std::size_t i = 0; i < nodal.locally_owned_size(); ++i)
-      displacement.local_element(i) = nodal.local_element(i);
+    const unsigned int n = space.finite_element().n_dofs_per_cell();
+    std::vector<types::global_dof_index> from(n), to(n);
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          same_cell(cell->id(), displacement_dofs)->get_dof_indices(from);
+          cell->get_dof_indices(to);
+          for (unsigned int i = 0; i < n; ++i)
+            if (displacement.in_local_range(to[i]))
+              displacement(to[i]) = nodal(from[i]);
+        }
     space.constraints().set_zero(displacement);
     for (unsigned int branch = 0; branch < branches.size(); ++branch)
       polynomials.evaluate(space,

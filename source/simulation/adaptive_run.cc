@@ -3,14 +3,20 @@
 
 #include <crevasse/base/state_archive.h>
 #include <crevasse/discretisation/state_transfer.h>
+#include <crevasse/postprocess/relaxation_table.h>
 #include <crevasse/simulation/adaptive_run.h>
+#include <crevasse/simulation/compute_periods.h>
+#include <crevasse/simulation/conclusion.h>
+#include <crevasse/simulation/observers.h>
 #include <crevasse/simulation/period_estimate.h>
+#include <crevasse/simulation/run_summary.h>
 #include <crevasse/simulation/setup_report.h>
 #include <crevasse/simulation/sizes.h>
 
 #include <deal.II/base/timer.h>
 
 #include <cstdio>
+#include <utility>
 
 namespace Crevasse
 {
@@ -36,6 +42,79 @@ namespace Crevasse
     {
       state.seconds["mesh adaptation"] += seconds;
       state.seconds["total"] += seconds;
+    }
+
+
+
+    /**
+     * Computes a run, or what of it is on one mesh, and writes everything to
+     * the directory of @p output, which must exist; what is not known before
+     * the end of the run only if this is it. Collective.
+     *
+     * @param others see what the tables see.
+     * @param state The start, then the end.
+     * @param summary that more is added to, and which is written.
+     * @throw NumericalError; after all that was computed has been written if
+     * the periodic state was not reached. */
+    template <int dim>
+    void
+    run_stage(const RunSetup<dim>           &setup,
+              const RunOutput               &output,
+              const std::vector<Observer *> &others,
+              RunState                      &state,
+              Summary                        summary)
+    {
+      const Scene   &scene = setup.scene;
+      Workspace<dim> work(setup, output.log);
+      work.systems.add(state.solvers);
+      const bool any_periods = scene.periodic_state.maximum_periods > 0;
+      output.checkpoints.requests().stop_if_asked();
+      if (any_periods)
+        work.start = find_periodic_start(setup, work.systems, output.log);
+      if (!scene.contact.relaxation_table.empty() && !state.has_tables())
+        write_relaxation_table(scene,
+                               setup.body,
+                               work.systems,
+                               work.steps,
+                               output.log,
+                               output.directory);
+      // Where nothing is marched, no tables are begun either.
+      if (any_periods)
+        {
+          Observers<dim> observers(setup, work, output, state);
+          output.checkpoints.set_tables(observers.tables());
+          std::vector<Observer *> all = observers.list();
+          all.insert(all.end(), others.begin(), others.end());
+          compute_periods(setup, work, output, all, state);
+          observers.export_state(state);
+          if (state.stage.ends_run)
+            {
+              summarise_run(setup, work, state, output.log, summary);
+              observers.summarise(summary);
+              summarise_secular_flow(setup, work.start, summary);
+            }
+        }
+      else
+        {
+          state.stage.ends_run = true;
+          summarise_run(setup, work, state, output.log, summary);
+        }
+      state = work.add_to(std::move(state));
+      if (!state.stage.ends_run)
+        return;
+      if (work.start.direct)
+        work.start.direct->add_to(summary);
+      // By which --resume tells whether they are of the scene that is asked
+      // for.
+      if (output.checkpoints.is_on())
+        summary["scene"] = output.checkpoints.scene();
+      write_summary(state, setup.body.space.communicator(), output, summary);
+      conclude(setup,
+               work.start,
+               state.result,
+               summary,
+               output.checkpoints.is_on(),
+               output.log);
     }
   } // namespace
 
@@ -151,20 +230,20 @@ namespace Crevasse
 
     const FieldNorms<dim> before =
       field_norms(old.space, old.points, state.viscous_strain, n_branches);
-    if (scene.refinement.tolerance > 0. && error <= scene.refinement.tolerance)
-      adapted.keep();
-    else
+    if (scene.refinement.tolerance == 0. || error > scene.refinement.tolerance)
       adapted.flag(squares);
-    StateTransfer<dim> transfer(*adapted.mesh(),
+    const std::shared_ptr<Mesh<dim>> mesh = adapted.mesh();
+    StateTransfer<dim>               transfer(*mesh,
                                 old.space,
                                 old.points,
                                 state.displacement,
                                 state.viscous_strain,
                                 n_branches);
-    const double       moved_before =
+    const double                     moved_before =
       old.space.nodal_values(state.displacement).linfty_norm();
     setup.reset(); // its mesh is about to change
     transfer.adapt();
+    adapted.renew();
     setup = std::make_unique<const RunSetup<dim>>(scene, adapted.mesh());
 
     const Body<dim> &body = setup->body;

@@ -13,6 +13,16 @@
 
 namespace Crevasse
 {
+  /** The same cell of another mesh with the same cells, with its dofs. */
+  template <int dim>
+  typename dealii::DoFHandler<dim>::cell_iterator
+  same_cell(const dealii::CellId &name, const dealii::DoFHandler<dim> &dofs)
+  {
+    const auto &mesh = dofs.get_triangulation();
+    const auto  cell = mesh.create_cell_iterator(name);
+    return {&mesh, cell->level(), cell->index(), &dofs};
+  }
+
   /**
    * Fields at quadrature points as one polynomial a cell, of the degree of the
    * displacement in each direction: the one through the values where Gauss's
@@ -56,7 +66,8 @@ namespace Crevasse
         const unsigned int          n_branches = 1,
         const unsigned int          branch     = 0) const;
 
-    /** The values of the polynomials at the points, for one branch. */
+    /** The values of the polynomials at the points, for one branch. The space
+     * may be on another mesh with the same cells on each rank. */
     void
     evaluate(const Space<dim>           &space,
              const QuadratureField<dim> &points,

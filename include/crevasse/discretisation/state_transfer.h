@@ -57,8 +57,9 @@ namespace Crevasse
     void
     adapt();
 
-    /** The fields on the new mesh; the displacement is zero in constrained
-     * entries. Both must have the layouts of their spaces. */
+    /** The fields on the new mesh, or on another one with the same cells on
+     * each rank; the displacement is zero in constrained entries. Both must be
+     * zero, with the layouts of their spaces. */
     void
     take(const Space<dim>           &space,
          const QuadratureField<dim> &points,
