@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <filesystem>
 #include <iterator>
 
@@ -13,21 +12,6 @@ namespace Crevasse
 {
   namespace
   {
-    const auto program_begin = std::chrono::steady_clock::now();
-
-
-
-    /** What is left of the time since the program began; 0: any. */
-    double
-    time_left(const double wall_time)
-    {
-      const std::chrono::duration<double> elapsed =
-        std::chrono::steady_clock::now() - program_begin;
-      return wall_time == 0. ? 0. : std::max(wall_time - elapsed.count(), 1e-9);
-    }
-
-
-
     const std::string signals[] = {"",
                                    "SIGTERM",
                                    "SIGINT",
@@ -85,7 +69,7 @@ namespace Crevasse
                              const double   wall_time)
     : communicator(communicator)
     , first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    , wall_time(time_left(wall_time))
+    , wall_time(wall_time)
   {
     asked_to_stop = asked_to_write = 0;
     for (const int signal : signals_to_stop)

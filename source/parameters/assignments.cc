@@ -144,13 +144,12 @@ namespace Crevasse
 
 
   void
-  read_override(const Override          &override,
+  read_override(const std::string       &text,
                 std::vector<Assignment> &assignments,
                 Problems                &problems)
   {
-    const std::string &text = override.text;
-    Assignment         assignment;
-    assignment.place = override.option + " \"" + Text::shorten(text) + "\"";
+    Assignment assignment;
+    assignment.place = "--set \"" + Text::shorten(text) + "\"";
 
     const std::size_t equals = text.find('=');
     const std::string path   = text.substr(0, equals);

@@ -65,17 +65,17 @@ namespace Crevasse
 
 
   Scene
-  read_scene(const std::string           &file_name,
-             const std::vector<Override> &overrides,
-             dealii::ParameterHandler    &prm,
-             Problems                    &problems)
+  read_scene(const std::string              &file_name,
+             const std::vector<std::string> &overrides,
+             dealii::ParameterHandler       &prm,
+             Problems                       &problems)
   {
     Scene scene;
     scene.add_parameters(prm);
 
     std::vector<Assignment> assignments = read_assignments(file_name, problems);
-    for (const Override &override : overrides)
-      read_override(override, assignments, problems);
+    for (const std::string &text : overrides)
+      read_override(text, assignments, problems);
     apply(assignments, prm, problems);
 
     resolve_file(file_name,

@@ -74,21 +74,11 @@ namespace Crevasse
 
 
   template <int dim>
-  const Body<dim> &
-  AdaptiveRun<dim>::discretised_body() const
-  {
-    return setup->body;
-  }
-
-
-
-  template <int dim>
   void
-  AdaptiveRun<dim>::run(const std::string             &directory,
-                        const std::vector<Observer *> &others)
+  AdaptiveRun<dim>::run(const std::string &directory, const bool stress_record)
   {
     const unsigned int n = scene.refinement.readapt_every;
-    const RunOutput    output{log, checkpoints, directory};
+    const RunOutput    output{log, checkpoints, directory, stress_record};
     RunState           state;
     state.timer = since_set_up;
     if (checkpoints.is_resuming())
@@ -100,7 +90,7 @@ namespace Crevasse
       add_seconds(adapted.seconds(), state);
     if (n == 0)
       {
-        run_stage(*setup, output, others, state, summary);
+        run_stage(*setup, output, {}, state, summary);
         return;
       }
     while (true)
@@ -111,9 +101,7 @@ namespace Crevasse
           std::make_unique<PeriodEstimate<dim>>(scene,
                                                 setup->body,
                                                 state.stage.last_period);
-        std::vector<Observer *> observers = others;
-        observers.push_back(estimate.get());
-        run_stage(*setup, output, observers, state, summary);
+        run_stage(*setup, output, {estimate.get()}, state, summary);
         if (state.stage.ends_run)
           return;
         const dealii::Vector<float> squares = estimate->estimator().squares();

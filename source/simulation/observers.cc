@@ -7,6 +7,7 @@
 #include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/load_work.h>
 #include <crevasse/postprocess/progress.h>
+#include <crevasse/postprocess/stress_writer.h>
 #include <crevasse/simulation/observers.h>
 
 #include <utility>
@@ -83,6 +84,8 @@ namespace Crevasse
                          work.steps,
                          file("load_work.csv"),
                          is_continuing);
+    if (output.stress_record)
+      add<StressWriter<dim>>(body, output.directory + "/stress_samples.bin");
     add<PeriodTable>(file("periods.csv"), is_continuing);
     add<Progress<dim>>(log,
                        body.lip,

@@ -25,17 +25,9 @@ namespace Crevasse
     std::string value;
   };
 
-  /** "Section/Name=value" as somebody wrote it on the command line. */
-  struct Override
-  {
-    std::string text;
-    /** What messages name: the option that brought it. */
-    std::string option = "--set";
-  };
-
-  /** Understands "Section/Name=value" of the command line. */
+  /** Understands "Section/Name=value" of --set. */
   void
-  read_override(const Override          &override,
+  read_override(const std::string       &text,
                 std::vector<Assignment> &assignments,
                 Problems                &problems);
 

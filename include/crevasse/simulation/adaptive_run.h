@@ -38,14 +38,11 @@ namespace Crevasse
     void
     describe() const;
 
-    /** See run_stage(). */
+    /** See run_stage().
+     *
+     * @param stress_record see StressWriter. */
     void
-    run(const std::string             &directory,
-        const std::vector<Observer *> &others = {});
-
-    /** On the mesh of the moment. */
-    const Body<dim> &
-    discretised_body() const;
+    run(const std::string &directory, const bool stress_record = false);
 
   private:
     /** Shows what is known about the meshes. */

@@ -24,6 +24,7 @@ namespace Crevasse
     Log              &log;
     Checkpoints      &checkpoints;
     const std::string directory;
+    bool              stress_record; ///< see StressWriter
   };
 
   /**
