@@ -137,8 +137,9 @@ class Program:
         self.stop.check()
         call = Call()
         process = subprocess.Popen(
-            ["mpirun", "--oversubscribe", "--bind-to", "none", "-np", str(self.ranks),
-             self.path, *map(str, words)], stdin=subprocess.DEVNULL,
+            ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca",
+             "mpi_yield_when_idle", "1", "-np", str(self.ranks), self.path,
+             *map(str, words)], stdin=subprocess.DEVNULL,
             stdout=call.files[0], stderr=call.files[1], start_new_session=True,
             env={name: value for name, value in os.environ.items()
                  if name not in self.of_mpirun})
