@@ -6,9 +6,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace Crevasse
 {
@@ -23,22 +20,6 @@ namespace Crevasse
     , diameter(diameter)
   {
     force.size = largest_load;
-  }
-
-
-
-  unsigned int
-  PrescribedMotion::number(const double t) const
-  {
-    return static_cast<unsigned int>(std::lround(t / step));
-  }
-
-
-
-  void
-  PrescribedMotion::restart()
-  {
-    is_continuing = false;
   }
 
 
@@ -95,15 +76,6 @@ namespace Crevasse
 
 
   void
-  PrescribedMotion::Difference::add(const double a, const double b)
-  {
-    largest = std::max(largest, std::abs(a - b));
-    size    = std::max(size, std::abs(a));
-  }
-
-
-
-  void
   PrescribedMotion::observe(const Sample &sample)
   {
     const unsigned int j = sample.step % motion.displacement.size();
@@ -122,30 +94,6 @@ namespace Crevasse
       force.size = std::max(force.size, std::abs(b));
     for (unsigned int k = 0; k < sample.state.contact_forces.size(); ++k)
       force.add(sample.state.contact_forces[k], motion.contact_forces[j][k]);
-  }
-
-
-
-  double
-  PrescribedMotion::stability_limit() const
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-
-
-
-  TimeQuadrature
-  PrescribedMotion::quadrature() const
-  {
-    return {{0., 1.}, {0.5, 0.5}};
-  }
-
-
-
-  std::string
-  PrescribedMotion::description() const
-  {
-    return "harmonic balance";
   }
 
 

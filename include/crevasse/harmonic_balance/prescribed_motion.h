@@ -4,9 +4,13 @@
 #ifndef crevasse_harmonic_balance_prescribed_motion_h
 #define crevasse_harmonic_balance_prescribed_motion_h
 
-#include <crevasse/harmonic_balance/fourier.h>
+#include <crevasse/harmonic_balance/fourier_problem.h>
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/observer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace Crevasse
 {
@@ -33,7 +37,10 @@ namespace Crevasse
                      const double          largest_load);
 
     void
-    restart() override;
+    restart() override
+    {
+      is_continuing = false;
+    }
 
     void
     start(RateEquation &f,
@@ -54,13 +61,22 @@ namespace Crevasse
     observe(const Sample &sample) override;
 
     double
-    stability_limit() const override;
+    stability_limit() const override
+    {
+      return std::numeric_limits<double>::infinity();
+    }
 
     TimeQuadrature
-    quadrature() const override;
+    quadrature() const override
+    {
+      return {{0., 1.}, {0.5, 0.5}};
+    }
 
     std::string
-    description() const override;
+    description() const override
+    {
+      return "harmonic balance";
+    }
 
     void
     serialize(StateArchive &archive) override;
@@ -77,7 +93,10 @@ namespace Crevasse
 
     /** The number of the instant @p t, from 0; N at the end of the period. */
     unsigned int
-    number(const double t) const;
+    number(const double t) const
+    {
+      return std::lround(t / step);
+    }
 
     /** Takes the defect of the trapezoidal rule in the step that ends at
      * instant @p end. */
@@ -93,7 +112,11 @@ namespace Crevasse
     {
       double largest = 0., size = 0.;
       void
-      add(const double a, const double b);
+      add(const double a, const double b)
+      {
+        largest = std::max(largest, std::abs(a - b));
+        size    = std::max(size, std::abs(a));
+      }
     };
     Difference displacement, force, viscous_strain;
   };
