@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace Crevasse
 {
@@ -17,7 +16,9 @@ namespace Crevasse
                                      const double          step,
                                      const double          diameter,
                                      const double          largest_load)
-    : motion(motion)
+    : Integrator(
+        {"harmonic balance", no_stability_limit, {{0., 1.}, {0.5, 0.5}}})
+    , motion(motion)
     , rule(rule)
     , step(step)
     , diameter(diameter)
@@ -31,14 +32,6 @@ namespace Crevasse
   PrescribedMotion::number(const double t) const
   {
     return static_cast<unsigned int>(std::lround(t / step));
-  }
-
-
-
-  void
-  PrescribedMotion::restart()
-  {
-    is_continuing = false;
   }
 
 
@@ -78,18 +71,13 @@ namespace Crevasse
 
 
   void
-  PrescribedMotion::advance(RateEquation &,
-                            const double t,
-                            const double,
-                            const Vector &,
-                            Vector &r,
-                            Vector *)
+  PrescribedMotion::advance(const TimeStep &step)
   {
     is_continuing           = true;
-    const unsigned int next = number(t) + 1;
-    r = motion.viscous_strain[next % motion.viscous_strain.size()];
+    const unsigned int next = number(step.t) + 1;
+    step.r = motion.viscous_strain[next % motion.viscous_strain.size()];
     if (next == motion.viscous_strain.size())
-      compare_step(next, r, first_rate);
+      compare_step(next, step.r, first_rate);
   }
 
 
@@ -122,30 +110,6 @@ namespace Crevasse
       force.size = std::max(force.size, std::abs(b));
     for (unsigned int k = 0; k < sample.state.contact_forces.size(); ++k)
       force.add(sample.state.contact_forces[k], motion.contact_forces[j][k]);
-  }
-
-
-
-  double
-  PrescribedMotion::stability_limit() const
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-
-
-
-  TimeQuadrature
-  PrescribedMotion::quadrature() const
-  {
-    return {{0., 1.}, {0.5, 0.5}};
-  }
-
-
-
-  std::string
-  PrescribedMotion::description() const
-  {
-    return "harmonic balance";
   }
 
 

@@ -52,7 +52,7 @@ namespace Crevasse
                        const StepList   &steps,
                        const Integrator &integrator)
     {
-      TimeQuadrature rule = integrator.quadrature();
+      TimeQuadrature rule = integrator.properties.quadrature;
       if (rule.weights.empty())
         rule = {{0., 1.}, {0.5, 0.5}};
       Vector mean, loads;
@@ -133,7 +133,8 @@ namespace Crevasse
     warning_of_negative_weights(const std::string &scheme,
                                 const Integrator  &integrator)
     {
-      const std::vector<double> &weights = integrator.quadrature().weights;
+      const std::vector<double> &weights =
+        integrator.properties.quadrature.weights;
       if (std::none_of(weights.begin(), weights.end(), [](const double weight) {
             return weight < 0.;
           }))
@@ -256,7 +257,7 @@ namespace Crevasse
     Vector       missed_part = seen;
     missed_part -= split.mean_load;
     const double missed_load = missed_part.linfty_norm();
-    const bool   has_rule    = !integrator->quadrature().weights.empty() &&
+    const bool has_rule = !integrator->properties.quadrature.weights.empty() &&
                           !scene.time_integration.locate_contact_events;
     split.strain_returns =
       has_rule &&
@@ -275,7 +276,7 @@ namespace Crevasse
     else if (split.is_split && body.effects.contact.on)
       split.warning = warning_of_negative_weights(scheme.name, *integrator);
     // What is marched must not flow on by the error of the steps.
-    if (split.is_split && !integrator->quadrature().weights.empty())
+    if (split.is_split && !integrator->properties.quadrature.weights.empty())
       split.mean_load = seen;
     return split;
   }

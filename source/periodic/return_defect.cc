@@ -26,28 +26,7 @@ namespace Crevasse
         largest = std::max(largest, std::abs(values[i]));
       return largest;
     }
-
   } // namespace
-
-
-
-  template <int dim>
-  ReturnDefect<dim>::ReturnDefect(const QuadratureField<dim> &points,
-                                  const MaterialState<dim>   &material,
-                                  const SecularFlow          *flow,
-                                  const bool                  is_split,
-                                  const double            mean_fluidity_factor,
-                                  const double            period,
-                                  const UnilateralBounds &bounds)
-    : n_points(points.n_local_points())
-    , material(material)
-    , flow(flow)
-    , is_split(is_split)
-    , mean_fluidity_factor(mean_fluidity_factor)
-    , period(period)
-    , bounds(bounds)
-  {
-  }
 
 
 
@@ -119,6 +98,6 @@ namespace Crevasse
 
 
 
-  template class ReturnDefect<2>;
-  template class ReturnDefect<3>;
+  template struct ReturnDefect<2>;
+  template struct ReturnDefect<3>;
 } // namespace Crevasse

@@ -148,11 +148,11 @@ namespace Crevasse
 
     if (integrator != nullptr)
       {
-        const TimeQuadrature rule = integrator->quadrature();
+        const TimeQuadrature &rule = integrator->properties.quadrature;
         if (rule.weights.empty())
           throw_error(comparison,
                       "[Time integration] Scheme = " +
-                        integrator->description() +
+                        integrator->properties.name +
                         " weights the loads by how fast they relax.");
         for (unsigned int k = 0; k < steps.n_steps(); ++k)
           for (unsigned int s = 0; s < rule.nodes.size(); ++s)

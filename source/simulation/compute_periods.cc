@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace Crevasse
@@ -111,21 +110,18 @@ namespace Crevasse
                 Checkpointer                  &checkpointer,
                 Log                           &log)
     {
-      constexpr double     tolerable = 1e-8;
-      const FourierResult &direct    = *work.start.direct;
-      FixedSteps           as_they_are;
-      PrescribedMotion     motion(direct.motion,
+      constexpr double        tolerable = 1e-8;
+      const FourierResult    &direct    = *work.start.direct;
+      StepControl             as_they_are;
+      PrescribedMotion        motion(direct.motion,
                               direct.rule,
                               work.steps.step(0),
                               GridTools::diameter(setup.body.space.mesh()),
                               setup.largest_nodal_force);
-      PeriodMap<dim>       period_map(
-        work.evolution, &motion, as_they_are, work.steps, &checkpointer);
-
       std::vector<Observer *> all = observers;
       all.push_back(&motion);
       ObservedPeriods<dim> periods(
-        period_map,
+        {work.evolution, &motion, as_they_are, work.steps, &checkpointer},
         [&work]() { return work.systems.statistics().vi_solves; },
         all,
         1);
@@ -168,20 +164,18 @@ namespace Crevasse
       if (!returns || (start.choice.method == PeriodicMethodType::march &&
                        !body.effects.contact.on))
         return {};
-      return std::optional<ReturnDefect<dim>>(
-        std::in_place,
-        body.points,
-        material,
-        flow_of(start),
-        start.split.is_split,
-        setup.relaxation_times.mean_fluidity_factor,
-        setup.scene.loads.period,
-        bounds);
+      return ReturnDefect<dim>{body.points.n_local_points(),
+                               material,
+                               flow_of(start),
+                               start.split.is_split,
+                               setup.relaxation_times.mean_fluidity_factor,
+                               setup.scene.loads.period,
+                               bounds};
     }
 
 
 
-    /** Anderson::Settings::slowness */
+    /** See Anderson. */
     template <int dim>
     double
     slowness(const RunSetup<dim> &setup)
@@ -204,27 +198,15 @@ namespace Crevasse
                Log                  &log,
                Vector               &r)
     {
-      const PeriodicStateParameters   &parameters = setup.scene.periodic_state;
-      const EnergyCoordinates<dim>     coordinates(setup.body.space,
+      const EnergyCoordinates<dim> coordinates(setup.body.space,
                                                setup.body.points,
                                                setup.body.material.at(0.));
-      typename Anderson<dim>::Settings settings;
-      settings.acceleration     = {parameters.anderson_depth,
-                                   parameters.anderson_damping};
-      settings.delay            = parameters.anderson_delay;
-      settings.tolerance        = parameters.tolerance;
-      settings.slowness         = slowness(setup);
-      settings.patience         = 2 * parameters.anderson_depth;
-      settings.most_stagnations = std::numeric_limits<unsigned int>::max();
-      if (may_fall_back)
-        {
-          // Leaves most of the periods to what goes on.
-          settings.patience =
-            std::min(settings.patience, 1 + parameters.maximum_periods / 4);
-          settings.most_stagnations = 0;
-        }
-      Anderson<dim>           method(periods, coordinates, settings);
-      const ConvergenceStatus status = method.run(r);
+      Anderson<dim>                method(periods,
+                           coordinates,
+                           setup.scene.periodic_state,
+                           slowness(setup),
+                           may_fall_back);
+      const ConvergenceStatus      status = method.run(r);
       if (const unsigned int n = method.n_restarts(); n > 0)
         log.line("  anderson began anew " +
                  (n == 1 ? "once" : std::to_string(n) + " times") +
@@ -239,7 +221,6 @@ namespace Crevasse
     template <int dim>
     void
     finish_stage(ObservedPeriods<dim> &periods,
-                 PeriodMap<dim>       &period_map,
                  const Evolution<dim> &evolution,
                  const unsigned int    maximum_periods,
                  RunState             &state)
@@ -248,15 +229,9 @@ namespace Crevasse
       state.stage.ends_run         = result.converged ||
                              result.periods < state.stage.last_period ||
                              result.periods >= maximum_periods;
-      if (state.stage.ends_run)
-        periods.finish(state.viscous_strain);
-      else
-        {
-          period_map.finish(result.periods,
-                            state.viscous_strain,
-                            [](const Sample &) {});
-          state.displacement = evolution.state().displacement;
-        }
+      periods.finish(state.viscous_strain, state.stage.ends_run);
+      if (!state.stage.ends_run)
+        state.displacement = evolution.state().displacement;
     }
   } // namespace
 
@@ -285,11 +260,6 @@ namespace Crevasse
     const SerializationScope systems(&writer, [&](StateArchive &archive) {
       work.systems.serialize(archive);
     });
-    PeriodMap<dim>           period_map(work.evolution,
-                              work.integrator.get(),
-                              *work.step_control,
-                              work.steps,
-                              &writer);
     prepare_evolution(setup, work, state);
 
     const bool shows =
@@ -313,20 +283,26 @@ namespace Crevasse
     const MaterialState<dim> material = setup.body.material.at(0.);
     const auto           defect = return_defect(setup, start, material, bounds);
     ObservedPeriods<dim> periods(
-      period_map,
+      {work.evolution,
+       work.integrator.get(),
+       *work.step_control,
+       work.steps,
+       &writer},
       [&work]() { return work.systems.statistics().vi_solves; },
       observers,
       std::min(parameters.maximum_periods, state.stage.last_period),
       before,
       !state.has_begun(),
       defect ? &*defect : nullptr);
-    March<dim> march(periods, parameters.tolerance, slowness(setup));
 
-    Vector            &r            = state.viscous_strain;
+    Vector    &r              = state.viscous_strain;
+    const auto march_to_limit = [&]() {
+      return march(periods, parameters.tolerance, slowness(setup), r);
+    };
     const unsigned int left_at_last = shows ? 2 : 1;
     ConvergenceStatus  status       = ConvergenceStatus::stagnant;
     if (start.choice.method == PeriodicMethodType::march)
-      status = march.run(r);
+      status = march_to_limit();
     else if (state.methods_left < left_at_last)
       status =
         accelerate(setup, start.choice.may_fall_back, periods, output.log, r);
@@ -335,12 +311,11 @@ namespace Crevasse
         if (state.methods_left < left_at_last)
           output.log.line("  anderson stagnates: march");
         state.methods_left = left_at_last;
-        status             = march.run(r);
+        status             = march_to_limit();
       }
     state.result           = periods.result();
     state.result.converged = status == ConvergenceStatus::converged;
-    finish_stage(
-      periods, period_map, work.evolution, parameters.maximum_periods, state);
+    finish_stage(periods, work.evolution, parameters.maximum_periods, state);
   }
 
 

@@ -17,7 +17,7 @@ namespace Crevasse
     survey_instants(const StepList &steps, const Integrator *integrator)
     {
       return steps.survey_instants(integrator != nullptr
-                                     ? integrator->quadrature().nodes
+                                     ? integrator->properties.quadrature.nodes
                                      : std::vector<double>());
     }
 
@@ -135,10 +135,10 @@ namespace Crevasse
   RunSetup<dim>::make_step_control() const
   {
     if (integrator == nullptr)
-      return std::make_unique<FixedSteps>();
+      return std::make_unique<StepControl>();
     return Crevasse::make_step_control(scene.time_integration,
                                        steps,
-                                       *integrator,
+                                       integrator->properties,
                                        relaxation_times.smallest);
   }
 

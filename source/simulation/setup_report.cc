@@ -162,9 +162,9 @@ namespace Crevasse
            << " steps a period, the largest " << setup.steps.largest_step();
     if (setup.integrator != nullptr)
       {
-        const double limit =
-          setup.integrator->stability_limit() * setup.relaxation_times.smallest;
-        time << "; " << setup.integrator->description() << ", stable ";
+        const double limit = setup.integrator->properties.stability_limit *
+                             setup.relaxation_times.smallest;
+        time << "; " << setup.integrator->properties.name << ", stable ";
         if (std::isfinite(limit))
           time << "below " << limit;
         else

@@ -33,9 +33,6 @@ namespace Crevasse
                      const double          largest_load);
 
     void
-    restart() override;
-
-    void
     start(RateEquation &f,
           const double  t,
           const Vector &r,
@@ -43,24 +40,10 @@ namespace Crevasse
 
     /** Only from the beginning of one step to the next. */
     void
-    advance(RateEquation &f,
-            const double  t,
-            const double  time_step,
-            const Vector &rate,
-            Vector       &r,
-            Vector       *error) override;
+    advance(const TimeStep &step) override;
 
     void
     observe(const Sample &sample) override;
-
-    double
-    stability_limit() const override;
-
-    TimeQuadrature
-    quadrature() const override;
-
-    std::string
-    description() const override;
 
     void
     serialize(StateArchive &archive) override;
@@ -85,7 +68,6 @@ namespace Crevasse
     compare_step(const unsigned int end, const Vector &r, const Vector &rate);
 
     const double step, diameter;
-    bool         is_continuing = false; ///< from the last step, without a jump
     Vector       first_rate, last_rate, defect;
 
     /** A difference and the size of what differs. */
