@@ -4,11 +4,9 @@
 #include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/return_defect.h>
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace Crevasse
@@ -39,8 +37,8 @@ namespace Crevasse
     using Field               = QuadratureField<dim>;
     constexpr double rounding = 1e-12, resolved = 10.;
     // What is left, what it is left of, and what it makes of the mean stress.
-    std::array<double, 3> largest{};
-    std::size_t           offset = 0;
+    double      largest[3] = {};
+    std::size_t offset     = 0;
     for (std::size_t point = 0; point < n_points; ++point)
       for (unsigned int i = 0; i < material.fractions.size(); ++i)
         {
@@ -64,9 +62,7 @@ namespace Crevasse
                        size * slowness_of_relaxation(relaxed / size));
           offset += Field::n_components;
         }
-    Utilities::MPI::max(ArrayView<const double>(largest.data(), 3),
-                        before.get_mpi_communicator(),
-                        ArrayView<double>(largest.data(), 3));
+    Utilities::MPI::max(largest, before.get_mpi_communicator(), largest);
     if (largest[0] <= rounding * std::max(largest_stress, largest[1]))
       return 0.;
     return resolved * largest[2] / largest_stress;

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/state_archive.h>
+#include <crevasse/time/arkode.h>
 #include <crevasse/time/arkode_driver.h>
-#include <crevasse/time/integrator_choice.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/state_archive.h>
-#include <crevasse/time/integrator_choice.h>
+#include <crevasse/time/contact_events.h>
 
 #include <deal.II/base/mpi.h>
 

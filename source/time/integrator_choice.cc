@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/state_archive.h>
+#include <crevasse/time/arkode.h>
+#include <crevasse/time/contact_events.h>
 #include <crevasse/time/integrator_choice.h>
 
 #include <deal.II/base/numbers.h>
@@ -277,49 +279,32 @@ namespace Crevasse
 
 
 
-    using Parameters = TimeIntegrationParameters;
-    using Method     = std::unique_ptr<Integrator>;
-
-    struct Factory
+    std::unique_ptr<Integrator>
+    make_method(const TimeIntegrationParameters &parameters,
+                const double                     period)
     {
-      Scheme value;
-      Method (*make)(const Parameters &, const double period);
-    };
-
-    template <typename IntegratorType>
-    Method
-    make(const Parameters &, const double)
-    {
-      return std::make_unique<IntegratorType>();
+      switch (parameters.scheme)
+        {
+          case Scheme::euler:
+            return std::make_unique<RungeKutta>(euler());
+          case Scheme::heun:
+            return std::make_unique<RungeKutta>(heun(parameters.heun_weight));
+          case Scheme::rk4:
+            return std::make_unique<RungeKutta>(rk4());
+          case Scheme::predictor_corrector:
+            return std::make_unique<PredictorCorrector>();
+          case Scheme::exponential:
+            return std::make_unique<ExponentialHeun>();
+          case Scheme::sdirk2:
+            return std::make_unique<RungeKutta>(sdirk2());
+          case Scheme::trapezoid:
+            return std::make_unique<RungeKutta>(trapezoid());
+          case Scheme::arkode_explicit:
+          case Scheme::arkode_implicit:
+            return make_arkode(parameters, period);
+        }
+      return nullptr;
     }
-
-    template <ButcherTableau (*tableau)()>
-    Method
-    make(const Parameters &, const double)
-    {
-      return std::make_unique<RungeKutta>(tableau());
-    }
-
-    Method
-    make_heun(const Parameters &parameters, const double)
-    {
-      return std::make_unique<RungeKutta>(heun(parameters.heun_weight));
-    }
-
-    constexpr Factory factories[] = {
-      {Scheme::euler, make<euler>},
-      {Scheme::heun, make_heun},
-      {Scheme::rk4, make<rk4>},
-      {Scheme::predictor_corrector, make<PredictorCorrector>},
-      {Scheme::exponential, make<ExponentialHeun>},
-      {Scheme::sdirk2, make<sdirk2>},
-      {Scheme::trapezoid, make<trapezoid>},
-      {Scheme::arkode_explicit, make_arkode},
-      {Scheme::arkode_implicit, make_arkode}};
-
-    static_assert(follows_enum<Scheme>(factories),
-                  "one for each scheme, in their order");
-
   } // namespace
 
 
@@ -330,9 +315,7 @@ namespace Crevasse
                   const bool                has_contact)
   {
     parameters.locate_contact_events &= has_contact;
-    Method method =
-      factories[static_cast<std::size_t>(parameters.scheme)].make(parameters,
-                                                                  period);
+    std::unique_ptr<Integrator> method = make_method(parameters, period);
     if (parameters.locate_contact_events && !method->properties.controls_steps)
       return locate_contact_events(std::move(method));
     return method;

@@ -39,16 +39,15 @@ namespace Crevasse
     {
     public:
       /** @param fixed_instants where steps end in any case.
-       * @param looks_at_end whether a stage of the method is at the end of the
-       * step. */
+       * @param nodes at which the method evaluates. */
       AdaptiveSteps(const TimeIntegrationParameters &parameters,
                     const double                     largest_step,
                     const std::vector<double>       &fixed_instants,
-                    const bool                       looks_at_end)
+                    const std::vector<double>       &nodes)
         : parameters(parameters)
         , largest_step(largest_step)
         , fixed_instants(fixed_instants)
-        , looks_at_end(looks_at_end)
+        , looks_at_end(std::find(nodes.begin(), nodes.end(), 1.) != nodes.end())
         // Not a fraction of the period, at which a load may have its zeros.
         , proposed(0.381966 * largest_step)
       {
@@ -331,23 +330,6 @@ namespace Crevasse
       message << "; or choose Scheme = sdirk2, which is stable with any step.";
       throw NumericalError(message.str());
     }
-
-
-
-    /** @throw NumericalError if steps of at most this length are too many. */
-    void
-    require_possible(const double period, const double longest_step)
-    {
-      if (period <= most_steps * longest_step)
-        return;
-      std::ostringstream message;
-      message << "The smallest relaxation time allows this scheme steps of "
-              << longest_step << ", which are more than " << most_steps
-              << " in a period. Choose Scheme = sdirk2, which is stable with "
-                 "any step, or look at the viscosity in [Material], at [Loads] "
-                 "Period and at their units.";
-      throw NumericalError(message.str());
-    }
   } // namespace
 
 
@@ -368,25 +350,30 @@ namespace Crevasse
                             smallest_relaxation_time);
         return std::make_unique<StepControl>();
       }
-    if (integrator.controls_steps)
-      {
-        if (parameters.check_stability)
-          require_possible(steps.period(), limit * smallest_relaxation_time);
-        return std::make_unique<StepControl>(); // from sample to sample
-      }
-    // Close to the limit errors hardly decay.
-    constexpr double well_below = 0.9;
-    double largest_step         = steps.period() / parameters.steps_per_period;
+    double longest = integrator.controls_steps
+                       ? no_stability_limit
+                       : steps.period() / parameters.steps_per_period;
     if (parameters.check_stability)
-      largest_step =
-        std::min(largest_step, well_below * limit * smallest_relaxation_time);
-    require_possible(steps.period(), largest_step);
-    const std::vector<double> &nodes = integrator.quadrature.nodes;
+      {
+        // Close to the limit errors hardly decay.
+        const double part = integrator.controls_steps ? 1. : 0.9;
+        longest = std::min(longest, part * limit * smallest_relaxation_time);
+      }
+    if (steps.period() > most_steps * longest)
+      {
+        std::ostringstream message;
+        message << "The smallest relaxation time allows this scheme steps of "
+                << longest << ", which are more than " << most_steps
+                << " in a period. Choose Scheme = sdirk2, which is stable with "
+                   "any step, or look at the viscosity in [Material], at "
+                   "[Loads] Period and at their units.";
+        throw NumericalError(message.str());
+      }
+    if (integrator.controls_steps)
+      return std::make_unique<StepControl>(); // from sample to sample
     return std::make_unique<AdaptiveSteps>(parameters,
-                                           largest_step,
+                                           longest,
                                            steps.fixed_instants(),
-                                           std::find(nodes.begin(),
-                                                     nodes.end(),
-                                                     1.) != nodes.end());
+                                           integrator.quadrature.nodes);
   }
 } // namespace Crevasse
