@@ -5,7 +5,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/harmonic_balance/complex_mumps.h>
-#include <crevasse/linear/matrix_product.h>
+#include <crevasse/linear/matrix_operator.h>
 #include <crevasse/linear/mumps_instance.h>
 
 #include <deal.II/base/mpi.h>

@@ -7,10 +7,8 @@
 #include <crevasse/crack_tip/interaction_integral.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/model/elastic_displacement.h>
-#include <crevasse/model/elastic_estimate.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/secular.h>
-#include <crevasse/model/tip_functions.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 
 #include <deal.II/grid/grid_tools.h>

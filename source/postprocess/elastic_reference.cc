@@ -35,7 +35,7 @@ namespace Crevasse
         : body(body)
         , steps(steps)
         , comparison(comparison)
-        , reference_time(steps.instant(step_of_largest_load(body, steps)))
+        , reference_time(instant_of_largest_load(body, steps))
         , reference(loads_at(body, reference_time))
         , norm(reference.l2_norm())
       {
@@ -176,8 +176,7 @@ namespace Crevasse
   {
     const LoadFactors factors =
       load_factors(body, steps, integrator, scene.output.elastic_comparison);
-    const Vector loads =
-      loads_at(body, steps.instant(step_of_largest_load(body, steps)));
+    const Vector loads = loads_at(body, instant_of_largest_load(body, steps));
 
     ElasticComparison::Reference reference;
     reference.factor       = factors.at_steps;

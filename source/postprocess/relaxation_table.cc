@@ -4,8 +4,8 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/csv_table.h>
 #include <crevasse/base/problems.h>
-#include <crevasse/contact/relaxation_factor.h>
-#include <crevasse/linear/matrix_product.h>
+#include <crevasse/contact/sweep.h>
+#include <crevasse/linear/matrix_operator.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/relaxation_table.h>
@@ -85,8 +85,7 @@ namespace Crevasse
                          const std::string       &directory)
   {
     const SparseMatrix &matrix = systems.system_at(0.).problem().matrix();
-    const Vector        loads =
-      loads_at(body, steps.instant(step_of_largest_load(body, steps)));
+    const Vector loads = loads_at(body, instant_of_largest_load(body, steps));
     if (loads.linfty_norm() == 0.)
       throw SceneError(
         "[Contact] Relaxation table: nothing is loaded, so that "
@@ -102,12 +101,14 @@ namespace Crevasse
     const SignoriniProblem problem(matrix, none);
     const Sweep            sweep(problem);
     const auto             count = [&](const double factor, const double goal) {
-      return count_sor_iterations(
-        problem, sweep, loads, factor, goal, scene.contact.maximum_iterations);
+      return sweep.count_iterations(loads,
+                                    factor,
+                                    goal,
+                                    scene.contact.maximum_iterations);
     };
 
-    const double best = find_relaxation_factor(
-      problem, sweep, loads, target_1980, scene.contact.maximum_iterations);
+    const double best =
+      sweep.best_factor(loads, target_1980, scene.contact.maximum_iterations);
     std::vector<double> factors = scene.contact.relaxation_table;
     factors.push_back(best);
     std::sort(factors.begin(), factors.end());

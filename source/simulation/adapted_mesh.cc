@@ -5,7 +5,7 @@
 #include <crevasse/base/state_archive.h>
 #include <crevasse/discretisation/refinement.h>
 #include <crevasse/model/contact_system_cache.h>
-#include <crevasse/model/elastic_estimate.h>
+#include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/simulation/adapted_mesh.h>
 

@@ -4,7 +4,6 @@
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/model/linear_choice.h>
-#include <crevasse/model/solver_memory.h>
 #include <crevasse/simulation/memory_report.h>
 
 #include <deal.II/base/mpi.h>
@@ -122,7 +121,8 @@ namespace Crevasse
         return advice;
       if (has_gmg)
         return advice + ", or take Type = gmg";
-      return advice + (solver.is_multigrid() ? "" : ", or take Type = amg");
+      return advice +
+             (traits(solver.type).is_multigrid ? "" : ", or take Type = amg");
     }
 
 

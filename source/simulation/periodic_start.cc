@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
-#include <crevasse/linear/abandoned_factors.h>
+#include <crevasse/linear/mumps_instance.h>
 #include <crevasse/simulation/periodic_start.h>
 
 namespace Crevasse

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/model/jumps.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/linear_choice.h>
 #include <crevasse/postprocess/elastic_reference.h>

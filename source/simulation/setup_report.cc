@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
-#include <crevasse/model/jumps.h>
+#include <crevasse/model/largest_load.h>
 #include <crevasse/parameters/formulas_of_scene.h>
 #include <crevasse/parameters/unused_parameters.h>
 #include <crevasse/simulation/setup_report.h>

@@ -5,7 +5,7 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/version.h>
-#include <crevasse/linear/abandoned_factors.h>
+#include <crevasse/linear/mumps_instance.h>
 #include <crevasse/simulation/adaptive_run.h>
 #include <crevasse/simulation/conclusion.h>
 #include <crevasse/study/stress_writer.h>

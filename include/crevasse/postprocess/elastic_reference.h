@@ -14,7 +14,8 @@
 
 namespace Crevasse
 {
-  /** F, for loads F(t) p(x), relative to the loads at step_of_largest_load().
+  /** F, for loads F(t) p(x), relative to the loads at
+   * instant_of_largest_load().
    */
   struct LoadFactors
   {

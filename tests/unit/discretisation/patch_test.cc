@@ -6,7 +6,7 @@
 // F(t) s is that stress at every quadrature point, on distorted cells and with
 // hanging nodes, and the viscous strain is the scheme's own quadrature of F.
 
-#include <crevasse/contact/unconstrained.h>
+#include <crevasse/contact/condensed_active_set.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/time/evolution.h>
@@ -164,7 +164,7 @@ namespace
     const UnilateralBounds none;
     const SignoriniProblem problem(matrix, none);
     Cholesky               cholesky(matrix);
-    Unconstrained          solver(problem, cholesky, 1e-12);
+    CondensedActiveSet     solver(problem, cholesky, 1e-12);
     ConstantInstant<dim>   instants(state, solver);
     Evolution<dim>         evolution(strain_operator, points, loads, instants);
 

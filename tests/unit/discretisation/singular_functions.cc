@@ -10,7 +10,6 @@
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/linear/matrix_operator.h>
-#include <crevasse/linear/matrix_product.h>
 #include <crevasse/material/isotropic.h>
 #include <crevasse/parameters/built_in_boundary.h>
 

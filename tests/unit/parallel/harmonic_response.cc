@@ -58,7 +58,7 @@ namespace
       , phases(std::cout,
                dealii::TimerOutput::never,
                dealii::TimerOutput::wall_times)
-      , body(this->scene, communicator)
+      , body(this->scene, make_scene_mesh<2>(this->scene, communicator))
       , steps(scene.time_integration, scene.loads.period)
       , systems(this->scene,
                 body,
@@ -343,7 +343,7 @@ namespace
     const auto refusal = [](const Scene &scene) {
       try
         {
-          const Body<2>  body(scene, MPI_COMM_WORLD);
+          const Body<2>  body(scene, make_scene_mesh<2>(scene, MPI_COMM_WORLD));
           const StepList steps(scene.time_integration, scene.loads.period);
           require_fourier(scene, body, steps);
         }
