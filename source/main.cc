@@ -9,6 +9,7 @@
 #include <crevasse/base/log.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/stop_request.h>
+#include <crevasse/base/text_file.h>
 #include <crevasse/base/version.h>
 #include <crevasse/checkpoint/scene_difference.h>
 #include <crevasse/parameters/scene_file.h>
@@ -21,7 +22,6 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -32,18 +32,6 @@ namespace
 {
   using namespace Crevasse;
 
-  void
-  write_used_parameters(const std::string &directory, const std::string &used)
-  {
-    const std::string file_name = directory + "/used.prm";
-    std::ofstream     file(file_name);
-    file << used << std::flush;
-    if (!file)
-      throw FileError("Cannot write " + file_name + ".");
-  }
-
-
-
   /** Makes the output directory ready for this run's results. */
   std::unique_ptr<DirectoryLock>
   prepare(const OutputChoice &output, const std::string &used, Log &log)
@@ -52,7 +40,7 @@ namespace
     auto        lock = output.prepare(kept);
     if (!kept.empty())
       log.line("  results of an earlier run are kept in " + kept);
-    write_used_parameters(output.directory(), used);
+    write_atomically(used, output.directory() + "/used.prm");
     return lock;
   }
 
@@ -69,7 +57,7 @@ namespace
     auto lock = output.resume();
     checkpoints.folder().set_aside_after(manifest.number);
     checkpoints.folder().cut_tables(manifest);
-    write_used_parameters(output.directory(), used);
+    write_atomically(used, output.directory() + "/used.prm");
     return lock;
   }
 

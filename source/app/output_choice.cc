@@ -11,8 +11,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <unistd.h>
 
@@ -45,12 +43,9 @@ namespace Crevasse
     earlier_parameters(const std::string &path)
     {
       const std::string name = path + "/used.prm";
-      std::error_code   unknown;
-      std::ifstream     file(name);
-      if (!fs::is_regular_file(name, unknown) || !file.is_open())
+      if (!why_unreadable(name).empty())
         return {};
-      using Characters = std::istreambuf_iterator<char>;
-      return std::string(Characters(file), Characters());
+      return read_text_file(name);
     }
   } // namespace
 

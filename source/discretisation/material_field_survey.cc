@@ -152,7 +152,7 @@ namespace Crevasse
         throw SceneError(
           Text::parameter(MaterialParameters::section, name) + " = " +
           factor.formula() + ": is " + Text::from_number(value) +
-          " at t = " + Text::from_number(t) + "; " + Ranges::size.text + '.');
+          " at t = " + Text::from_number(t) + "; " + Ranges::size.text() + '.');
   }
 
 

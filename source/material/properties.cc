@@ -54,7 +54,7 @@ namespace Crevasse
       property.requirements.push_back(
         {describe(formula),
          "is",
-         range.text,
+         range.text(),
          [=](const Values &values) { return excess(values[i], range); },
          [i](const Values &values) { return values[i]; }});
     }
@@ -105,7 +105,7 @@ namespace Crevasse
       };
       property.requirements.push_back({what,
                                        "has the largest entry",
-                                       Ranges::size.text,
+                                       Ranges::size.text(),
                                        [largest](const Values &values) {
                                          return excess(largest(values),
                                                        Ranges::size);

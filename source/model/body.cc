@@ -12,7 +12,6 @@
 #include <crevasse/model/tip_functions.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -33,33 +32,20 @@ namespace Crevasse
 
 
 
-    /** The parameters that name boundary ids, each with its own name. */
-    std::array<std::pair<const char *, const std::string *>, 3>
-    roles_besides_loaded(const BoundaryParameters &parameters)
-    {
-      return {{{"Clamped", &parameters.clamped},
-               {"Symmetry", &parameters.symmetry},
-               {"Contact", &parameters.contact}}};
-    }
-
-
-
     /** Which parameter took the loaded boundary of the built-in shape for
      * itself, as a sentence, or nothing if none did. */
     std::string
     who_took_the_loaded_boundary(const Scene &scene)
     {
-      if (parse_boundary_ids(scene.boundary.loaded))
+      if (!scene.boundary.loaded->is_automatic)
         return "";
       for (const auto id : built_in_roles(scene.geometry).loaded)
-        for (const auto &[name, value] : roles_besides_loaded(scene.boundary))
-          {
-            const auto ids = parse_boundary_ids(*value);
-            if (ids && ids->count(id) > 0)
-              return " The loaded boundary of this shape is the boundary id " +
-                     std::to_string(id) + ", which [Boundary] " + name + " = " +
-                     *value + " takes away from it.";
-          }
+        for (const BoundaryRole &role : boundary_role_table)
+          if (const Parsed<BoundaryList> &list = scene.boundary.*role.list;
+              list->ids.count(id) > 0)
+            return " The loaded boundary of this shape is the boundary id " +
+                   std::to_string(id) + ", which [Boundary] " + role.name +
+                   " = " + list.text() + " takes away from it.";
       return "";
     }
 
@@ -102,7 +88,9 @@ namespace Crevasse
     {
       std::optional<Temperature<dim>> temperature;
       collectively(communicator, [&]() {
-        temperature.emplace(loads.temperature.text(), loads.period);
+        temperature.emplace(*loads.temperature,
+                            loads.temperature.text(),
+                            loads.period);
       });
       return std::move(*temperature);
     }
@@ -129,9 +117,9 @@ namespace Crevasse
   std::vector<FixedPoint<dim>>
   fixed_points(const Scene &scene)
   {
-    return scene.boundary.fixed_points == "automatic"
+    return scene.boundary.fixed_points->is_automatic
              ? built_in_fixed_points<dim>(scene.geometry, boundary_roles(scene))
-             : parse_fixed_points<dim>(scene.boundary.fixed_points);
+             : to_fixed_points<dim>(*scene.boundary.fixed_points);
   }
 
 

@@ -127,7 +127,7 @@ namespace Crevasse
     if (largest != 0. && !Ranges::size.contains(largest))
       throw SceneError(
         "[Loads]: the largest force on a node over a period is " +
-        Text::from_number(largest) + "; it " + Ranges::size.text +
+        Text::from_number(largest) + "; it " + Ranges::size.text() +
         ". Choose other units.");
     return largest;
   }

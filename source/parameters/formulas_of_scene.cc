@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/text.h>
 #include <crevasse/parameters/formulas_of_scene.h>
 
 #include <algorithm>
+#include <set>
 
 namespace Crevasse
 {
@@ -127,29 +127,16 @@ namespace Crevasse
   describe_variation(const std::vector<Expression> &formulas,
                      const bool                     temperature_varies)
   {
-    // A matrix has many formulas under one name.
-    std::vector<std::string> names;
+    std::string           sentences;
+    std::set<std::string> seen; // a matrix has many formulas under one name
     for (const Expression &formula : formulas)
-      if (std::find(names.begin(), names.end(), formula.parameter()) ==
-          names.end())
-        names.push_back(formula.parameter());
-
-    std::vector<std::string> sentences;
-    for (const std::string &name : names)
       {
-        const auto depends_on = [&](const char *variable) {
-          return std::any_of(formulas.begin(),
-                             formulas.end(),
-                             [&](const Expression &formula) {
-                               return formula.parameter() == name &&
-                                      formula.depends_on(variable);
-                             });
-        };
-        if (depends_on("t"))
-          sentences.push_back(name + " depends on t");
-        else if (temperature_varies && depends_on("theta"))
-          sentences.push_back(name + " depends on theta");
+        const bool by_time = formula.depends_on("t");
+        if ((by_time || (temperature_varies && formula.depends_on("theta"))) &&
+            seen.insert(formula.parameter()).second)
+          sentences += (sentences.empty() ? "" : ", ") + formula.parameter() +
+                       " depends on " + (by_time ? "t" : "theta");
       }
-    return Text::join(sentences, ", ");
+    return sentences;
   }
 } // namespace Crevasse

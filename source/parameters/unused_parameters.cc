@@ -2,24 +2,23 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
-#include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/built_in_boundary.h>
 #include <crevasse/parameters/formulas_of_scene.h>
 #include <crevasse/parameters/unused_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <map>
+#include <set>
 
 namespace Crevasse
 {
   namespace
   {
-    /** A parameter, when it is not used, and why. */
+    /** Parameters of a section, "Section/Name, other name", when they are not
+     * used, and why. */
     struct Rule
     {
-      const char *section;
-      const char *name;
+      std::string parameters;
       bool        unused;
       std::string reason;
     };
@@ -28,72 +27,48 @@ namespace Crevasse
 
 
 
-    bool
-    has_contact(const Scene &scene)
-    {
-      return !resolve_roles(scene.boundary, built_in_roles(scene.geometry))
-                .contact.empty();
-    }
-
-    const std::string no_contact = "no boundary has the role Contact";
-
-
-
     Rules
     rules_of_body(const Scene &scene)
     {
-      const Shape       shape     = scene.geometry.shape;
-      const std::string why       = "Shape = " + name_of(shape);
-      const char       *here      = GeometryParameters::section;
-      const bool        from_file = shape == Shape::mesh_file;
-      const bool        is_plane  = scene.dimension == 2;
+      const Shape               shape      = scene.geometry.shape;
+      const MaterialParameters &material   = scene.material;
+      const std::string         of_shape   = "Shape = " + name_of(shape);
+      const ViscosityType       kind       = material.viscosity;
+      const std::string         viscosity  = "Viscosity = " + name_of(kind);
+      const bool                isotropic  = kind == ViscosityType::isotropic;
+      const bool                is_elastic = kind == ViscosityType::none;
+      const bool                is_plane   = scene.dimension == 2;
+      const bool                from_file  = shape == Shape::mesh_file;
+      const bool has_matrix = !material.stiffness_matrix.text().empty();
+      const bool theta_acts = has_thermal_expansion(material) ||
+                              material_depends_on("theta", material);
       return {
-        {here, "Width", from_file, why},
-        {here, "Height", from_file, why},
-        {here, "Thickness", from_file, why},
-        {here, "Thickness", is_plane, "Dimension = 2"},
-        {here, "Crack length", !traits(shape).has_crack, why},
-        {here, "Subdivisions", from_file, why},
-        {BoundaryParameters::section,
-         "Loaded",
+        {"Geometry/Width, Height, Thickness, Subdivisions",
+         from_file,
+         of_shape},
+        {"Geometry/Thickness", is_plane, "Dimension = 2"},
+        {"Geometry/Crack length", !traits(shape).has_crack, of_shape},
+        {"Boundary/Loaded",
          are_zero(*scene.loads.traction),
          "there is no [Loads] Traction"},
-        {BoundaryParameters::section, "Gap", !has_contact(scene), no_contact},
-        {MaterialParameters::section,
-         "Plane state",
-         !is_plane,
-         "Dimension = 3"},
-      };
-    }
-
-
-
-    Rules
-    rules_of_material(const Scene &scene)
-    {
-      const MaterialParameters &material = scene.material;
-      const char               *here     = MaterialParameters::section;
-      const ViscosityType       kind     = material.viscosity;
-      const std::string         why      = "Viscosity = " + name_of(kind);
-      const bool        has_matrix = !material.stiffness_matrix.text().empty();
-      const std::string matrix     = "Stiffness matrix is given";
-      return {
-        {here, "Young modulus", has_matrix, matrix},
-        {here, "Poisson ratio", has_matrix, matrix},
-        {here, "Relaxation time", kind != ViscosityType::relaxation_time, why},
-        {here, "Viscous modulus", kind != ViscosityType::isotropic, why},
-        {here, "Viscous Poisson ratio", kind != ViscosityType::isotropic, why},
-        {here, "Viscosity matrix", kind != ViscosityType::matrix, why},
-        {here, "Chain", kind != ViscosityType::chain, why},
-        {here, "Viscosity time factor", kind == ViscosityType::none, why},
-        {here,
-         "Thermal expansion",
+        {"Material/Plane state", !is_plane, "Dimension = 3"},
+        {"Material/Young modulus, Poisson ratio",
+         has_matrix,
+         "Stiffness matrix is given"},
+        {"Material/Relaxation time",
+         kind != ViscosityType::relaxation_time,
+         viscosity},
+        {"Material/Viscous modulus, Viscous Poisson ratio",
+         !isotropic,
+         viscosity},
+        {"Material/Viscosity matrix", kind != ViscosityType::matrix, viscosity},
+        {"Material/Chain", kind != ViscosityType::chain, viscosity},
+        {"Material/Viscosity time factor", is_elastic, viscosity},
+        {"Material/Thermal expansion",
          !has_temperature(scene.loads),
          "[Loads] Temperature = 0"},
-        {LoadParameters::section,
-         "Temperature",
-         !has_thermal_expansion(material) &&
-           !material_depends_on("theta", material),
+        {"Loads/Temperature",
+         !theta_acts,
          "[Material] Thermal expansion = 0, and no coefficient depends on "
          "theta"},
       };
@@ -105,12 +80,16 @@ namespace Crevasse
     rules_of_solvers(const Scene &scene)
     {
       const ContactParameters &contact = scene.contact;
-      const char              *here    = ContactParameters::section;
-      const std::string        why     = "Solver = " + name_of(contact.solver);
-      const auto              &solver  = traits(contact.solver);
-      const auto              &linear  = traits(scene.linear_solver.type);
-      const bool               table   = !contact.relaxation_table.empty();
-      const bool               varies =
+      const bool               has_contact =
+        !resolve_roles(scene.boundary, built_in_roles(scene.geometry))
+           .contact.empty();
+      const std::string no_contact = "no boundary has the role Contact";
+      const std::string of_solver  = "Solver = " + name_of(contact.solver);
+      const auto       &solver     = traits(contact.solver);
+      const auto       &linear     = traits(scene.linear_solver.type);
+      const bool        counts =
+        solver.counts_iterations || !contact.relaxation_table.empty();
+      const bool varies =
         material_depends_on("t", scene.material) ||
         material_depends_on("theta", scene.material) ||
         (has_thermal_expansion(scene.material) && has_temperature(scene.loads));
@@ -118,20 +97,18 @@ namespace Crevasse
         scene.material.viscosity != ViscosityType::none &&
         traits(scene.time_integration.scheme).keeps_matrices;
       return {
-        {here, "Solver", !has_contact(scene), no_contact},
-        {here, "Relaxation factor", !has_contact(scene), no_contact},
-        {here, "Relaxation factor", !solver.relaxes, why},
-        {here, "Maximum iterations", !solver.counts_iterations && !table, why},
-        {LinearSolverParameters::section,
-         "Tolerance",
+        {"Boundary/Gap", !has_contact, no_contact},
+        {"Contact/Solver, Relaxation factor", !has_contact, no_contact},
+        {"Time integration/Locate contact events", !has_contact, no_contact},
+        {"Contact/Relaxation factor", !solver.relaxes, of_solver},
+        {"Contact/Maximum iterations", !counts, of_solver},
+        {"Linear solver/Tolerance",
          linear.is_direct,
          std::string("Type = ") + linear.name},
-        {LinearSolverParameters::section,
-         "Tolerance",
+        {"Linear solver/Tolerance",
          !solver.stops_early,
-         "[Contact] " + why},
-        {LinearSolverParameters::section,
-         "Memory for instants",
+         "[Contact] " + of_solver},
+        {"Linear solver/Memory for instants",
          !varies && !implicit,
          "the material does not vary in time"},
       };
@@ -142,138 +119,91 @@ namespace Crevasse
     Rules
     rules_of_time(const Scene &scene)
     {
-      const TimeIntegrationParameters &time = scene.time_integration;
-      const char *here     = TimeIntegrationParameters::section;
-      const bool  uniform  = time.step_control == StepControlType::uniform;
-      const bool  adaptive = time.step_control == StepControlType::adaptive;
-      const bool  elastic  = scene.material.viscosity == ViscosityType::none;
-      const std::string control =
-        "Step control = " + name_of(time.step_control);
-      const std::string none   = "[Material] Viscosity = none";
-      const std::string scheme = "Scheme = " + name_of(time.scheme);
+      const TimeIntegrationParameters &time     = scene.time_integration;
+      const PeriodicStateParameters   &periodic = scene.periodic_state;
+      const StepControlType            control  = time.step_control;
+      const PeriodicMethodType         method   = periodic.method;
+
+      const bool elastic   = scene.material.viscosity == ViscosityType::none;
+      const bool adaptive  = control == StepControlType::adaptive;
+      const bool direct    = method == PeriodicMethodType::fourier;
+      const bool automatic = method == PeriodicMethodType::automatic;
+      const bool harmonics =
+        direct || automatic || periodic.start_from == StartFrom::fourier;
+      const std::string none       = "[Material] Viscosity = none";
+      const std::string of_control = "Step control = " + name_of(control);
+      const std::string of_scheme  = "Scheme = " + name_of(time.scheme);
+      const std::string of_method  = "Method = " + name_of(method);
       return {
-        {here, "Scheme", elastic, none},
-        {here, "Heun weight", elastic, none},
-        {here, "Heun weight", time.scheme != Scheme::heun, scheme},
-        {here,
-         "Steps per period",
-         time.step_control == StepControlType::list,
-         control},
-        {here, "Steps", uniform, control},
-        {here, "Relative tolerance", elastic, none},
-        {here, "Absolute tolerance", elastic, none},
-        {here, "Relative tolerance", !adaptive, control},
-        {here, "Absolute tolerance", !adaptive, control},
-        {here, "Order", elastic, none},
-        {here, "Order", !traits(time.scheme).is_of_arkode, scheme},
-        {here, "Locate contact events", elastic, none},
-        {here, "Locate contact events", !has_contact(scene), no_contact},
-        {here, "Check stability", elastic, none},
-        {OutputParameters::section,
-         "Field times",
+        {"Time integration/Scheme, Heun weight, Relative tolerance, Absolute "
+         "tolerance, Order, Locate contact events, Check stability",
+         elastic,
+         none},
+        {"Time integration/Heun weight",
+         time.scheme != Scheme::heun,
+         of_scheme},
+        {"Time integration/Order",
+         !traits(time.scheme).is_of_arkode,
+         of_scheme},
+        {"Time integration/Steps per period",
+         control == StepControlType::list,
+         of_control},
+        {"Time integration/Steps",
+         control == StepControlType::uniform,
+         of_control},
+        {"Time integration/Relative tolerance, Absolute tolerance",
+         !adaptive,
+         of_control},
+        {"Time integration/Locate contact events",
+         direct,
+         "[Periodic state] " + of_method},
+        {"Time integration/Scheme",
+         direct && time.scheme != Scheme::trapezoid,
+         "[Periodic state] " + of_method + " is the trapezoidal rule"},
+        {"Periodic state/Secular split, Start from, Harmonics", elastic, none},
+        {"Periodic state/Method", elastic, none + ", one period tells all"},
+        {"Periodic state/Maximum periods",
+         elastic && periodic.maximum_periods > 1,
+         none + ", one period tells all"},
+        {"Periodic state/Start from", direct || automatic, of_method},
+        {"Periodic state/Harmonics", !harmonics, of_method},
+        {"Periodic state/Anderson depth, Anderson damping, Anderson delay",
+         method != PeriodicMethodType::anderson && !automatic,
+         of_method},
+      };
+    }
+
+
+
+    Rules
+    rules_of_results(const Scene &scene)
+    {
+      const CrackTipParameters &tip      = scene.crack_tip;
+      const auto               &law      = traits(tip.growth_law);
+      const RefinementStrategy  strategy = scene.refinement.strategy;
+      const std::string of_law = std::string("Crack growth law = ") + law.name;
+      const std::string of_strategy = "Strategy = " + name_of(strategy);
+      return {
+        {"Refinement/Target unknowns, Cycles",
+         strategy == RefinementStrategy::none,
+         of_strategy},
+        {"Refinement/Marking, Refine fraction, Coarsen fraction, Tolerance, "
+         "Instants",
+         strategy != RefinementStrategy::adaptive,
+         of_strategy},
+        {"Crack tip/Method, Radius",
+         !tip.stress_intensity,
+         "Stress intensity = false"},
+        {"Crack tip/Paris factor, Paris exponent, Paris threshold",
+         !law.has_paris_part,
+         of_law},
+        {"Crack tip/Creep growth parameter, Creep factor, Creep exponent",
+         !law.has_creep_part,
+         of_law},
+        {"Output/Field times",
          scene.output.fields == FieldFormat::none,
          "Fields = none"},
       };
-    }
-
-
-
-    Rules
-    rules_of_periodic_state(const Scene &scene)
-    {
-      const PeriodicStateParameters &periodic = scene.periodic_state;
-      const char                    *here = PeriodicStateParameters::section;
-      const bool elastic    = scene.material.viscosity == ViscosityType::none;
-      const bool direct     = periodic.method == PeriodicMethodType::fourier;
-      const bool automatic  = periodic.method == PeriodicMethodType::automatic;
-      const bool is_started = periodic.start_from == StartFrom::fourier;
-      const bool combines =
-        periodic.method == PeriodicMethodType::anderson || automatic;
-      const std::string none   = "[Material] Viscosity = none";
-      const std::string method = "Method = " + name_of(periodic.method);
-      Rules             rules  = {
-                     {here, "Secular split", elastic, none},
-                     {here,
-                      "Maximum periods",
-                      elastic && periodic.maximum_periods > 1,
-                      none + ", one period tells all"},
-                     {here, "Method", elastic, none + ", one period tells all"},
-                     {TimeIntegrationParameters::section,
-                      "Locate contact events",
-                      direct,
-                      "[Periodic state] " + method},
-                     {TimeIntegrationParameters::section,
-                      "Scheme",
-                      direct && scene.time_integration.scheme != Scheme::trapezoid,
-                      "[Periodic state] " + method + " is the trapezoidal rule"},
-                     {here, "Start from", elastic, none},
-                     {here, "Start from", direct || automatic, method},
-                     {here,
-                      "Harmonics",
-                      elastic || !(direct || automatic || is_started),
-         elastic ? none : method},
-      };
-      for (const char *name :
-           {"Anderson depth", "Anderson damping", "Anderson delay"})
-        rules.push_back({here, name, !combines, method});
-      return rules;
-    }
-
-
-
-    Rules
-    rules_of_crack_tip(const Scene &scene)
-    {
-      const CrackTipParameters &tip  = scene.crack_tip;
-      const char               *here = CrackTipParameters::section;
-      const std::string law   = "Crack growth law = " + name_of(tip.growth_law);
-      const auto       &parts = traits(tip.growth_law);
-
-      const std::string off   = "Stress intensity = false";
-      Rules             rules = {{here, "Method", !tip.stress_intensity, off},
-                                 {here, "Radius", !tip.stress_intensity, off}};
-      for (const char *name :
-           {"Paris factor", "Paris exponent", "Paris threshold"})
-        rules.push_back({here, name, !parts.has_paris_part, law});
-      for (const char *name :
-           {"Creep growth parameter", "Creep factor", "Creep exponent"})
-        rules.push_back({here, name, !parts.has_creep_part, law});
-      return rules;
-    }
-
-
-
-    Rules
-    rules_of_refinement(const Scene &scene)
-    {
-      const RefinementParameters &refinement = scene.refinement;
-      const char                 *here       = RefinementParameters::section;
-      const bool none     = refinement.strategy == RefinementStrategy::none;
-      const bool adaptive = refinement.strategy == RefinementStrategy::adaptive;
-      const std::string why   = "Strategy = " + name_of(refinement.strategy);
-      Rules             rules = {{here, "Target unknowns", none, why},
-                                 {here, "Cycles", none, why}};
-      for (const char *name : {"Marking",
-                               "Refine fraction",
-                               "Coarsen fraction",
-                               "Tolerance",
-                               "Instants"})
-        rules.push_back({here, name, !adaptive, why});
-      return rules;
-    }
-
-
-
-    /** The values of all parameters as a scene file has them. */
-    std::map<std::pair<std::string, std::string>, std::string>
-    values_of(Scene scene, const Rules &rules)
-    {
-      dealii::ParameterHandler prm;
-      scene.add_parameters(prm);
-      std::map<std::pair<std::string, std::string>, std::string> values;
-      for (const Rule &rule : rules)
-        values[{rule.section, rule.name}] = prm.get({rule.section}, rule.name);
-      return values;
     }
   } // namespace
 
@@ -282,30 +212,29 @@ namespace Crevasse
   std::vector<std::string>
   unused_parameters(const Scene &scene)
   {
-    Rules rules;
-    for (const Rules &part : {rules_of_body(scene),
-                              rules_of_material(scene),
-                              rules_of_solvers(scene),
-                              rules_of_time(scene),
-                              rules_of_periodic_state(scene),
-                              rules_of_refinement(scene),
-                              rules_of_crack_tip(scene)})
-      rules.insert(rules.end(), part.begin(), part.end());
-
-    auto                     values   = values_of(scene, rules);
-    const auto               defaults = values_of(Scene(), rules);
+    Scene                    own = scene, usual;
+    dealii::ParameterHandler values, defaults;
+    own.add_parameters(values);
+    usual.add_parameters(defaults);
+    std::set<std::string>    reported; // one reason is enough
     std::vector<std::string> sentences;
-    for (const Rule &rule : rules)
-      {
-        std::string       &value = values.at({rule.section, rule.name});
-        const std::string &usual = defaults.at({rule.section, rule.name});
-        if (!rule.unused || value == usual)
-          continue;
-        sentences.push_back(Text::parameter(rule.section, rule.name) + " = " +
-                            Text::shorten(value) +
-                            " is not used: " + rule.reason);
-        value = usual; // one reason is enough
-      }
+    for (const Rules &rules : {rules_of_body(scene),
+                               rules_of_solvers(scene),
+                               rules_of_time(scene),
+                               rules_of_results(scene)})
+      for (const Rule &rule : rules)
+        {
+          const std::size_t slash   = rule.parameters.find('/');
+          const std::string section = rule.parameters.substr(0, slash);
+          for (const std::string &name :
+               Text::split(rule.parameters.substr(slash + 1), ','))
+            if (const std::string value = values.get({section}, name);
+                rule.unused && value != defaults.get({section}, name) &&
+                reported.insert(section + '/' + name).second)
+              sentences.push_back(Text::parameter(section, name) + " = " +
+                                  Text::shorten(value) +
+                                  " is not used: " + rule.reason);
+        }
     return sentences;
   }
 } // namespace Crevasse

@@ -310,8 +310,12 @@ namespace Crevasse
               const ContactBoundary<dim>    &lip)
   {
     std::vector<ProbeEvaluator<dim>> evaluators;
-    for (const Probe<dim> &probe : to_probes<dim>(probes))
-      evaluators.emplace_back(probe, space, recovery, lip);
+    for (const NamedPoint &probe : probes)
+      evaluators.emplace_back(Probe<dim>{probe.name,
+                                         to_point<dim>(probe.coordinates)},
+                              space,
+                              recovery,
+                              lip);
     return evaluators;
   }
 

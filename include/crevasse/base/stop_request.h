@@ -86,13 +86,16 @@ namespace Crevasse
     reason() const;
 
   private:
-    Request
-    of_signals();
+    // A request and the signal that brought it, if it was one, in one number.
+    static constexpr int first_request = 64;
 
-    Request
+    int
+    of_signals() const;
+
+    int
     of_file();
 
-    Request
+    int
     of_time(const double seconds_to_write);
 
     const MPI_Comm communicator;

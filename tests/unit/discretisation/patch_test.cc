@@ -137,7 +137,7 @@ namespace
     material.viscous_modulus       = "30000";
     material.viscous_poisson_ratio = "0.5";
     const MaxwellLaw<dim>  law(material);
-    const Temperature<dim> temperature("0", 1.);
+    const Temperature<dim> temperature(Expression("0"), "", 1.);
 
     BoundaryRoles roles;
     roles.loaded = {0, 1, 2, 3};
