@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <optional>
 #include <unistd.h>
 
 namespace Crevasse
@@ -35,18 +34,6 @@ namespace Crevasse
         part = part.parent_path();
       return part;
     }
-
-
-
-    /** Those of the run that has its results there, if there is one. */
-    std::optional<std::string>
-    earlier_parameters(const std::string &path)
-    {
-      const std::string name = path + "/used.prm";
-      if (!why_unreadable(name).empty())
-        return {};
-      return read_text_file(name);
-    }
   } // namespace
 
 
@@ -59,14 +46,6 @@ namespace Crevasse
              ? scene.output_directory
              : "results/" + fs::path(command.scene_file).stem().string())
   {
-  }
-
-
-
-  const std::string &
-  OutputChoice::directory() const
-  {
-    return path;
   }
 
 
@@ -95,8 +74,10 @@ namespace Crevasse
   OutputChoice::require_nothing_to_resume(
     const std::string &used_parameters) const
   {
-    std::error_code unknown;
-    if (may_replace || earlier_parameters(path) != used_parameters ||
+    const std::string earlier = path + "/used.prm";
+    std::error_code   unknown;
+    if (may_replace || !why_unreadable(earlier).empty() ||
+        read_text_file(earlier) != used_parameters ||
         fs::exists(path + "/summary.json", unknown) ||
         !CheckpointFolder(path).has_any())
       return;

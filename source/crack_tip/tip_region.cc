@@ -4,7 +4,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/tip_region.h>
-#include <crevasse/parameters/crack_tip_parameters.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>

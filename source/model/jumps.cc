@@ -3,7 +3,7 @@
 
 #include <crevasse/model/jumps.h>
 #include <crevasse/model/largest_load.h>
-#include <crevasse/parameters/formulas_of_scene.h>
+#include <crevasse/parameters/effects.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -267,4 +267,53 @@ namespace Crevasse
                          " must be later than the instant before it, " +
                          Text::from_number(before) + ", by more than rounding");
   }
+
+
+
+  void
+  RefinementParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    const bool    tip      = strategy == RefinementStrategy::tip;
+    const bool    adaptive = strategy == RefinementStrategy::adaptive;
+    const bool    ends     = cycles > 0 || target_unknowns > 0;
+    checker.demand(coarsen_fraction + refine_fraction <= 1.,
+                   "Coarsen fraction",
+                   "must be, with Refine fraction, at most 1");
+    // Each level halves the cells: 2^-40 is at the rounding of coordinates.
+    checker.demand(!tip || cycles <= 40,
+                   "Cycles",
+                   "must be at most 40 with Strategy = tip: each divides the "
+                   "size of the cells at the tip by 2");
+    checker.demand(!tip || ends,
+                   "Strategy",
+                   "needs Cycles or Target unknowns to be greater than 0: "
+                   "otherwise it would not end");
+    checker.demand(!adaptive || ends || tolerance > 0.,
+                   "Strategy",
+                   "needs Cycles, Target unknowns or Tolerance to be greater "
+                   "than 0: otherwise it would not end");
+    checker.demand(readapt_every == 0 || adaptive,
+                   "Readapt every",
+                   "is for Strategy = adaptive; otherwise it must be 0");
+  }
+
+
+
+  void
+  CrackTipParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    checker.demand(growth_law == GrowthLawType::none || stress_intensity,
+                   "Crack growth law",
+                   "needs Stress intensity = true");
+    checker.demand(!traits(growth_law).has_paris_part ||
+                     Ranges::positive.contains(paris_factor),
+                   "Paris factor",
+                   Ranges::positive.text());
+    checker.demand(!traits(growth_law).has_creep_part ||
+                     Ranges::positive.contains(creep_factor),
+                   "Creep factor",
+                   Ranges::positive.text());
+  }
 } // namespace Crevasse

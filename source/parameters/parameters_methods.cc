@@ -46,6 +46,57 @@ namespace Crevasse
 
 
   void
+  RefinementParameters::add_parameters(ParameterHandler &prm)
+  {
+    add_selection("Strategy", strategy, prm);
+    prm.add_parameter("Target unknowns",
+                      target_unknowns,
+                      "Refinement ends before the mesh has more unknowns; 0: "
+                      "no limit.",
+                      Integer(0));
+    prm.add_parameter(
+      "Cycles",
+      cycles,
+      "How often the cells around the tip are divided, or how many meshes "
+      "follow on the first one; 0: until Target unknowns or Tolerance.",
+      Integer(0));
+    add_selection("Marking", marking, prm);
+    prm.add_parameter("Refine fraction",
+                      refine_fraction,
+                      "The cells of the largest errors with this part of the "
+                      "whole are divided.",
+                      NumberPattern(
+                        {Ranges::above_0, 1., "greater than 0, at most 1"}));
+    prm.add_parameter("Coarsen fraction",
+                      coarsen_fraction,
+                      "The cells of the smallest errors with this part of the "
+                      "whole are joined.",
+                      fraction);
+    prm.add_parameter(
+      "Tolerance",
+      tolerance,
+      "Estimated error of the stress, relative to the stress (both in the "
+      "energy norm), at which adaptive refinement ends; 0: none.",
+      fraction);
+    prm.add_parameter(
+      "Instants",
+      instants,
+      "Instants within the period whose errors count, the largest of each "
+      "cell; nothing: that of the largest load and that of the most opposite "
+      "one, if there is an opposite one. In units of time. Allowed: numbers "
+      "from 0 to the period, separated by commas",
+      List(not_negative));
+    prm.add_parameter(
+      "Readapt every",
+      readapt_every,
+      "Number of periods after which the mesh is adapted anew to the stress "
+      "of the last of them; 0: never.",
+      Integer(0));
+  }
+
+
+
+  void
   ContactParameters::add_parameters(ParameterHandler &prm)
   {
     add_selection("Solver", solver, prm);
@@ -182,6 +233,51 @@ namespace Crevasse
                       "Periods that are marched before the first combination.",
                       Integer(0));
     add_selection("Harmonics", harmonics, prm);
+  }
+
+
+
+  void
+  CrackTipParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Stress intensity",
+                      stress_intensity,
+                      "Whether crack_tip.csv has the stress intensity "
+                      "factor K_I of each step.");
+    add_selection("Method", method, prm);
+    prm.add_parameter("Radius",
+                      radius,
+                      "Half the side of that square, or the larger radius of "
+                      "the fit, in units of length; 0: automatic.",
+                      not_negative);
+    add_selection("Crack growth law", growth_law, prm);
+    prm.add_parameter("Paris factor",
+                      paris_factor,
+                      "C, the growth of a period where dK - dK_th is 1, in "
+                      "units of length / (stress sqrt(length))^m. Allowed: a "
+                      "number greater than 0 where it is used",
+                      not_negative);
+    prm.add_parameter("Paris exponent",
+                      paris_exponent,
+                      "m, a pure number.",
+                      NumberPattern(Ranges::positive));
+    prm.add_parameter("Paris threshold",
+                      paris_threshold,
+                      "dK_th, in units of stress sqrt(length): the crack does "
+                      "not grow below it.",
+                      not_negative);
+    add_selection("Creep growth parameter", creep_parameter, prm);
+    prm.add_parameter("Creep factor",
+                      creep_factor,
+                      "D, the speed where P is 1, in units of length / time / "
+                      "P^phi; P is in units of stress length / time where it "
+                      "is C*, of stress sqrt(length) where it is K_I. Allowed: "
+                      "a number greater than 0 where it is used",
+                      not_negative);
+    prm.add_parameter("Creep exponent",
+                      creep_exponent,
+                      "phi, a pure number.",
+                      NumberPattern(Ranges::positive));
   }
 
 

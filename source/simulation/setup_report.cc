@@ -3,8 +3,7 @@
 
 #include <crevasse/base/text.h>
 #include <crevasse/model/jumps.h>
-#include <crevasse/parameters/formulas_of_scene.h>
-#include <crevasse/parameters/unused_parameters.h>
+#include <crevasse/parameters/effects.h>
 #include <crevasse/simulation/setup_report.h>
 #include <crevasse/simulation/sizes.h>
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -73,15 +72,6 @@ namespace Crevasse
         values.insert(row[column]);
       return {values.begin(), values.end()};
     }
-
-
-
-    std::size_t
-    index_of(const std::vector<double> &values, const double value)
-    {
-      return std::lower_bound(values.begin(), values.end(), value) -
-             values.begin();
-    }
   } // namespace
 
 
@@ -91,8 +81,9 @@ namespace Crevasse
                                           const double       period)
     : TemperatureFile<dim>(file_name, period)
   {
-    const std::vector<Row<dim>> rows     = read_rows<dim>(file_name);
-    const std::vector<double>   instants = values_of<dim>(rows, 0);
+    std::vector<Row<dim>> rows = read_rows<dim>(file_name);
+    std::sort(rows.begin(), rows.end());
+    const std::vector<double> instants = values_of<dim>(rows, 0);
     this->set_instants(instants);
 
     std::array<std::vector<double>, dim> coordinates;
@@ -119,29 +110,27 @@ namespace Crevasse
                            std::to_string(n_points) + " points make " +
                            std::to_string(instants.size() * n_points) + ".");
 
-    std::vector<Table<dim, double>> tables(instants.size());
-    for (Table<dim, double> &table : tables)
-      table.reinit(size);
-    std::set<std::pair<std::size_t, std::size_t>> filled;
+    const auto twice = std::adjacent_find(
+      rows.begin(), rows.end(), [](const Row<dim> &a, const Row<dim> &b) {
+        return std::equal(a.begin(), a.begin() + dim + 1, b.begin());
+      });
+    if (twice != rows.end())
+      refuse_temperature(this->file_name,
+                         "has two rows for t = " +
+                           Text::from_number((*twice)[0]) +
+                           " at the same point.");
+
+    // In the order of the rows, z varies fastest: as in an array of C.
+    std::vector<double> values;
     for (const Row<dim> &row : rows)
+      values.push_back(row.back());
+    for (std::size_t k = 0; k < instants.size(); ++k)
       {
-        TableIndices<dim> place;
-        std::size_t       number = 0;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            place[d] = index_of(coordinates[d], row[d + 1]);
-            number   = number * size[d] + place[d];
-          }
-        const std::size_t instant = index_of(instants, row[0]);
-        if (!filled.emplace(instant, number).second)
-          refuse_temperature(this->file_name,
-                             "has two rows for t = " +
-                               Text::from_number(row[0]) +
-                               " at the same point.");
-        tables[instant](place) = row[dim + 1];
+        Table<dim, double> table;
+        table.reinit(size);
+        table.fill(values.begin() + k * n_points, true);
+        grids.push_back(std::make_unique<const Grid>(coordinates, table));
       }
-    for (Table<dim, double> &table : tables)
-      grids.push_back(std::make_unique<const Grid>(coordinates, table));
   }
 
 

@@ -4,7 +4,7 @@
 #ifndef crevasse_crack_tip_growth_law_h
 #define crevasse_crack_tip_growth_law_h
 
-#include <crevasse/parameters/crack_tip_parameters.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <memory>
 #include <optional>

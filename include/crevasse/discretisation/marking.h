@@ -5,7 +5,7 @@
 #define crevasse_discretisation_marking_h
 
 #include <crevasse/discretisation/space.h>
-#include <crevasse/parameters/refinement_parameters.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <deal.II/grid/cell_id.h>
 #include <deal.II/lac/vector.h>

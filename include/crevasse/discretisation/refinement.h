@@ -6,7 +6,7 @@
 
 #include <crevasse/discretisation/space.h>
 #include <crevasse/parameters/boundary_roles.h>
-#include <crevasse/parameters/refinement_parameters.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <functional>
 #include <memory>

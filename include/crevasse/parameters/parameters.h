@@ -162,6 +162,34 @@ namespace Crevasse
     check(Problems &problems) const;
   };
 
+  /** How the mesh is refined besides [Geometry] Refinements. */
+  struct RefinementParameters
+  {
+    static constexpr const char *section = "Refinement";
+
+    RefinementStrategy strategy = RefinementStrategy::none;
+    /** Refinement ends when the mesh has them; 0: no limit. */
+    unsigned int target_unknowns = 0;
+    /** tip: levels; adaptive: meshes after the first. 0: by the target. */
+    unsigned int cycles           = 0;
+    Marking      marking          = Marking::bulk;
+    double       refine_fraction  = 0.5;
+    double       coarsen_fraction = 0.;
+    /** Estimated error of the stress in the energy norm, relative to that of
+     * the stress, at which cycles end; 0: none. */
+    double tolerance = 0.;
+    /** Instants within the period that the estimate looks at; none: those of
+     * the largest load and of the most opposite one. */
+    std::vector<double> instants;
+    /** Periods after which the mesh is adapted again; 0: never. */
+    unsigned int readapt_every = 0;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+
   /** Those with which over-relaxation converges. */
   constexpr Range relaxation_factors = {Ranges::above_0,
                                         2. - 1e-15,
@@ -251,6 +279,34 @@ namespace Crevasse
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /** What is read off at the crack tip. */
+  struct CrackTipParameters
+  {
+    static constexpr const char *section = "Crack tip";
+
+    bool                  stress_intensity = false;
+    StressIntensityMethod method           = StressIntensityMethod::automatic;
+    /** Half the side of the square around the tip that the integral extends
+     * over, or twice the radius of the smaller disc of the fit; 0: automatic.
+     */
+    double radius = 0.;
+
+    GrowthLawType growth_law = GrowthLawType::none;
+    // da/dN = C (ΔK − ΔK_th)^m or, without a threshold, C ΔK^m.
+    double paris_factor    = 0.;
+    double paris_exponent  = 3.;
+    double paris_threshold = 0.;
+    /** What drives da/dt = D (...)^φ. */
+    CreepParameter creep_parameter = CreepParameter::C_star;
+    double         creep_factor    = 0.;
+    double         creep_exponent  = 1.;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
   };
 
   struct OutputParameters

@@ -3,8 +3,7 @@
 
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/built_in_boundary.h>
-#include <crevasse/parameters/formulas_of_scene.h>
-#include <crevasse/parameters/unused_parameters.h>
+#include <crevasse/parameters/effects.h>
 
 #include <deal.II/base/parameter_handler.h>
 
