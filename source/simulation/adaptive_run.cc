@@ -6,7 +6,6 @@
 #include <crevasse/simulation/adaptive_run.h>
 #include <crevasse/simulation/period_estimate.h>
 #include <crevasse/simulation/setup_report.h>
-#include <crevasse/simulation/sizes.h>
 
 #include <deal.II/base/timer.h>
 
@@ -177,22 +176,22 @@ namespace Crevasse
     const FieldNorms<dim> after =
       field_norms(body.space, body.points, state.viscous_strain, n_branches);
 
-    const Sizes sizes(body);
-    char        text[200];
+    const Summary sizes = sizes_of(body);
+    char          text[200];
     std::snprintf(text,
                   sizeof(text),
                   "  mesh adapted: %lu cells, %lu unknowns; estimated error "
                   "before %.2e; viscous strain: norm %.6e before, %.6e after",
-                  static_cast<unsigned long>(sizes.cells),
-                  static_cast<unsigned long>(sizes.unknowns),
+                  sizes["cells"].get<unsigned long>(),
+                  sizes["unknowns"].get<unsigned long>(),
                   error,
                   before.l2,
                   after.l2);
     log.line(text);
     summary["refinement"]["readaptations"].push_back(
       {{"after_period", state.result.periods},
-       {"cells", sizes.cells},
-       {"unknowns", sizes.unknowns},
+       {"cells", sizes["cells"]},
+       {"unknowns", sizes["unknowns"]},
        {"estimated_error", error},
        {"viscous_strain_before", as_summary(before)},
        {"viscous_strain_after", as_summary(after)},

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/postprocess/relaxation_table.h>
 #include <crevasse/simulation/compute_periods.h>
 #include <crevasse/simulation/conclusion.h>
 #include <crevasse/simulation/observers.h>
+#include <crevasse/simulation/relaxation_table.h>
 #include <crevasse/simulation/run_stage.h>
-#include <crevasse/simulation/run_summary.h>
 
-#include <utility>
+#include <memory>
 
 namespace Crevasse
 {
@@ -21,55 +20,36 @@ namespace Crevasse
             Summary                        summary)
   {
     const Scene   &scene = setup.scene;
-    Workspace<dim> work(setup, output.log);
-    work.systems.add(state.solvers);
-    const bool any_periods = scene.periodic_state.maximum_periods > 0;
+    Workspace<dim> work(setup, output, state);
+    const bool     any_periods = scene.periodic_state.maximum_periods > 0;
     output.checkpoints.requests().stop_if_asked();
     if (any_periods)
-      work.start = find_periodic_start(setup, work.systems, output.log);
+      find_periodic_start(work);
     if (!scene.contact.relaxation_table.empty() && !state.has_tables())
-      write_relaxation_table(scene,
-                             setup.body,
-                             work.systems,
-                             work.steps,
-                             output.log,
-                             output.directory);
+      write_relaxation_table(work);
     // Where nothing is marched, no tables are begun either.
+    std::vector<std::unique_ptr<Observer>> observers;
+    state.stage.ends_run = true;
     if (any_periods)
       {
-        Observers<dim> observers(setup, work, output, state);
-        output.checkpoints.set_tables(observers.tables());
-        std::vector<Observer *> all = observers.list();
+        observers = make_observers(work);
+        std::vector<Observer *> all;
+        for (const auto &observer : observers)
+          all.push_back(observer.get());
         all.insert(all.end(), others.begin(), others.end());
-        compute_periods(setup, work, output, all, state);
-        observers.export_state(state);
-        if (state.stage.ends_run)
-          {
-            summarise_run(setup, work, state, output.log, summary);
-            observers.summarise(summary);
-            summarise_secular_flow(setup, work.start, summary);
-          }
+        compute_periods(work, all);
       }
-    else
+    if (state.stage.ends_run)
       {
-        state.stage.ends_run = true;
-        summarise_run(setup, work, state, output.log, summary);
+        summarise_run(work, summary);
+        for (const auto &observer : observers)
+          observer->summarise(summary);
       }
-    state = work.add_to(std::move(state));
+    state = work.state_so_far();
     if (!state.stage.ends_run)
       return;
-    if (work.start.direct)
-      work.start.direct->add_to(summary);
-    // By which --resume tells whether they are of the scene that is asked for.
-    if (output.checkpoints.is_on())
-      summary["scene"] = output.checkpoints.scene();
-    write_summary(state, setup.body.space.communicator(), output, summary);
-    conclude(setup,
-             work.start,
-             state.result,
-             summary,
-             output.checkpoints.is_on(),
-             output.log);
+    write_summary(work, summary);
+    conclude(work, summary);
   }
 
 

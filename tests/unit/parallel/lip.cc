@@ -15,8 +15,8 @@
 #include <crevasse/material/isotropic.h>
 #include <crevasse/model/body.h>
 #include <crevasse/parameters/built_in_boundary.h>
+#include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/lip_state.h>
-#include <crevasse/postprocess/nodal_fields.h>
 #include <crevasse/postprocess/probe.h>
 
 #include <deal.II/dofs/dof_tools.h>

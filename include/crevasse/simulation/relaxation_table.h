@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_postprocess_relaxation_table_h
-#define crevasse_postprocess_relaxation_table_h
+#ifndef crevasse_simulation_relaxation_table_h
+#define crevasse_simulation_relaxation_table_h
 
-#include <crevasse/base/log.h>
-#include <crevasse/model/body.h>
-#include <crevasse/model/contact_system_cache.h>
-
-#include <string>
+#include <crevasse/simulation/workspace.h>
 
 namespace Crevasse
 {
@@ -16,7 +12,7 @@ namespace Crevasse
    * The paper's Table 1: without constraints, at the instant of the largest
    * load, the iterations that SOR needs to reach the residual of the direct
    * solver, for each factor that the scene lists and for the best one, found
-   * by dichotomy. Printed, and written to relaxation.csv in @p directory.
+   * by dichotomy. Printed, and written to relaxation.csv.
    *
    * The single precision of the paper's machine is assumed to have had 27 bits
    * of mantissa: its direct solver's residual then is that of a solution
@@ -24,12 +20,7 @@ namespace Crevasse
    */
   template <int dim>
   void
-  write_relaxation_table(const Scene             &scene,
-                         const Body<dim>         &body,
-                         ContactSystemCache<dim> &systems,
-                         const StepList          &steps,
-                         Log                     &log,
-                         const std::string       &directory);
+  write_relaxation_table(Workspace<dim> &work);
 } // namespace Crevasse
 
 #endif
