@@ -5,23 +5,24 @@
 #include <crevasse/app/failure.h>
 #include <crevasse/app/output_choice.h>
 #include <crevasse/app/script_command.h>
+#include <crevasse/app/server.h>
 #include <crevasse/base/collectively.h>
+#include <crevasse/base/expression.h>
 #include <crevasse/base/log.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/stop_request.h>
+#include <crevasse/base/text.h>
+#include <crevasse/base/text_file.h>
 #include <crevasse/base/version.h>
 #include <crevasse/checkpoint/scene_difference.h>
 #include <crevasse/parameters/scene_file.h>
 #include <crevasse/simulation/adaptive_run.h>
-#include <crevasse/study/parameter_sweep.h>
-#include <crevasse/study/sweep_scenes.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -32,18 +33,6 @@ namespace
 {
   using namespace Crevasse;
 
-  void
-  write_used_parameters(const std::string &directory, const std::string &used)
-  {
-    const std::string file_name = directory + "/used.prm";
-    std::ofstream     file(file_name);
-    file << used << std::flush;
-    if (!file)
-      throw FileError("Cannot write " + file_name + ".");
-  }
-
-
-
   /** Makes the output directory ready for this run's results. */
   std::unique_ptr<DirectoryLock>
   prepare(const OutputChoice &output, const std::string &used, Log &log)
@@ -52,7 +41,7 @@ namespace
     auto        lock = output.prepare(kept);
     if (!kept.empty())
       log.line("  results of an earlier run are kept in " + kept);
-    write_used_parameters(output.directory(), used);
+    write_atomically(used, output.directory() + "/used.prm");
     return lock;
   }
 
@@ -64,12 +53,11 @@ namespace
          const std::string  &used,
          const Checkpoints  &checkpoints)
   {
-    const CheckpointManifest &manifest = checkpoints.resumed_manifest();
+    const CheckpointManifest &manifest = checkpoints.last_manifest();
     checkpoints.folder().require_tables(manifest);
     auto lock = output.resume();
-    checkpoints.folder().set_aside_after(manifest.number);
-    checkpoints.folder().cut_tables(manifest);
-    write_used_parameters(output.directory(), used);
+    checkpoints.folder().go_back_to(manifest);
+    write_atomically(used, output.directory() + "/used.prm");
     return lock;
   }
 
@@ -122,6 +110,12 @@ namespace
         if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
           output.require_nothing_to_resume(used);
       });
+    if (command.stress_record && scene.refinement.readapt_every > 0)
+      throw SceneError("[Refinement] Readapt every = " +
+                       std::to_string(scene.refinement.readapt_every) +
+                       ": stresses on changing meshes cannot be compared; set "
+                       "it to 0, or let the sweep vary nothing that needs "
+                       "them.");
     if (!command.check)
       requests.look_in(output.directory());
     AdaptiveRun<dim> run(scene, communicator, log, checkpoints);
@@ -145,8 +139,22 @@ namespace
                               : prepare(output, used, log);
     });
     log.open_file(directory + "/log.txt", command.resume);
-    run.run(directory);
+    run.run(directory, command.stress_record);
     log.line("  results in " + directory);
+  }
+
+
+
+  /** @throw SceneError with all mistakes; FileError */
+  Scene
+  read_and_check(const Command &command, dealii::ParameterHandler &prm)
+  {
+    Problems    problems;
+    const Scene scene =
+      read_scene(command.scene_file, command.overrides, prm, problems);
+    scene.check(problems);
+    problems.throw_if_any();
+    return scene;
   }
 
 
@@ -155,12 +163,7 @@ namespace
   read_and_run_scene(const Command &command, StopRequests &requests, Log &log)
   {
     dealii::ParameterHandler prm;
-    Problems                 problems;
-    const Scene              scene =
-      read_scene(command.scene_file, command.overrides, prm, problems);
-    scene.check(problems);
-    problems.throw_if_any();
-
+    const Scene              scene = read_and_check(command, prm);
     log.line("Crevasse " CREVASSE_VERSION ": " +
              std::filesystem::path(command.scene_file).filename().string());
     const auto run = scene.dimension == 2 ? run_scene<2> : run_scene<3>;
@@ -183,15 +186,42 @@ namespace
         "those of a scene are printed as prm or json.");
     else
       {
-        const SweepVariant scene =
-          read_variant(command.scene_file, command.overrides);
+        dealii::ParameterHandler prm;
+        const Scene              scene = read_and_check(command, prm);
         text << (command.print_format == "prm"
-                   ? scene.used
-                   : scene.parameters.dump(2) + '\n');
+                   ? used_parameters(prm)
+                   : scene_as_json(prm).dump(2) + '\n');
       }
     std::cout << text.str() << std::flush;
     if (!std::cout)
       throw FileError("Cannot write to the standard output.");
+  }
+
+
+
+  /** `crevasse evaluate NAME FORMULA T...`: prints the values of a closed form,
+   * a line each, to the Python package. */
+  int
+  evaluate(const int argc, char **argv)
+  {
+    try
+      {
+        const Expression formula(argv[3],
+                                 Expression::Variables::space_and_time,
+                                 argv[2]);
+        if (formula.depends_on_space())
+          throw SceneError("a formula may depend on t, but not on x, y, z");
+        for (int i = 4; i < argc; ++i)
+          std::cout << Text::from_number(
+                         formula.value(dealii::Point<2>(), std::stod(argv[i])))
+                    << '\n';
+        return done;
+      }
+    catch (const SceneError &error)
+      {
+        std::cerr << error.what() << std::endl;
+        return bad_input;
+      }
   }
 
 
@@ -208,9 +238,7 @@ namespace
     try
       {
         StopRequests requests(MPI_COMM_WORLD, command.wall_time);
-        if (command.sweep)
-          ParameterSweep(command, for_failures, requests, log).run();
-        else if (command.print_format.empty())
+        if (command.print_format.empty())
           read_and_run_scene(command, requests, log);
         else if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
           show_parameters(command);
@@ -247,6 +275,39 @@ namespace
         ignored[i] = action.sa_handler == SIG_IGN;
       }
   }
+
+
+  /** Everything from the command line to the exit status. */
+  int
+  run_program(int argc, char **argv)
+  {
+    const std::string word = argc > 1 ? argv[1] : "";
+    if (is_script_command(argc, argv))
+      return run_script_command(argc, argv, run_program);
+    if (word == "serve")
+      return serve(run_program);
+    if (word == "evaluate" && argc > 3)
+      return evaluate(argc, argv);
+    note_ignored_signals();
+    // A checkpoint may be asked for before the run can write one, which is no
+    // reason to end.
+    std::signal(SIGUSR1, SIG_IGN);
+    const Command command = parse_command_line(argc, argv);
+    if (command.exit)
+      return command.status;
+
+    // PETSc, with which deal.II may start, takes options for its own and tells
+    // at the end which it has not used: it gets the name of the program alone.
+    int                                      only_name = 1;
+    dealii::Utilities::MPI::MPI_InitFinalize mpi(only_name, argv, 1);
+    // Whoever reads the log may end before the run does; Open MPI has its own
+    // mind about this.
+    std::signal(SIGPIPE, SIG_IGN);
+    for (std::size_t i = 0; i < std::size(signals_to_stop); ++i)
+      if (ignored[i])
+        std::signal(signals_to_stop[i], SIG_IGN);
+    return run_guarded(command);
+  }
 } // namespace
 
 
@@ -254,25 +315,5 @@ namespace
 int
 main(int argc, char **argv)
 {
-  if (is_script_command(argc, argv))
-    return run_script_command(argc, argv);
-  note_ignored_signals();
-  // A checkpoint may be asked for before the run can write one, which is no
-  // reason to end.
-  std::signal(SIGUSR1, SIG_IGN);
-  const Command command = parse_command_line(argc, argv);
-  if (command.exit)
-    return command.status;
-
-  // PETSc, with which deal.II may start, takes options for its own and tells at
-  // the end which it has not used: it gets the name of the program alone.
-  int                                      only_name = 1;
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(only_name, argv, 1);
-  // Whoever reads the log may end before the run does; Open MPI has its own
-  // mind about this.
-  std::signal(SIGPIPE, SIG_IGN);
-  for (std::size_t i = 0; i < std::size(signals_to_stop); ++i)
-    if (ignored[i])
-      std::signal(signals_to_stop[i], SIG_IGN);
-  return run_guarded(command);
+  return run_program(argc, argv);
 }

@@ -42,44 +42,27 @@ namespace Crevasse
 
 
 
-    /** An option that may be repeated, with one value each: the scene may
-     * follow. */
     void
-    add_list(CLI::App                 &app,
-             const std::string        &name,
-             const std::string        &type,
-             const std::string        &meaning,
-             std::vector<std::string> &texts)
-    {
-      app.add_option(name, texts, meaning + "; may be repeated")
-        ->type_name(type)
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    }
-
-
-
-    /** What runs and sweeps have in common. */
-    void
-    add_common_options(CLI::App                 &app,
-                       const std::string        &default_directory,
-                       Command                  &command,
-                       std::vector<std::string> &overrides)
+    add_options(CLI::App &app, Command &command)
     {
       app.add_option("scene",
                      command.scene_file,
                      "The scene: a .prm or .json file");
-      add_list(app,
-               "--set",
-               "ASSIGNMENT",
-               "\"Section/Name=value\": overrides a parameter of the scene",
-               overrides);
+      // One value each: the scene may follow.
+      app
+        .add_option("--set",
+                    command.overrides,
+                    "\"Section/Name=value\": overrides a parameter of the "
+                    "scene; may be repeated")
+        ->type_name("ASSIGNMENT")
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
       app
         .add_option("--output",
                     command.output_directory,
-                    "Output directory (default: " + default_directory +
-                      " in the working directory)")
+                    "Output directory (default: results/<scene name> in the "
+                    "working directory)")
         ->type_name("DIR");
       app.add_flag("--quiet", command.quiet, "Print nothing but errors");
       app
@@ -91,13 +74,6 @@ namespace Crevasse
           "Stop early enough to be done after this time: seconds, "
           "hours:minutes:seconds, or days-hours:minutes:seconds")
         ->type_name("TIME");
-    }
-
-
-
-    void
-    add_run(CLI::App &app, Command &command)
-    {
       app.add_flag("--check",
                    command.check,
                    "Check the scene and report effects, boundaries, sizes, "
@@ -124,53 +100,8 @@ namespace Crevasse
         ->type_name("FORMAT")
         ->expected(0, 1)
         ->check(CLI::IsMember({"prm", "json", "markdown"}));
-    }
-
-
-
-    void
-    add_sweep(CLI::App                 &app,
-              Command                  &command,
-              std::vector<std::string> &overrides)
-    {
-      SweepRequest &request = command.sweep_request;
-      CLI::App     &sweep =
-        *app.add_subcommand("sweep",
-                            "Run a scene for all combinations of some "
-                            "parameters; tabulate errors and costs");
-      add_common_options(sweep,
-                         "results/<scene name>_sweep",
-                         command,
-                         overrides);
-      sweep.get_option("scene")->required();
-      add_list(sweep,
-               "--vary",
-               "LIST",
-               "\"Section/Name=a,b,c\": the values of a parameter, separated "
-               "by \";\" if they contain commas, by \" | \" if both; \"S/N=a,b "
-               "& S/M=c,d\" changes two together. All combinations are "
-               "computed",
-               request.vary);
-      add_list(sweep,
-               "--reference",
-               "ASSIGNMENT",
-               "\"Section/Name=value\": errors are measured against the run of "
-               "the scene with this",
-               request.reference);
-      add_list(sweep,
-               "--exact",
-               "FORMULA",
-               "\"QUANTITY=formula of t\": a closed form to compare a quantity "
-               "with",
-               request.exact);
-      sweep
-        .add_option("--error",
-                    request.error,
-                    "Quantities whose errors are wanted, separated by commas: "
-                    "stress, or TABLE/COLUMN of probe_NAME, contact, "
-                    "crack_tip, periods or load_work, as crack_tip/K_I")
-        ->type_name("LIST");
-      sweep.footer(sweep_examples);
+      // For sweeps, and so in no help.
+      app.add_flag("--stress-record", command.stress_record)->group("");
     }
 
 
@@ -205,20 +136,16 @@ namespace Crevasse
     void
     decide(const CLI::App &app, Command &command)
     {
-      const bool  scene  = !app.get_option("scene")->empty();
-      const bool  print  = !app.get_option("--print-parameters")->empty();
-      const auto  chosen = app.get_subcommands();
-      const auto &sweep  = *app.get_subcommand("sweep");
-      command.sweep      = sweep.parsed();
-      if (!chosen.empty() &&
-          (!command.sweep || chosen.size() > 1 || scene || print ||
-           command.check || command.resume || command.force))
+      const bool scene  = !app.get_option("scene")->empty();
+      const bool print  = !app.get_option("--print-parameters")->empty();
+      const auto chosen = app.get_subcommands();
+      if (!chosen.empty()) // those that are have taken all words
         throw CLI::ParseError("\"" + chosen.front()->get_name() +
                                 "\" must be the first argument.",
                               CLI::ExitCodes::ExtrasError);
       if (print && command.print_format.empty())
         command.print_format = "prm";
-      if (!scene && !print && !command.sweep)
+      if (!scene && !print)
         throw CLI::RequiredError("A scene file");
     }
   } // namespace
@@ -228,17 +155,14 @@ namespace Crevasse
   Command
   parse_command_line(const int argc, const char *const *argv)
   {
-    Command                  command;
-    std::vector<std::string> overrides;
-    CLI::App                 app(
+    Command  command;
+    CLI::App app(
       "Crevasse: periodic states of cracked viscoelastic solids "
-                      "with one-sided contact on the crack lips.");
+      "with one-sided contact on the crack lips.");
     app.set_version_flag("--version", "crevasse " CREVASSE_VERSION);
     app.footer(examples_and_statuses);
     app.failure_message(failure_message);
-    add_common_options(app, "results/<scene name>", command, overrides);
-    add_run(app, command);
-    add_sweep(app, command, overrides);
+    add_options(app, command);
     for (const ScriptCommand &script : script_commands())
       app.add_subcommand(script.name, script.meaning)->allow_extras();
     if (argc <= 1)
@@ -252,8 +176,6 @@ namespace Crevasse
       {
         app.parse(argc, argv);
         decide(app, command);
-        for (const std::string &text : overrides)
-          command.overrides.push_back({text, "--set"});
       }
     catch (const CLI::ParseError &error)
       {

@@ -6,7 +6,6 @@
 #include <crevasse/base/problems.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <thread>
@@ -24,41 +23,30 @@ namespace Crevasse
         return file_failure;
       return numerical_failure;
     }
+
+
+
+    /** Whether all ranks come here within some seconds; an error that one rank
+     * alone has leaves the others waiting elsewhere. */
+    bool
+    all_ranks_arrive(const MPI_Comm communicator)
+    {
+      using namespace std::chrono;
+      constexpr std::chrono::seconds patience(10);
+
+      // Apart from whatever else the other ranks are communicating.
+      MPI_Request request;
+      int         arrived = 0;
+      MPI_Ibarrier(communicator, &request);
+      const auto start = steady_clock::now();
+      while (arrived == 0 && steady_clock::now() - start < patience)
+        {
+          std::this_thread::sleep_for(milliseconds(10));
+          MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
+        }
+      return arrived != 0;
+    }
   } // namespace
-
-
-
-  bool
-  all_ranks_arrive(const MPI_Comm communicator)
-  {
-    using namespace std::chrono;
-    constexpr std::chrono::seconds patience(10);
-
-    // Apart from whatever else the other ranks are communicating.
-    MPI_Request request;
-    int         arrived = 0;
-    MPI_Ibarrier(communicator, &request);
-    const auto start = steady_clock::now();
-    while (arrived == 0 && steady_clock::now() - start < patience)
-      {
-        std::this_thread::sleep_for(milliseconds(10));
-        MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
-      }
-    return arrived != 0;
-  }
-
-
-
-  void
-  abort_all_ranks(const std::exception &error, const MPI_Comm communicator)
-  {
-    int rank;
-    MPI_Comm_rank(communicator, &rank);
-    std::cerr << "crevasse: " << error.what() << " (rank " << rank << ')'
-              << std::endl;
-    MPI_Abort(communicator, status_of(error));
-    std::abort(); // does not come so far
-  }
 
 
 

@@ -24,28 +24,6 @@ Exit status:
 
 
 
-  const char *const sweep_examples = R"(Quantities, for --error and --exact:
-  probe_NAME/COLUMN     a column of a probe's table: u_1, s_22, opening, ...
-  probe_NAME/u, .../s   all its displacements, all its stresses
-  contact/COLUMN        of the lip's table: force, largest_pressure, closed_nodes
-  periods/stress_change, load_work/load_work
-  stress                at all quadrature points, in the last period
-  Without --error: stress, u and s of every probe, and contact/force.
-
-Examples:
-  crevasse sweep prm/raous1980.prm --set "Contact/Solver=automatic" \
-    --vary "Time integration/Scheme=heun,sdirk2" \
-    --vary "Time integration/Steps per period=20,40,80" \
-    --reference "Time integration/Steps per period=1280"
-
-Finished points are not computed again: after an interruption, repeat the command.
-doc/sweep.md explains errors, tables and folders.
-
-Exit status: as that of a run. The table says which points are refused or fail; the
-status is 3 only if no point has results.)";
-
-
-
   const char *const what_to_do_next =
     R"(Crevasse computes periodic states of cracked viscoelastic solids, from a scene file:
 

@@ -11,9 +11,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <optional>
 #include <unistd.h>
 
 namespace Crevasse
@@ -37,21 +34,6 @@ namespace Crevasse
         part = part.parent_path();
       return part;
     }
-
-
-
-    /** Those of the run that has its results there, if there is one. */
-    std::optional<std::string>
-    earlier_parameters(const std::string &path)
-    {
-      const std::string name = path + "/used.prm";
-      std::error_code   unknown;
-      std::ifstream     file(name);
-      if (!fs::is_regular_file(name, unknown) || !file.is_open())
-        return {};
-      using Characters = std::istreambuf_iterator<char>;
-      return std::string(Characters(file), Characters());
-    }
   } // namespace
 
 
@@ -64,14 +46,6 @@ namespace Crevasse
              ? scene.output_directory
              : "results/" + fs::path(command.scene_file).stem().string())
   {
-  }
-
-
-
-  const std::string &
-  OutputChoice::directory() const
-  {
-    return path;
   }
 
 
@@ -100,8 +74,10 @@ namespace Crevasse
   OutputChoice::require_nothing_to_resume(
     const std::string &used_parameters) const
   {
-    std::error_code unknown;
-    if (may_replace || earlier_parameters(path) != used_parameters ||
+    const std::string earlier = path + "/used.prm";
+    std::error_code   unknown;
+    if (may_replace || !why_unreadable(earlier).empty() ||
+        read_text_file(earlier) != used_parameters ||
         fs::exists(path + "/summary.json", unknown) ||
         !CheckpointFolder(path).has_any())
       return;

@@ -3,6 +3,7 @@
 
 #include <crevasse/app/command_line.h>
 #include <crevasse/app/script_command.h>
+#include <crevasse/base/version.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -41,6 +42,9 @@ namespace Crevasse
   script_commands()
   {
     static const std::vector<ScriptCommand> commands = {
+      {"sweep",
+       "Run a scene for all combinations of some parameters; tabulate errors "
+       "and costs"},
       {"advise",
        "Find the cheapest settings of a scene that reach an error; write them "
        "as a scene"},
@@ -68,7 +72,7 @@ namespace Crevasse
 
 
   int
-  run_script_command(const int argc, char **argv)
+  run_script_command(const int argc, char **argv, const Program program_main)
   {
     std::error_code   error;
     const fs::path    program   = fs::read_symlink("/proc/self/exe", error);
@@ -89,7 +93,9 @@ namespace Crevasse
       path += std::string(":") + others;
     setenv("PYTHONPATH", path.c_str(), 1);
     setenv("CREVASSE_PROGRAM", program.c_str(), 1);
+    setenv("CREVASSE_VERSION", CREVASSE_VERSION, 1);
 
+    leave_server(program_main);
     // -B: nothing is written beside the scripts.
     std::vector<const char *> words = {python, "-B", "-m", "crevasse"};
     words.insert(words.end(), argv + 1, argv + argc);

@@ -4,12 +4,12 @@
 #include <crevasse/base/checked_file.h>
 #include <crevasse/base/problems.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
 #include <unistd.h>
+#include <vector>
 #include <zlib.h>
 
 namespace Crevasse
@@ -17,10 +17,9 @@ namespace Crevasse
   namespace
   {
     [[noreturn]] void
-    fail(const std::string &name)
+    fail(const std::string &what)
     {
-      throw FileError("Cannot write " + name + " (" + std::strerror(errno) +
-                      ").");
+      throw FileError("Cannot " + what + " (" + std::strerror(errno) + ").");
     }
 
 
@@ -36,81 +35,21 @@ namespace Crevasse
 
 
 
-  CheckedFile::CheckedFile(const std::string &name)
-    : name(name)
-    , descriptor(open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666))
-  {
-    if (descriptor < 0)
-      fail(name);
-  }
-
-
-
-  CheckedFile::~CheckedFile()
-  {
-    if (descriptor >= 0)
-      close(descriptor);
-  }
-
-
-
-  void
-  CheckedFile::write(const void *data, const std::size_t bytes)
-  {
-    const char *next = static_cast<const char *>(data);
-    for (std::size_t left = bytes; left > 0;)
-      {
-        const ssize_t written = ::write(descriptor, next, left);
-        if (written < 0 && errno == EINTR)
-          continue;
-        if (written < 0)
-          fail(name);
-        next += written;
-        left -= written;
-      }
-    check.bytes += bytes;
-    check.crc = add_to_checksum(check.crc, data, bytes);
-  }
-
-
-
   FileCheck
-  CheckedFile::finish()
+  check_file(const std::string &name)
   {
-    if (fsync(descriptor) != 0)
-      fail(name);
-    close(descriptor);
-    descriptor = -1;
-    return check;
-  }
-
-
-
-  std::vector<char>
-  read_checked(const std::string &name,
-               const FileCheck   &expected,
-               std::string       &fault)
-  {
-    std::ifstream file(name, std::ios::binary | std::ios::ate);
+    std::ifstream file(name, std::ios::binary);
     if (!file)
+      fail("read " + name);
+    std::vector<char> part(1 << 20);
+    FileCheck         check(0, 0);
+    while (file.read(part.data(), part.size()), file.gcount() > 0)
       {
-        fault = name + " is missing";
-        return {};
+        check.first += file.gcount();
+        check.second =
+          add_to_checksum(check.second, part.data(), file.gcount());
       }
-    const std::size_t bytes = file.tellg();
-    if (bytes != expected.bytes)
-      {
-        fault = name + " has " + std::to_string(bytes) + " bytes instead of " +
-                std::to_string(expected.bytes);
-        return {};
-      }
-    std::vector<char> content(bytes);
-    file.seekg(0);
-    if (bytes > 0 && !file.read(content.data(), bytes))
-      fault = name + " cannot be read";
-    else if (add_to_checksum(0, content.data(), bytes) != expected.crc)
-      fault = name + " has another checksum";
-    return fault.empty() ? content : std::vector<char>();
+    return check;
   }
 
 
@@ -124,16 +63,46 @@ namespace Crevasse
 
 
   void
+  write_file(const std::string &name, const std::string &content)
+  {
+    std::ofstream file(name, std::ios::binary);
+    file << content;
+    file.close();
+    if (!file)
+      fail("write " + name);
+    write_through(name);
+  }
+
+
+
+  void
   write_through(const std::string &name)
   {
     const int descriptor = open(name.c_str(), O_RDONLY);
     if (descriptor < 0)
-      fail(name);
+      fail("write " + name);
     // Some file systems cannot do it for directories, and say so.
     const int error = fsync(descriptor) == 0 ? 0 : errno;
     close(descriptor);
     errno = error;
     if (error != 0 && error != EINVAL && error != ENOTSUP)
-      fail(name);
+      fail("write " + name);
+  }
+
+
+
+  void
+  require_disk_space(const std::string &name, const std::size_t bytes)
+  {
+    const int descriptor =
+      open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (descriptor < 0)
+      fail("write " + name);
+    const int error = fallocate(descriptor, 0, 0, bytes) == 0 ? 0 : errno;
+    close(descriptor);
+    unlink(name.c_str());
+    errno = error;
+    if (error != 0 && error != ENOSYS && error != ENOTSUP)
+      fail("write " + std::to_string(bytes) + " bytes to " + name);
   }
 } // namespace Crevasse

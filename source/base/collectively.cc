@@ -25,33 +25,12 @@ namespace Crevasse
 
 
     ErrorKind
-    call(const std::function<void()> &f, std::string &message)
+    kind_of(const std::exception &error)
     {
-      try
-        {
-          f();
-          return no_error;
-        }
-      catch (const SceneError &error)
-        {
-          message = error.what();
-          return scene_error;
-        }
-      catch (const NumericalError &error)
-        {
-          message = error.what();
-          return numerical_error;
-        }
-      catch (const FileError &error)
-        {
-          message = error.what();
-          return file_error;
-        }
-      catch (const std::exception &error)
-        {
-          message = error.what();
-          return other_error;
-        }
+      return dynamic_cast<const SceneError *>(&error)       ? scene_error
+             : dynamic_cast<const NumericalError *>(&error) ? numerical_error
+             : dynamic_cast<const FileError *>(&error)      ? file_error
+                                                            : other_error;
     }
   } // namespace
 
@@ -64,8 +43,17 @@ namespace Crevasse
     if (n_ranks == 1)
       return f(); // exceptions pass as they are
 
-    std::string        message;
-    const unsigned int kind = call(f, message);
+    std::string  message;
+    unsigned int kind = no_error;
+    try
+      {
+        f();
+      }
+    catch (const std::exception &error)
+      {
+        message = error.what();
+        kind    = kind_of(error);
+      }
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int first =
       Utilities::MPI::min(kind == no_error ? n_ranks : rank, communicator);

@@ -14,8 +14,10 @@ namespace Crevasse
                      const bool                      is_continuing)
     : file_name(file_name)
     , n_columns(header.size())
-    , file(file_name, is_continuing ? std::ios::app : std::ios::trunc)
   {
+    if (file_name.empty())
+      return;
+    file.open(file_name, is_continuing ? std::ios::app : std::ios::trunc);
     if (!is_continuing)
       {
         for (std::size_t i = 0; i < n_columns; ++i)
@@ -32,6 +34,8 @@ namespace Crevasse
   CsvTable::add_row(const std::vector<double> &values)
   {
     AssertDimension(values.size(), n_columns);
+    if (file_name.empty())
+      return;
     for (std::size_t i = 0; i < n_columns; ++i)
       file << (i > 0 ? "," : "") << Text::from_number(values[i]);
     file << std::endl;

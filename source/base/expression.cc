@@ -9,7 +9,11 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
+#include <cstring>
+#include <map>
 #include <muParser.h>
+#include <regex>
+#include <utility>
 
 namespace Crevasse
 {
@@ -23,46 +27,18 @@ namespace Crevasse
 
   namespace
   {
-    double
-    choose(const double condition, const double yes, const double no)
-    {
-      return condition != 0. ? yes : no;
-    }
-
-
-
-    double
-    raise(const double base, const double exponent)
-    {
-      return std::pow(base, exponent);
-    }
-
-
-
-    double
-    round_down(const double value)
-    {
-      return std::floor(value);
-    }
-
-
-
-    double
-    round_up(const double value)
-    {
-      return std::ceil(value);
-    }
-
-
-
     /** muParser lacks these, though deal.II's own formulas have them. */
     void
     define_functions_and_constants(mu::Parser &parser)
     {
-      parser.DefineFun("if", choose);
-      parser.DefineFun("pow", raise);
-      parser.DefineFun("floor", round_down);
-      parser.DefineFun("ceil", round_up);
+      using Function = double (*)(double);
+      parser.DefineFun<Function>("floor", std::floor);
+      parser.DefineFun<Function>("ceil", std::ceil);
+      parser.DefineFun<double (*)(double, double)>("pow", std::pow);
+      parser.DefineFun<double (*)(double, double, double)>(
+        "if", [](const double condition, const double yes, const double no) {
+          return condition != 0. ? yes : no;
+        });
       parser.DefineConst("pi", dealii::numbers::PI);
       parser.DefineConst("Pi", dealii::numbers::PI);
     }
@@ -74,19 +50,7 @@ namespace Crevasse
     bool
     has_assignment(const std::string &formula)
     {
-      for (std::size_t i = 0; i < formula.size(); ++i)
-        if (formula[i] == '=')
-          {
-            const bool doubled =
-              i + 1 < formula.size() && formula[i + 1] == '=';
-            const bool compares =
-              i > 0 &&
-              std::string("<>!").find(formula[i - 1]) != std::string::npos;
-            if (!doubled && !compares)
-              return true;
-            i += doubled ? 1 : 0;
-          }
-      return false;
+      return std::regex_search(formula, std::regex("(^|[^<>!=])=($|[^=])"));
     }
 
 
@@ -102,17 +66,14 @@ namespace Crevasse
 
     std::string
     describe(const mu::Parser::exception_type &error,
-             const Expression::Variables       allowed)
+             const std::string                &variables)
     {
       std::string message = error.GetMsg();
       if (message.find("position") == std::string::npos && error.GetPos() > 0)
         message += " (position " + std::to_string(error.GetPos()) + ")";
       if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
-        message += std::string(" Known are x, y, z, t, ") +
-                   (allowed == Expression::Variables::space_time_and_material
-                      ? "theta, material, "
-                      : "") +
-                   "pi and the functions of muParser, if, pow, floor, ceil.";
+        message += " Known are " + variables +
+                   ", pi and the functions of muParser, if, pow, floor, ceil.";
       return message;
     }
   } // namespace
@@ -120,7 +81,7 @@ namespace Crevasse
 
 
   Expression::Expression(const std::string &formula,
-                         const Variables    allowed,
+                         const std::string &allowed,
                          const std::string &parameter)
     : parser(std::make_shared<Parser>())
     , text(dealii::Utilities::trim(formula))
@@ -135,15 +96,15 @@ namespace Crevasse
     try
       {
         define_functions_and_constants(mu);
-        mu.DefineVar("x", &parser->x);
-        mu.DefineVar("y", &parser->y);
-        mu.DefineVar("z", &parser->z);
-        mu.DefineVar("t", &parser->t);
-        if (allowed == Variables::space_time_and_material)
-          {
-            mu.DefineVar("theta", &parser->theta);
-            mu.DefineVar("material", &parser->material);
-          }
+        const std::map<std::string, double *> values = {
+          {"x", &parser->x},
+          {"y", &parser->y},
+          {"z", &parser->z},
+          {"t", &parser->t},
+          {"theta", &parser->theta},
+          {"material", &parser->material}};
+        for (const std::string &variable : Text::split(allowed, ','))
+          mu.DefineVar(variable, values.at(variable));
         mu.SetExpr(text);
         // Only an evaluation makes muParser parse; the value at the origin may
         // well be infinite.
@@ -268,37 +229,76 @@ namespace Crevasse
 
   std::vector<Expression>
   Expression::parse_list(const std::string &formulas,
+                         const char         separator,
+                         const std::string &variables,
                          const std::string &parameter)
   {
     std::vector<Expression> expressions;
-    for (const std::string &formula : Text::split(formulas, ';'))
-      expressions.emplace_back(formula, Variables::space_and_time, parameter);
+    std::string             part;
+    const auto              close_part = [&]() {
+      expressions.emplace_back(std::exchange(part, ""), variables, parameter);
+    };
+    int depth = 0;
+    for (const char c : formulas)
+      {
+        depth += c == '(' ? 1 : (c == ')' ? -1 : 0);
+        if (c == separator && depth == 0)
+          close_part();
+        else
+          part += c;
+      }
+    if (!dealii::Utilities::trim(part).empty())
+      close_part();
     return expressions;
   }
 
 
 
-  std::vector<Expression>
-  Expression::parse_row(const std::string &formulas,
-                        const Variables    variables,
-                        const std::string &parameter)
+  bool
+  Expression::can_jump_with(const std::string &variable) const
   {
-    std::vector<Expression> expressions;
-    std::size_t             begin = 0;
-    int                     depth = 0;
-    for (std::size_t i = 0; i <= formulas.size(); ++i)
+    /** One level of brackets: what lies between them, commas, "?" and ":" is a
+     * part, with all deeper levels in it. */
+    struct Level
+    {
+      std::string function; ///< before the bracket
+      bool        is_first_argument = true;
+      std::size_t begin             = 0;     ///< of the part
+      bool        compares          = false; ///< at this level
+    };
+    static const std::regex last_word("(\\w*) *$"),
+      jumping("sign|rint|floor|ceil");
+    const std::regex   as_word("\\b" + variable + "\\b");
+    std::vector<Level> levels(1);
+    const std::string  all = text + ',';
+    for (std::size_t i = 0; i < all.size(); ++i)
       {
-        const char c = i < formulas.size() ? formulas[i] : ',';
-        depth += c == '(' ? 1 : (c == ')' ? -1 : 0);
-        if (i == formulas.size() || (c == ',' && depth == 0))
+        Level            &level = levels.back();
+        const std::string part  = all.substr(level.begin, i - level.begin);
+        std::smatch       word;
+        if (all[i] == '(')
           {
-            expressions.emplace_back(formulas.substr(begin, i - begin),
-                                     variables,
-                                     parameter);
-            begin = i + 1;
+            std::regex_search(part, word, last_word);
+            levels.push_back({word[1], true, i + 1, false});
+          }
+        else if (std::strchr("<>=!&|", all[i]) != nullptr)
+          level.compares = true;
+        else if (std::strchr(",?:)", all[i]) != nullptr)
+          {
+            const bool is_condition =
+              level.compares || all[i] == '?' ||
+              (level.function == "if" && level.is_first_argument) ||
+              std::regex_match(level.function, jumping);
+            if (is_condition && std::regex_search(part, as_word))
+              return true;
+            level.begin    = i + 1;
+            level.compares = false;
+            level.is_first_argument &= all[i] != ',';
+            if (all[i] == ')')
+              levels.pop_back();
           }
       }
-    return expressions;
+    return false;
   }
 
 

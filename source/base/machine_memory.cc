@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/machine_memory.h>
+#include <crevasse/base/text.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -110,18 +111,14 @@ namespace Crevasse
       std::ifstream groups("/proc/self/cgroup");
       for (std::string line; std::getline(groups, line);)
         {
-          const auto first  = line.find(':');
-          const auto second = line.find(':', first + 1);
-          if (second == std::string::npos)
+          const auto parts = Text::split(line, ':');
+          if (parts.size() != 3)
             continue;
-          const std::string controllers =
-            "," + line.substr(first + 1, second - first - 1) + ",";
-          std::string path = line.substr(second + 1);
-          if (path.empty() || path[0] != '/' || path == "/")
-            path.clear();
-          if (controllers == ",,")
+          const std::string path =
+            parts[2].size() > 1 && parts[2][0] == '/' ? parts[2] : "";
+          if (parts[1].empty())
             least = std::min(least, left_by_groups(version_2, path));
-          else if (controllers.find(",memory,") != std::string::npos)
+          else if (("," + parts[1] + ",").find(",memory,") != std::string::npos)
             least = std::min(least, left_by_groups(version_1, path));
         }
       return least;

@@ -22,65 +22,24 @@ namespace Crevasse
           character = '?';
       return message;
     }
-
-
-
-    struct FileLine
-    {
-      std::string  file;
-      unsigned int line = 0; ///< 0: none
-    };
-
-
-
-    /** The place that a message begins with, as in "scene.prm:12: ...". */
-    FileLine
-    place_of(const std::string &message)
-    {
-      for (std::size_t colon = message.find(':'); colon != std::string::npos;
-           colon             = message.find(':', colon + 1))
-        {
-                      const std::size_t end =
-                        message.find_first_not_of("0123456789", colon + 1);
-                      if (end != std::string::npos && message.compare(end, 2, ": ") == 0)
-            if (const auto line =
-                  Text::to_unsigned(message.substr(colon + 1, end - colon - 1)))
-              return {message.substr(0, colon), *line};
-        }
-      return {};
-    }
-
-
-
-    /** File by file in the order in which they appear, the lines of each one
-     * after the other; at the end what has no line, such as an option of the
-     * command line. */
-    std::vector<std::string>
-    in_order_of_lines(std::vector<std::string> messages)
-    {
-      std::map<std::string, std::size_t> rank;
-      for (const std::string &message : messages)
-        rank.emplace(place_of(message).file, rank.size());
-
-      const auto key = [&rank](const std::string &message) {
-        const FileLine place = place_of(message);
-        return std::make_tuple(place.line == 0, rank[place.file], place.line);
-      };
-      std::stable_sort(messages.begin(),
-                       messages.end(),
-                       [&key](const std::string &a, const std::string &b) {
-                         return key(a) < key(b);
-                       });
-      return messages;
-    }
   } // namespace
 
 
 
-  void
-  Problems::add(const std::string &message)
+  std::string
+  Origin::text() const
   {
-    messages.push_back(printable(message));
+    return source + (line == 0 ? "" : ":" + std::to_string(line));
+  }
+
+
+
+  void
+  Problems::add(const std::string &message, const Origin &origin)
+  {
+    messages.emplace_back(
+      origin,
+      printable((origin.source.empty() ? "" : origin.text() + ": ") + message));
   }
 
 
@@ -91,44 +50,40 @@ namespace Crevasse
                 const std::string &value,
                 const std::string &allowed)
   {
-    const auto        place = places.find({section, name});
-    const std::string origin =
-      place == places.end() ? "" : place->second + ": ";
-
-    add(origin + Text::parameter(section, name) + " = " +
-        (value.empty() ? "(nothing)" : Text::shorten(value)) + ": " + allowed);
+    add(Text::parameter(section, name) + " = " +
+          (value.empty() ? "(nothing)" : Text::shorten(value)) + ": " + allowed,
+        origins[{section, name}]);
     concerned.emplace(section, name);
   }
 
 
 
   void
-  Problems::add_unreadable(const std::string &section,
-                           const std::string &name,
-                           const std::string &file_name,
-                           const std::string &reason)
+  Problems::add(const std::string &section,
+                const std::string &name,
+                const std::string &allowed)
   {
-    add(section, name, file_name, reason);
+    add(section, name, values[{section, name}], allowed);
+  }
+
+
+
+  void
+  Problems::last_is_unreadable()
+  {
     ++n_unreadable;
   }
 
 
 
   void
-  Problems::add_unreadable(const std::string &message)
+  Problems::note(const std::string &section,
+                 const std::string &name,
+                 const std::string &value,
+                 const Origin      &origin)
   {
-    add(message);
-    ++n_unreadable;
-  }
-
-
-
-  void
-  Problems::locate(const std::string &section,
-                   const std::string &name,
-                   const std::string &place)
-  {
-    places[{section, name}] = place;
+    values[{section, name}]  = value;
+    origins[{section, name}] = origin;
   }
 
 
@@ -137,18 +92,6 @@ namespace Crevasse
   Problems::empty() const
   {
     return messages.empty();
-  }
-
-
-
-  bool
-  Problems::concern(const std::string &section) const
-  {
-    return std::any_of(concerned.begin(),
-                       concerned.end(),
-                       [&section](const Parameter &parameter) {
-                         return parameter.first == section;
-                       });
   }
 
 
@@ -166,10 +109,28 @@ namespace Crevasse
   {
     if (messages.empty())
       return;
-    const std::string text =
-      messages.size() == 1 ? messages[0]
-                           : std::to_string(messages.size()) + " problems:\n" +
-                               Text::join(in_order_of_lines(messages), "\n");
+    // File by file in the order in which they appear, the lines of each one
+    // after the other; at the end what has no line.
+    std::map<std::string, std::size_t> rank;
+    for (const auto &[origin, message] : messages)
+      rank.emplace(origin.source, rank.size());
+    const auto key = [&rank](const auto &message) {
+      const Origin &origin = message.first;
+      return std::make_tuple(origin.line == 0,
+                             origin.line == 0 ? 0 : rank[origin.source],
+                             origin.line);
+    };
+    auto in_order = messages;
+    std::stable_sort(in_order.begin(),
+                     in_order.end(),
+                     [&key](const auto &a, const auto &b) {
+                       return key(a) < key(b);
+                     });
+    std::string text = messages.size() == 1
+                         ? ""
+                         : std::to_string(messages.size()) + " problems:";
+    for (const auto &[origin, message] : in_order)
+      text += (text.empty() ? "" : "\n") + message;
     if (n_unreadable == messages.size())
       throw FileError(text);
     throw SceneError(text);

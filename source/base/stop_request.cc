@@ -5,67 +5,17 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
+#include <cstring>
 #include <filesystem>
-#include <iterator>
 
 namespace Crevasse
 {
   namespace
   {
-    const auto program_begin = std::chrono::steady_clock::now();
-
-
-
-    /** What is left of the time since the program began; 0: any. */
-    double
-    time_left(const double wall_time)
-    {
-      const std::chrono::duration<double> elapsed =
-        std::chrono::steady_clock::now() - program_begin;
-      return wall_time == 0. ? 0. : std::max(wall_time - elapsed.count(), 1e-9);
-    }
-
-
-
-    const std::string signals[] = {"",
-                                   "SIGTERM",
-                                   "SIGINT",
-                                   "SIGHUP",
-                                   "SIGUSR1"};
-
-
-
-    std::string
-    name_of(const int signal)
-    {
-      return signal == SIGINT   ? "SIGINT"
-             : signal == SIGHUP ? "SIGHUP"
-                                : "SIGTERM";
-    }
-
-
-
     // Set by handlers, in whichever thread they run.
     std::atomic<int> asked_to_stop(0), asked_to_write(0);
     static_assert(std::atomic<int>::is_always_lock_free,
                   "else handlers must not use them");
-
-
-
-    void
-    note_stop(const int signal)
-    {
-      asked_to_stop = signal;
-    }
-
-
-
-    void
-    note_write(int)
-    {
-      asked_to_write = 1;
-    }
 
 
 
@@ -85,7 +35,7 @@ namespace Crevasse
                              const double   wall_time)
     : communicator(communicator)
     , first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    , wall_time(time_left(wall_time))
+    , wall_time(wall_time)
   {
     asked_to_stop = asked_to_write = 0;
     for (const int signal : signals_to_stop)
@@ -95,9 +45,9 @@ namespace Crevasse
         if (before.sa_handler == SIG_IGN)
           continue;
         actions_before.emplace_back(signal, before);
-        handle(signal, note_stop);
+        handle(signal, [](const int signal) { asked_to_stop = signal; });
       }
-    handle(SIGUSR1, note_write);
+    handle(SIGUSR1, [](int) { asked_to_write = 1; });
   }
 
 
@@ -123,23 +73,19 @@ namespace Crevasse
 
 
 
-  StopRequests::Request
-  StopRequests::of_signals()
+  int
+  StopRequests::of_signals() const
   {
     if (asked_to_stop != 0)
-      {
-        why = name_of(asked_to_stop);
-        return stop;
-      }
-    if (asked_to_write.exchange(0) == 0)
-      return none;
-    why = "SIGUSR1";
-    return checkpoint;
+      return stop * first_request + asked_to_stop;
+    return asked_to_write.exchange(0) == 0
+             ? 0
+             : checkpoint * first_request + SIGUSR1;
   }
 
 
 
-  StopRequests::Request
+  int
   StopRequests::of_file()
   {
     std::error_code not_there;
@@ -147,12 +93,12 @@ namespace Crevasse
       return none;
     std::filesystem::remove(file, not_there);
     why = "the file " + file;
-    return stop;
+    return stop * first_request;
   }
 
 
 
-  StopRequests::Request
+  int
   StopRequests::of_time(const double seconds_to_write)
   {
     constexpr double margin = 1.5;
@@ -164,7 +110,7 @@ namespace Crevasse
         now + margin * (longest + seconds_to_write) < wall_time)
       return none;
     why = "--wall-time";
-    return stop;
+    return stop * first_request;
   }
 
 
@@ -174,17 +120,11 @@ namespace Crevasse
   {
     int request = of_signals();
     if (first_rank)
-      request =
-        std::max({request, int(of_file()), int(of_time(seconds_to_write))});
-    // The same number says what and who.
-    constexpr int n_signals = std::size(signals);
-    const auto    who  = std::find(std::begin(signals), std::end(signals), why);
-    const int     code = request * n_signals +
-                     (request == none ? 0 : int(who - signals) % n_signals);
-    const int all = dealii::Utilities::MPI::max(code, communicator);
-    if (all != code)
-      why = signals[all % n_signals];
-    return Request(all / n_signals);
+      request = std::max({request, of_file(), of_time(seconds_to_write)});
+    request = dealii::Utilities::MPI::max(request, communicator);
+    if (const int signal = request % first_request; signal != 0)
+      why = std::string("SIG") + sigabbrev_np(signal);
+    return Request(request / first_request);
   }
 
 

@@ -6,6 +6,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -50,13 +51,8 @@ namespace Crevasse
     std::string
     suffix(const std::string &file_name)
     {
-      std::string suffix =
-        std::filesystem::path(file_name).extension().string();
-      std::transform(suffix.begin(),
-                     suffix.end(),
-                     suffix.begin(),
-                     [](const unsigned char c) { return std::tolower(c); });
-      return suffix;
+      return boost::algorithm::to_lower_copy(
+        std::filesystem::path(file_name).extension().string());
     }
 
 
@@ -117,14 +113,6 @@ namespace Crevasse
 
 
     bool
-    is_space(const char character)
-    {
-      return character == ' ' || (character >= '\t' && character <= '\r');
-    }
-
-
-
-    bool
     is_control(const char character)
     {
       return std::iscntrl(static_cast<unsigned char>(character)) != 0;
@@ -150,12 +138,17 @@ namespace Crevasse
 
 
     std::string
-    from_number(const double number)
+    from_number(const double number, const int n_digits)
     {
       char       buffer[32];
-      const auto end =
-        std::to_chars(std::begin(buffer), std::end(buffer), number).ptr;
-      return std::string(buffer, end);
+      const auto end = n_digits == 0
+                         ? std::to_chars(buffer, std::end(buffer), number)
+                         : std::to_chars(buffer,
+                                         std::end(buffer),
+                                         number,
+                                         std::chars_format::general,
+                                         n_digits);
+      return std::string(buffer, end.ptr);
     }
 
 
@@ -166,18 +159,27 @@ namespace Crevasse
     {
       std::vector<std::string> coordinates;
       for (unsigned int d = 0; d < dim; ++d)
-        {
-          char       buffer[32];
-          const auto end = std::to_chars(std::begin(buffer),
-                                         std::end(buffer),
-                                         point[d],
-                                         std::chars_format::general,
-                                         6)
-                             .ptr;
-          coordinates.emplace_back(buffer, end);
-        }
+        coordinates.push_back(from_number(point[d], 6));
       return "(" + join(coordinates, ", ") + ")";
     }
+
+
+
+    namespace
+    {
+      /** All of the text as one number. */
+      template <typename Number>
+      std::optional<Number>
+      read_all(const std::string &text)
+      {
+        Number      number = 0;
+        const char *end    = text.data() + text.size();
+        const auto  result = std::from_chars(text.data(), end, number);
+        if (result.ec != std::errc() || result.ptr != end)
+          return {};
+        return number;
+      }
+    } // namespace
 
 
 
@@ -188,14 +190,8 @@ namespace Crevasse
       // from_chars knows no leading plus sign.
       if (trimmed.size() > 1 && trimmed[0] == '+' && trimmed[1] != '-')
         trimmed.erase(0, 1);
-
-      double      number = 0.;
-      const char *end    = trimmed.data() + trimmed.size();
-      const auto  result = std::from_chars(trimmed.data(), end, number);
-      if (result.ec != std::errc() || result.ptr != end ||
-          !std::isfinite(number))
-        return {};
-      return number;
+      const auto number = read_all<double>(trimmed);
+      return number && std::isfinite(*number) ? number : std::nullopt;
     }
 
 
@@ -203,13 +199,7 @@ namespace Crevasse
     std::optional<unsigned int>
     to_unsigned(const std::string &text)
     {
-      const std::string trimmed = dealii::Utilities::trim(text);
-      unsigned int      number  = 0;
-      const char       *end     = trimmed.data() + trimmed.size();
-      const auto        result  = std::from_chars(trimmed.data(), end, number);
-      if (result.ec != std::errc() || result.ptr != end)
-        return {};
-      return number;
+      return read_all<unsigned int>(dealii::Utilities::trim(text));
     }
 
 

@@ -13,18 +13,6 @@
 
 namespace Crevasse
 {
-  namespace
-  {
-    std::string
-    because_of_system()
-    {
-      return std::string("cannot be read: ") +
-             (errno == 0 ? "unknown reason" : std::strerror(errno));
-    }
-  } // namespace
-
-
-
   std::string
   why_unreadable(const std::string &file_name)
   {
@@ -37,7 +25,10 @@ namespace Crevasse
     std::ifstream file(file_name, std::ios::binary);
     if (file)
       file.peek();
-    return file.is_open() && !file.bad() ? "" : because_of_system();
+    return file.is_open() && !file.bad()
+             ? ""
+             : std::string("cannot be read: ") +
+                 (errno == 0 ? "unknown reason" : std::strerror(errno));
   }
 
 
@@ -45,20 +36,16 @@ namespace Crevasse
   std::string
   read_text_file(const std::string &file_name)
   {
-    const auto throw_error = [&file_name](const std::string &reason) {
-      throw FileError("The file \"" + file_name + "\" " + reason + ".");
-    };
-    if (const std::string reason = why_unreadable(file_name); !reason.empty())
-      throw_error(reason);
-
-    errno = 0;
+    std::string        why = why_unreadable(file_name);
     std::ifstream      file(file_name, std::ios::binary);
     std::ostringstream text;
     // Copying nothing would set the failbit of the copy's target.
-    if (file && file.peek() != std::ifstream::traits_type::eof())
+    if (file.peek() != std::ifstream::traits_type::eof())
       text << file.rdbuf();
-    if (!file.is_open() || file.bad() || !text)
-      throw_error(because_of_system());
+    if (why.empty() && (file.bad() || !text))
+      why = "cannot be read to its end";
+    if (!why.empty())
+      throw FileError("The file \"" + file_name + "\" " + why + ".");
 
     const std::string byte_order_mark = "\xEF\xBB\xBF";
     const std::string result          = text.str();

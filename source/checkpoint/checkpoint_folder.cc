@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <unistd.h>
@@ -20,51 +19,24 @@ namespace Crevasse
   namespace
   {
     /** Of the files; what was written by another one cannot be read. */
-    constexpr int format_version = 6;
+    constexpr int format_version = 7;
 
-    constexpr const char *manifest_file = "manifest.json";
-    constexpr const char *being_written = ".new";
-    constexpr const char *set_aside     = ".damaged";
+    constexpr const char *manifest_file = "/manifest.json";
 
-
-
-    /** A checkpoint that may be in order, for another program. */
-    struct OtherFormat : FileError
+    /** Why a checkpoint is not what was written. */
+    struct Damaged : std::runtime_error
     {
-      using FileError::FileError;
+      using std::runtime_error::runtime_error;
     };
 
 
 
-    /** What must not be read is not damaged. @throw FileError */
+    /** @throw FileError if there is one. */
     void
-    require_readable(const std::string &folder)
+    throw_if(const std::error_code &error, const std::string &what)
     {
-      std::vector<std::string> names = {folder};
-      std::error_code          error;
-      for (const auto &entry : fs::directory_iterator(folder, error))
-        names.push_back(entry.path().string());
-      for (const std::string &name : names)
-        if (access(name.c_str(), R_OK) != 0)
-          throw FileError("Cannot read " + name + " (" + std::strerror(errno) +
-                          ").");
-    }
-
-
-
-    Summary
-    as_json(const FileCheck &check)
-    {
-      return {{"bytes", check.bytes}, {"crc32", check.crc}};
-    }
-
-
-
-    FileCheck
-    as_check(const Summary &json)
-    {
-      return {json.at("bytes").get<std::size_t>(),
-              json.at("crc32").get<std::uint32_t>()};
+      if (error)
+        throw FileError(what + " (" + error.message() + ").");
     }
 
 
@@ -86,26 +58,16 @@ namespace Crevasse
     Summary
     as_json(const CheckpointManifest &manifest)
     {
-      Summary json   = {{"format", format_version},
-                        {"version", CREVASSE_VERSION},
-                        {"written", now()},
-                        {"number", manifest.number},
-                        {"period", manifest.period},
-                        {"step", manifest.step},
-                        {"ranks", manifest.ranks}};
-      json["common"] = as_json(manifest.common);
-      for (const FieldFile &file : manifest.fields)
-        {
-          Summary entry       = as_json(file.check);
-          entry["name"]       = file.name;
-          entry["first_cell"] = file.first_cell;
-          entry["cells"]      = file.n_cells;
-          json["fields"].push_back(entry);
-        }
-      json["tables"]     = manifest.tables;
-      json["scene_hash"] = checksum(manifest.scene.dump());
-      json["scene"]      = manifest.scene;
-      return json;
+      return {{"format", format_version},
+              {"version", CREVASSE_VERSION},
+              {"written", now()},
+              {"number", manifest.number},
+              {"period", manifest.period},
+              {"step", manifest.step},
+              {"ranks", manifest.ranks},
+              {"files", manifest.files},
+              {"tables", manifest.tables},
+              {"scene", manifest.scene}};
     }
 
 
@@ -114,21 +76,30 @@ namespace Crevasse
     as_manifest(const Summary &json)
     {
       CheckpointManifest manifest;
-      manifest.number = json.at("number");
-      manifest.period = json.at("period");
-      manifest.step   = json.at("step");
-      manifest.ranks  = json.at("ranks");
-      manifest.common = as_check(json.at("common"));
-      for (const Summary &entry : json.at("fields"))
-        manifest.fields.push_back({entry.at("name"),
-                                   as_check(entry),
-                                   entry.at("first_cell"),
-                                   entry.at("cells")});
-      manifest.tables = json.at("tables").get<decltype(manifest.tables)>();
-      manifest.scene  = json.at("scene");
+      json.at("number").get_to(manifest.number);
+      json.at("period").get_to(manifest.period);
+      json.at("step").get_to(manifest.step);
+      json.at("ranks").get_to(manifest.ranks);
+      json.at("files").get_to(manifest.files);
+      json.at("tables").get_to(manifest.tables);
+      manifest.scene = json.at("scene");
       return manifest;
     }
   } // namespace
+
+
+
+  std::size_t
+  CheckpointManifest::bytes() const
+  {
+    std::size_t sum = 0;
+    for (const auto &[name, check] : files)
+      {
+        (void)name;
+        sum += check.first;
+      }
+    return sum;
+  }
 
 
 
@@ -149,19 +120,9 @@ namespace Crevasse
 
 
   std::string
-  CheckpointFolder::file(const unsigned int number,
-                         const std::string &name) const
+  CheckpointFolder::new_name(const unsigned int number) const
   {
-    return this->name(number) + '/' + name;
-  }
-
-
-
-  std::string
-  CheckpointFolder::new_file(const unsigned int number,
-                             const std::string &name) const
-  {
-    return this->name(number) + being_written + '/' + name;
+    return name(number) + ".new";
   }
 
 
@@ -179,27 +140,10 @@ namespace Crevasse
             name.size() < 10)
           found.push_back(std::stoul(name));
       }
-    if (error && error != std::errc::no_such_file_or_directory)
-      throw FileError("Cannot look for checkpoints in " + path + " (" +
-                      error.message() + ").");
+    if (error != std::errc::no_such_file_or_directory)
+      throw_if(error, "Cannot look for checkpoints in " + path);
     std::sort(found.begin(), found.end());
     return found;
-  }
-
-
-
-  unsigned int
-  CheckpointFolder::begin() const
-  {
-    const std::vector<unsigned int> there = numbers();
-    const unsigned int number = there.empty() ? 1 : there.back() + 1;
-    const std::string  folder = name(number) + being_written;
-    std::error_code    error;
-    fs::remove_all(folder, error);
-    fs::create_directories(folder, error);
-    if (error)
-      throw FileError("Cannot make " + folder + " (" + error.message() + ").");
-    return number;
   }
 
 
@@ -212,22 +156,60 @@ namespace Crevasse
 
 
 
-  void
-  CheckpointFolder::finish(const CheckpointManifest &manifest) const
+  unsigned int
+  CheckpointFolder::begin(const std::size_t bytes) const
   {
+    const std::vector<unsigned int> there = numbers();
+    const unsigned int number = there.empty() ? 1 : there.back() + 1;
+    const std::string  folder = new_name(number);
+    std::error_code    error;
+    fs::remove_all(folder, error);
+    fs::create_directories(folder, error);
+    throw_if(error, "Cannot make " + folder);
+    try
+      {
+        // p4est ends the program where it cannot write.
+        require_disk_space(folder + "/room", bytes);
+      }
+    catch (const FileError &)
+      {
+        abandon(number);
+        throw;
+      }
+    return number;
+  }
+
+
+
+  void
+  CheckpointFolder::finish(CheckpointManifest             &manifest,
+                           const std::vector<std::string> &tables) const
+  {
+    const std::string folder = new_name(manifest.number);
+    for (const auto &file : fs::directory_iterator(folder))
+      {
+        const std::string name = file.path().string();
+        write_through(name);
+        manifest.files[file.path().filename().string()] = check_file(name);
+      }
+    std::error_code error;
+    for (const std::string &table : tables)
+      {
+        // One that somebody has removed is left out.
+        const std::string name = directory + '/' + table;
+        if (!fs::exists(name, error))
+          continue;
+        write_through(name);
+        manifest.tables[table] = fs::file_size(name, error);
+        throw_if(error, "Cannot tell the size of " + name);
+      }
     const std::string content = as_json(manifest).dump(2);
-    const std::string folder  = name(manifest.number) + being_written;
-    CheckedFile       file(folder + '/' + manifest_file);
-    const std::string text = std::to_string(checksum(content)) + '\n' + content;
-    file.write(text.data(), text.size());
-    file.finish();
+    write_file(folder + manifest_file,
+               std::to_string(checksum(content)) + '\n' + content);
     write_through(folder);
 
-    std::error_code error;
     fs::rename(folder, name(manifest.number), error);
-    if (error)
-      throw FileError("Cannot rename " + folder + " (" + error.message() +
-                      ").");
+    throw_if(error, "Cannot rename " + folder);
     write_through(path);
     write_through(directory);
     for (const unsigned int other : numbers())
@@ -241,7 +223,7 @@ namespace Crevasse
   CheckpointFolder::abandon(const unsigned int number) const
   {
     std::error_code error; // told already is what went wrong
-    fs::remove_all(name(number) + being_written, error);
+    fs::remove_all(new_name(number), error);
   }
 
 
@@ -249,27 +231,38 @@ namespace Crevasse
   CheckpointManifest
   CheckpointFolder::read(const unsigned int number) const
   {
-    const std::string text    = read_text_file(file(number, manifest_file));
+    const auto require_there = [](const std::string &file) {
+      std::error_code error; // what cannot be looked at is not damaged
+      if (!fs::exists(file, error) && !error)
+        throw Damaged(file + " is missing");
+    };
+    const std::string file = name(number) + manifest_file;
+    require_there(file);
+    const std::string text    = read_text_file(file);
     const auto        newline = std::min(text.find('\n'), text.size());
     const std::string content = text.substr(std::min(newline + 1, text.size()));
     if (text.substr(0, newline) != std::to_string(checksum(content)))
-      throw FileError(file(number, manifest_file) + " has another checksum");
+      throw Damaged(file + " has another checksum");
     const Summary json = Summary::parse(content);
     if (json.at("format") != format_version)
-      throw OtherFormat(
+      throw FileError(
         "--resume: the checkpoint " + name(number) +
         " was written by version " + json.value("version", std::string("?")) +
         " of the program, whose checkpoints this one, " CREVASSE_VERSION
         ", cannot read. Resume with that version, or begin anew in another "
         "output directory.");
-    const CheckpointManifest manifest = as_manifest(json);
-    std::string              fault;
-    read_checked(file(number, common_file), manifest.common, fault);
-    for (const FieldFile &fields : manifest.fields)
-      if (fault.empty())
-        read_checked(file(number, fields.name), fields.check, fault);
-    if (!fault.empty())
-      throw FileError(fault);
+    CheckpointManifest manifest = as_manifest(json);
+    for (const auto &[part, expected] : manifest.files)
+      {
+        const std::string file = name(number) + '/' + part;
+        require_there(file);
+        const FileCheck found = check_file(file);
+        if (found.first != expected.first)
+          throw Damaged(file + " has " + std::to_string(found.first) +
+                        " bytes instead of " + std::to_string(expected.first));
+        if (found != expected)
+          throw Damaged(file + " has another checksum");
+      }
     return manifest;
   }
 
@@ -280,71 +273,16 @@ namespace Crevasse
   {
     const std::vector<unsigned int> all = numbers();
     for (auto number = all.rbegin(); number != all.rend(); ++number)
-      {
-        const auto warn = [&](const std::exception &fault) {
+      try
+        {
+          return read(*number);
+        }
+      catch (const Damaged &fault)
+        {
           warnings.push_back("checkpoint " + name(*number) +
                              " is damaged and not used: " + fault.what());
-        };
-        // Whatever else is thrown is no fault of the checkpoint.
-        try
-          {
-            return read(*number);
-          }
-        catch (const OtherFormat &)
-          {
-            throw;
-          }
-        catch (const FileError &fault)
-          {
-            require_readable(name(*number));
-            warn(fault);
-          }
-        catch (const Summary::exception &fault)
-          {
-            warn(fault);
-          }
-      }
+        }
     return {};
-  }
-
-
-
-  void
-  CheckpointFolder::set_aside_after(const unsigned int number) const
-  {
-    for (const unsigned int other : numbers())
-      {
-        if (other <= number)
-          continue;
-        const std::string damaged = name(other) + set_aside;
-        std::error_code   error;
-        fs::remove_all(damaged, error);
-        fs::rename(name(other), damaged, error);
-        if (error)
-          throw FileError("Cannot rename " + name(other) + " (" +
-                          error.message() + ").");
-      }
-  }
-
-
-
-  std::map<std::string, std::size_t>
-  CheckpointFolder::measure_tables(const std::vector<std::string> &names) const
-  {
-    std::map<std::string, std::size_t> sizes;
-    for (const std::string &table : names)
-      {
-        const std::string name = directory + '/' + table;
-        std::error_code   error;
-        if (!fs::exists(name, error))
-          continue;
-        write_through(name);
-        sizes[table] = fs::file_size(name, error);
-        if (error)
-          throw FileError("Cannot tell the size of " + name + " (" +
-                          error.message() + ").");
-      }
-    return sizes;
   }
 
 
@@ -377,16 +315,22 @@ namespace Crevasse
 
 
   void
-  CheckpointFolder::cut_tables(const CheckpointManifest &manifest) const
+  CheckpointFolder::go_back_to(const CheckpointManifest &manifest) const
   {
+    std::error_code error;
+    for (const unsigned int other : numbers())
+      if (other > manifest.number)
+        {
+          const std::string damaged = name(other) + ".damaged";
+          fs::remove_all(damaged, error);
+          fs::rename(name(other), damaged, error);
+          throw_if(error, "Cannot rename " + name(other));
+        }
     for (const auto &[table, size] : manifest.tables)
       {
         const std::string name = directory + '/' + table;
-        std::error_code   error;
         fs::resize_file(name, size, error);
-        if (error)
-          throw FileError(name + " cannot be continued (" + error.message() +
-                          ").");
+        throw_if(error, name + " cannot be continued");
       }
   }
 } // namespace Crevasse

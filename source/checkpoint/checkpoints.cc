@@ -3,6 +3,7 @@
 
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
+#include <crevasse/base/text_file.h>
 #include <crevasse/checkpoint/checkpoints.h>
 #include <crevasse/checkpoint/scene_difference.h>
 
@@ -26,7 +27,7 @@ namespace Crevasse
                            const Summary     &scene,
                            const unsigned int every)
     : stop_requests(requests)
-    , run_log(log)
+    , log(log)
     , directory(directory)
     , all(directory)
     , parameters(scene)
@@ -39,14 +40,14 @@ namespace Crevasse
   void
   Checkpoints::resume(const MPI_Comm communicator)
   {
-    std::vector<char>        bytes;
-    std::vector<std::string> warnings;
+    std::string bytes;
     collectively(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
-      const auto newest = all.newest(warnings);
+      std::vector<std::string> warnings;
+      const auto               newest = all.newest(warnings);
       for (const std::string &warning : warnings)
-        run_log.warning(warning);
+        log.warning(warning);
       if (!newest)
         throw FileError(
           "--resume: there is no checkpoint in " + directory +
@@ -55,84 +56,39 @@ namespace Crevasse
           "checkpoints written.");
       require_same_scene(newest->scene, parameters);
       manifest = *newest;
-      std::string fault;
-      bytes =
-        read_checked(all.file(manifest.number, CheckpointFolder::common_file),
-                     manifest.common,
-                     fault);
-      if (!fault.empty())
-        throw FileError(fault + ", though it was in order a moment ago.");
+      bytes    = read_text_file(all.name(manifest.number) + common_file);
     });
     manifest = Utilities::MPI::broadcast(communicator, manifest, 0);
-    archive  = std::make_unique<CommonArchive>(communicator,
-                                              std::move(bytes),
-                                              manifest.ranks);
-    run_log.line("  resumed from " + all.name(manifest.number) + ": period " +
-                 std::to_string(manifest.period) + ", before step " +
-                 std::to_string(manifest.step + 1) +
-                 (manifest.ranks == 1
-                    ? ", by 1 process"
-                    : ", by " + std::to_string(manifest.ranks) + " processes"));
+    archive  = std::make_unique<CommonArchive>(
+      communicator,
+      Utilities::MPI::broadcast(communicator, bytes, 0),
+      manifest.ranks);
+    log.line("  resumed from " + all.name(manifest.number) + ": period " +
+             std::to_string(manifest.period) + ", before step " +
+             std::to_string(manifest.step + 1) +
+             (manifest.ranks == 1
+                ? ", by 1 process"
+                : ", by " + std::to_string(manifest.ranks) + " processes"));
   }
 
 
 
-  bool
-  Checkpoints::is_resuming() const
+  std::string
+  Checkpoints::resumed_mesh() const
   {
-    return archive != nullptr;
-  }
-
-
-
-  CommonArchive &
-  Checkpoints::resumed()
-  {
-    return *archive;
-  }
-
-
-
-  const CheckpointManifest &
-  Checkpoints::resumed_manifest() const
-  {
-    return manifest;
-  }
-
-
-
-  void
-  Checkpoints::begin_with(const std::function<void(StateArchive &)> &serialize)
-  {
-    first_part = serialize;
-  }
-
-
-
-  const std::function<void(StateArchive &)> &
-  Checkpoints::beginning() const
-  {
-    return first_part;
-  }
-
-
-
-  StopRequests &
-  Checkpoints::requests()
-  {
-    return stop_requests;
+    return all.name(manifest.number) + mesh_file;
   }
 
 
 
   StopRequests::Request
-  Checkpoints::ask(const unsigned int period, const unsigned int step)
+  Checkpoints::ask(const Position &position)
   {
     const StopRequests::Request request =
       stop_requests.poll(is_on() ? expected_bytes * seconds_per_byte : 0.);
-    const bool is_due = every > 0 && step == 0 && period > 1 &&
-                        (period - 1) % every == 0 &&
-                        last != Position(period, step);
+    const auto &[period, step] = position;
+    const bool is_due          = every > 0 && step == 0 && period > 1 &&
+                        (period - 1) % every == 0 && last != position;
     return request == StopRequests::none && is_due ? StopRequests::checkpoint
                                                    : request;
   }
@@ -140,57 +96,9 @@ namespace Crevasse
 
 
   void
-  Checkpoints::expect(const double bytes)
+  Checkpoints::has_resumed()
   {
-    expected_bytes = bytes;
-  }
-
-
-
-  void
-  Checkpoints::set_tables(const std::vector<std::string> &names)
-  {
-    names_of_tables = names;
-  }
-
-
-
-  const std::vector<std::string> &
-  Checkpoints::tables() const
-  {
-    return names_of_tables;
-  }
-
-
-
-  bool
-  Checkpoints::is_on() const
-  {
-    return !directory.empty();
-  }
-
-
-
-  const CheckpointFolder &
-  Checkpoints::folder() const
-  {
-    return all;
-  }
-
-
-
-  const Summary &
-  Checkpoints::scene() const
-  {
-    return parameters;
-  }
-
-
-
-  void
-  Checkpoints::has_resumed(const CheckpointManifest &from)
-  {
-    last = Position(from.period, from.step);
+    last = Position(manifest.period, manifest.step);
     archive.reset();
     stop_requests.skip_interval();
   }
@@ -204,12 +112,10 @@ namespace Crevasse
     last     = Position(written.period, written.step);
     manifest = written;
     stop_requests.skip_interval();
-    std::size_t bytes = written.common.bytes;
-    for (const FieldFile &file : written.fields)
-      bytes += file.check.bytes;
     // Early ones are small: there is no stress of a whole period yet.
-    seconds_per_byte = seconds / bytes;
-    expected_bytes   = std::max(expected_bytes, double(bytes));
+    const double bytes = std::max<double>(1., written.bytes());
+    seconds_per_byte   = seconds / bytes;
+    expected_bytes     = std::max(expected_bytes, bytes);
     char text[160];
     std::snprintf(
       text,
@@ -220,7 +126,7 @@ namespace Crevasse
       written.step + 1,
       1e-6 * bytes,
       seconds);
-    run_log.line(text);
+    log.line(text);
   }
 
 
@@ -228,19 +134,10 @@ namespace Crevasse
   void
   Checkpoints::stop() const
   {
-    const std::string who =
-      "stopped on request (" + stop_requests.reason() + ")";
-    if (!is_on())
-      throw StoppedOnRequest(who + '.');
-    throw StoppedOnRequest(who + "; --resume continues from " +
-                           all.name(manifest.number) + '.');
-  }
-
-
-
-  Log &
-  Checkpoints::log() const
-  {
-    return run_log;
+    throw StoppedOnRequest(
+      "stopped on request (" + stop_requests.reason() + ")" +
+      (is_on() ? "; --resume continues from " + all.name(manifest.number)
+               : "") +
+      '.');
   }
 } // namespace Crevasse

@@ -5,18 +5,72 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cstring>
+
 namespace Crevasse
 {
   using namespace dealii;
 
-  template <int dim>
-  FieldArchive<dim>::FieldArchive(CommonArchive            &&common,
-                                  const CellwiseFields<dim> &fields,
-                                  FieldStore                &store)
-    : CommonArchive(std::move(common))
-    , fields(fields)
-    , store(store)
+  namespace
   {
+    /** To attach data, as SolutionTransfer does; the cells stay. */
+    template <int dim>
+    Mesh<dim> &
+    mesh_of(const Body<dim> &body)
+    {
+      return const_cast<Mesh<dim> &>(body.space.mesh());
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FieldArchive<dim>::FieldArchive(CommonArchive &&common, const Body<dim> &body)
+    : CommonArchive(std::move(common))
+    , body(body)
+    , of_cells(body.space.mesh().n_active_cells())
+    , bounds(unilateral_bounds(body.lip, body.space))
+  {
+    if (!is_loading())
+      return;
+    const unsigned int handle = mesh_of(body).register_data_attach(
+      [](const auto &, const auto) { return std::vector<char>(); }, true);
+    mesh_of(body).notify_ready_to_unpack(
+      handle, [this](const auto &cell, const auto, const auto &bytes) {
+        of_cells[cell->active_cell_index()].bytes.assign(bytes.begin(),
+                                                         bytes.end());
+      });
+  }
+
+
+
+  template <int dim>
+  void
+  FieldArchive<dim>::save_fields(const std::string &file_name)
+  {
+    mesh_of(body).register_data_attach(
+      [this](const auto &cell, const auto) {
+        return std::move(of_cells[cell->active_cell_index()].bytes);
+      },
+      true);
+    mesh_of(body).save(file_name);
+    // p4est's ranks write one after the other: until then it is not whole.
+    const int error = MPI_Barrier(communicator());
+    AssertThrowMPI(error);
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  FieldArchive<dim>::bytes_of_fields() const
+  {
+    constexpr std::size_t bytes_of_file = 1 << 20, bytes_of_cell = 500;
+    std::size_t           bytes = bytes_of_file;
+    for_each_cell([&](const Cell &cell) {
+      bytes += bytes_of_cell + of_cells[cell->active_cell_index()].bytes.size();
+    });
+    return Utilities::MPI::sum(bytes, communicator());
   }
 
 
@@ -28,8 +82,42 @@ namespace Crevasse
     int there = size > 0 ? 1 : 0;
     if (!is_loading())
       there = Utilities::MPI::max(there, communicator());
-    common(there);
+    this->common(there);
     return there == 1;
+  }
+
+
+
+  template <int dim>
+  template <typename Function>
+  void
+  FieldArchive<dim>::for_each_cell(const Function &f) const
+  {
+    for (const auto &cell : body.space.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        f(cell);
+  }
+
+
+
+  template <int dim>
+  void
+  FieldArchive<dim>::exchange_of(const Cell       &cell,
+                                 double           *values,
+                                 const std::size_t n)
+  {
+    CellData &data = of_cells[cell->active_cell_index()];
+    if (is_loading())
+      {
+        const std::size_t bytes = n * sizeof(double);
+        AssertThrow(data.next + bytes <= data.bytes.size(), ExcInternalError());
+        std::memcpy(values, data.bytes.data() + data.next, bytes);
+        data.next += bytes;
+      }
+    else
+      data.bytes.insert(data.bytes.end(),
+                        reinterpret_cast<const char *>(values),
+                        reinterpret_cast<const char *>(values + n));
   }
 
 
@@ -40,19 +128,27 @@ namespace Crevasse
   {
     if (!is_there(field.size()))
       return;
-    std::vector<double> values, singular;
-    if (!is_loading())
-      {
-        values   = fields.nodal(field);
-        singular = fields.singular_coefficients(field);
-      }
-    store.of_cells(fields.n_nodal_values(), values);
-    common(singular);
+    Vector ghosted = body.space.ghosted_vector();
     if (is_loading())
+      body.strain_operator.initialize(field);
+    else
       {
-        fields.set_nodal(values, field);
-        fields.set_singular_coefficients(singular, field);
+        ghosted.copy_locally_owned_data_from(field);
+        ghosted.update_ghost_values();
       }
+    std::vector<types::global_dof_index> unknowns;
+    std::vector<double>                  values;
+    for_each_cell([&](const Cell &cell) {
+      body.space.get_unknowns(cell, unknowns);
+      values.resize(unknowns.size());
+      if (!is_loading())
+        ghosted.extract_subvector_to(unknowns, values);
+      exchange_of(cell, values.data(), values.size());
+      if (is_loading())
+        for (unsigned int i = 0; i < unknowns.size(); ++i)
+          if (field.in_local_range(unknowns[i]))
+            field(unknowns[i]) = values[i];
+    });
   }
 
 
@@ -63,17 +159,18 @@ namespace Crevasse
   {
     if (!is_there(field.size()))
       return;
-    unsigned int        n = 0;
-    std::vector<double> values;
+    constexpr unsigned int n          = n_stress_components<dim>;
+    unsigned int           n_branches = 0;
     if (!is_loading())
-      {
-        n      = fields.n_per_point(field);
-        values = fields.at_points(field);
-      }
-    common(n);
-    store.of_points(n, values);
+      n_branches = field.size() / (n * body.points.n_points());
+    this->common(n_branches);
     if (is_loading())
-      fields.set_at_points(values, n, field);
+      body.points.initialize(field, n_branches);
+    for_each_cell([&](const Cell &cell) {
+      exchange_of(cell,
+                  field.begin() + n_branches * body.points.offset(cell),
+                  n_branches * n * body.space.quadrature(cell).size());
+    });
   }
 
 
@@ -84,10 +181,16 @@ namespace Crevasse
   {
     if (!is_there(values.size()))
       return;
-    Vector field = fields.from_bounds(values);
+    Vector field;
+    body.strain_operator.initialize(field);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      field(bounds.dofs[k]) = values[k];
     nodal(field);
-    if (is_loading())
-      values = fields.to_bounds(field);
+    if (!is_loading())
+      return;
+    values.clear();
+    for (const auto dof : bounds.dofs)
+      values.push_back(field(dof));
   }
 
 
@@ -96,10 +199,11 @@ namespace Crevasse
   void
   FieldArchive<dim>::on_cells(dealii::Vector<double> &values)
   {
-    std::vector<double> ordered = fields.of_cells(values);
-    store.of_cells(1, ordered);
     if (is_loading())
-      fields.set_of_cells(ordered, values);
+      values.reinit(body.space.mesh().n_active_cells());
+    for_each_cell([&](const Cell &cell) {
+      exchange_of(cell, &values(cell->active_cell_index()), 1);
+    });
   }
 
 

@@ -45,22 +45,6 @@ namespace Crevasse
 
 
 
-  std::size_t
-  ActiveSet::n_linear_solves() const
-  {
-    return face.n_solves();
-  }
-
-
-
-  std::size_t
-  ActiveSet::n_linear_iterations() const
-  {
-    return face.n_iterations();
-  }
-
-
-
   void
   ActiveSet::start_from(const std::vector<bool> &closed_bounds)
   {
@@ -71,29 +55,21 @@ namespace Crevasse
 
 
   std::string
-  ActiveSet::linear_trouble() const
+  ActiveSet::failure_notes() const
   {
+    std::string           text  = " Closed nodes of the last sets: ";
+    const std::size_t     n     = set_sizes.size();
+    constexpr std::size_t shown = 5;
+    for (std::size_t k = n > shown ? n - shown : 0; k < n; ++k)
+      text += std::to_string(set_sizes[k]) + (k + 1 < n ? ", " : ".");
     if (not_reached == 0)
-      return "";
-    return " Conjugate gradients did not converge on the last " +
+      return text;
+    return text + " Conjugate gradients did not converge on the last " +
            std::to_string(not_reached) + (not_reached == 1 ? " set" : " sets") +
            ". Take a factorisation ([Linear solver] Type = cholesky or mumps); "
            "with a Poisson ratio near 0.5, [Discretisation] Volumetric strain "
            "= mean; and look for moduli that differ by many orders of "
            "magnitude, and very flat cells.";
-  }
-
-
-
-  std::string
-  ActiveSet::last_sets() const
-  {
-    std::string        text;
-    const std::size_t  n     = set_sizes.size();
-    constexpr unsigned shown = 5;
-    for (std::size_t k = n > shown ? n - shown : 0; k < n; ++k)
-      text += (text.empty() ? "" : ", ") + std::to_string(set_sizes[k]);
-    return text;
   }
 
 
@@ -136,86 +112,10 @@ namespace Crevasse
 
 
   bool
-  ActiveSet::is_other(const std::vector<bool> &next) const
+  ActiveSet::is_new(const std::vector<bool> &set)
   {
-    return Utilities::MPI::max(next != active ? 1 : 0,
-                               problem.stiffness.get_mpi_communicator()) > 0;
-  }
-
-
-
-  std::vector<bool>
-  ActiveSet::extrapolated(const std::vector<bool> &next) const
-  {
-    const auto everywhere = [&](const std::vector<bool> &local) {
-      std::vector<double> flags(lip.n_nodes());
-      std::copy(local.begin(), local.end(), flags.begin() + lip.first());
-      lip.gather(flags.data());
-      return std::vector<bool>(flags.begin(), flags.end());
-    };
-    std::vector<bool> all_next = everywhere(next);
-    lip.extrapolate(everywhere(active), all_next);
-    const auto begin = all_next.begin() + lip.first();
-    return {begin, begin + next.size()};
-  }
-
-
-
-  std::pair<std::uint64_t, unsigned int>
-  ActiveSet::hash(const std::vector<bool> &set) const
-  {
-    // The sum of random-looking numbers, one for each of its unknowns, modulo
-    // 2⁶⁴ (the mixing step of SplitMix64): no rank has to know the set whole.
-    std::uint64_t sums[2] = {0, 0};
-    for (std::size_t k = 0; k < set.size(); ++k)
-      if (set[k])
-        {
-          std::uint64_t z =
-            (problem.bounds.dofs[k] + 1) * UINT64_C(0x9e3779b97f4a7c15);
-          z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-          z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-          sums[0] += z ^ (z >> 31);
-          ++sums[1];
-        }
-    const int error = MPI_Allreduce(MPI_IN_PLACE,
-                                    sums,
-                                    2,
-                                    MPI_UINT64_T,
-                                    MPI_SUM,
-                                    problem.stiffness.get_mpi_communicator());
-    AssertThrowMPI(error);
-    return {sums[0], static_cast<unsigned int>(sums[1])};
-  }
-
-
-
-  bool
-  ActiveSet::is_new_set()
-  {
-    const auto [number, size] = hash(active);
-    set_sizes.push_back(size);
-    return seen.insert(number).second;
-  }
-
-
-
-  unsigned int
-  ActiveSet::finish_by_newton(const Vector      &right_hand_side,
-                              Vector            &solution,
-                              const unsigned int maximum_steps)
-  {
-    ++rescues;
-    const unsigned int n_steps = newton.solve(
-      right_hand_side,
-      solution,
-      residual_target(),
-      [&](const Vector &candidate) {
-        return is_solved(right_hand_side, candidate);
-      },
-      maximum_steps);
-
-    active = newton.held_bounds(); // where the next problem starts
-    return n_steps;
+    set_sizes.push_back(std::count(set.begin(), set.end(), true));
+    return seen.insert(set).second;
   }
 
 
@@ -226,7 +126,7 @@ namespace Crevasse
     seen.clear();
     set_sizes.clear();
     scale_by(right_hand_side, solution);
-    is_new_set();
+    is_new(lip.gathered(active));
     hold_and_compute_residual(right_hand_side, solution);
 
     bool exactly = false; // whether every set is solved to the last digit
@@ -260,30 +160,41 @@ namespace Crevasse
         if (not_reached == enough)
           return n;
 
-        std::vector<bool> next    = next_set(solution);
-        const bool        changed = is_other(next);
+        std::vector<bool> next = next_set(solution);
+        const bool        changed =
+          Utilities::MPI::max(next != active ? 1 : 0,
+                              problem.stiffness.get_mpi_communicator()) > 0;
         if ((!changed && (last || !reached)) || n >= maximum_iterations)
           return n;
         settled = !changed;
         if (!changed)
           continue;
-        std::vector<bool> further = extrapolated(next);
-        if (seen.count(hash(further).first) == 0)
-          next = std::move(further);
-        active = std::move(next);
-        if (!is_new_set())
+        const std::vector<bool> plain   = lip.gathered(next);
+        std::vector<bool>       further = plain;
+        lip.extrapolate(lip.gathered(active), further);
+        if (seen.count(further) > 0)
+          further = plain;
+        const auto begin = further.begin() + lip.first();
+        active.assign(begin, begin + active.size());
+        if (!is_new(further))
           {
             if (exactly)
               {
                 ++rescues;
-                return n + finish_by_newton(right_hand_side,
-                                            solution,
-                                            maximum_iterations - n);
+                n += newton.solve(
+                  right_hand_side,
+                  solution,
+                  residual_target(),
+                  [&](const Vector &candidate) {
+                    return is_solved(right_hand_side, candidate);
+                  },
+                  maximum_iterations - n);
+                active = newton.held_bounds(); // where the next problem starts
+                return n;
               }
             // Perhaps only because the sets before were solved roughly.
             exactly = true;
-            seen.clear();
-            is_new_set();
+            seen    = {further};
           }
         hold_and_compute_residual(right_hand_side, solution);
       }

@@ -18,30 +18,15 @@ namespace Crevasse
 
   namespace
   {
-    /** The largest |entry| over all ranks; infinite if one is not finite, which
-     * comparisons alone would overlook. */
-    double
-    largest_entry(const Vector &vector)
+    template <std::size_t n>
+    void
+    take_maxima(std::array<double, n> &values, const MPI_Comm communicator)
     {
-      double largest = 0.;
-      for (unsigned int i = 0; i < vector.locally_owned_size(); ++i)
-        {
-          const double entry = std::abs(vector.local_element(i));
-          largest            = std::isfinite(entry)
-                                 ? std::max(largest, entry)
-                                 : std::numeric_limits<double>::infinity();
-        }
-      return Utilities::MPI::max(largest, vector.get_mpi_communicator());
+      Utilities::MPI::max(ArrayView<const double>(values.data(), n),
+                          communicator,
+                          ArrayView<double>(values.data(), n));
     }
   } // namespace
-
-
-
-  void
-  Scales::set_force_scale(const double largest_nodal_force)
-  {
-    load = largest_nodal_force;
-  }
 
 
 
@@ -59,10 +44,7 @@ namespace Crevasse
         here            = {
                      {std::max(here[0], b), std::max(here[1], q), std::max(here[2], Aq)}};
       }
-    Utilities::MPI::max(ArrayView<const double>(here.data(), here.size()),
-                        problem.stiffness.get_mpi_communicator(),
-                        ArrayView<double>(here.data(), here.size()));
-
+    take_maxima(here, problem.stiffness.get_mpi_communicator());
     largest_force         = std::max(largest_force, here[0]);
     displacement_to_round = std::max(displacement_to_round, here[1]);
     force_to_round        = std::max(force_to_round, here[2]);
@@ -71,14 +53,6 @@ namespace Crevasse
     if (load == 0. || here[0] <= long_drift * load ||
         largest_displacement == 0.)
       largest_displacement = std::max(largest_displacement, here[1]);
-  }
-
-
-
-  namespace
-  {
-    constexpr double some_roundings =
-      100. * std::numeric_limits<double>::epsilon();
   }
 
 
@@ -93,30 +67,6 @@ namespace Crevasse
     if (load > 0.)
       return largest;
     return largest_force > 0. ? largest_force : 1.;
-  }
-
-
-
-  double
-  Scales::displacement() const
-  {
-    return largest_displacement > 0. ? largest_displacement : 1.;
-  }
-
-
-
-  double
-  Scales::force_rounding() const
-  {
-    return some_roundings * force_to_round / force();
-  }
-
-
-
-  double
-  Scales::displacement_rounding() const
-  {
-    return some_roundings * displacement_to_round / displacement();
   }
 
 
@@ -185,19 +135,23 @@ namespace Crevasse
           {-opening, -g, std::min(std::abs(g), std::abs(opening)), 0.});
       }
 
-    certificate.residual = largest_entry(residual) / force;
-    if (!std::isfinite(force) || !std::isfinite(displacement))
-      certificate.residual = std::numeric_limits<double>::infinity();
+    // Comparisons alone would overlook what is not finite.
+    bool   is_finite = std::isfinite(force) && std::isfinite(displacement);
+    double largest   = 0.;
+    for (const double entry : residual)
+      {
+        is_finite = is_finite && std::isfinite(entry);
+        largest   = std::max(largest, std::abs(entry));
+      }
+    certificate.residual =
+      is_finite ? largest / force : std::numeric_limits<double>::infinity();
 
-    std::array<double, 3> contact{{certificate.penetration,
-                                   certificate.tension,
-                                   certificate.complementarity}};
-    Utilities::MPI::max(ArrayView<const double>(contact.data(), contact.size()),
-                        problem.stiffness.get_mpi_communicator(),
-                        ArrayView<double>(contact.data(), contact.size()));
-    certificate.penetration     = contact[0];
-    certificate.tension         = contact[1];
-    certificate.complementarity = contact[2];
+    std::array<double, 4> all{{certificate.penetration,
+                               certificate.tension,
+                               certificate.complementarity,
+                               certificate.residual}};
+    take_maxima(all, problem.stiffness.get_mpi_communicator());
+    certificate = {all[0], all[1], all[2], all[3]};
     return certificate;
   }
 } // namespace Crevasse

@@ -28,8 +28,9 @@ namespace Crevasse
     , gap(problem.n_bounds())
     , opening(problem.n_bounds())
     , forces(problem.n_bounds())
-    , loads(problem.diagonal())
   {
+    if (problem.n_bounds() > 0)
+      loads.reinit(problem.diagonal());
     std::copy(problem.bounds.gap.begin(),
               problem.bounds.gap.end(),
               gap.begin() + lip.first());
@@ -42,10 +43,11 @@ namespace Crevasse
   CondensedActiveSet::description() const
   {
     std::string text =
-      "condensed active set with " + linear_solver.description();
+      (problem.n_bounds() > 0 ? "condensed active set with " : "no contact; ") +
+      linear_solver.description();
     if (lip_problem.n_rescues() > 0)
       text += ", " + std::to_string(lip_problem.n_rescues()) +
-              " cycles ended by Lawson and Hanson's method";
+              " cycles ended node by node";
     return text;
   }
 
@@ -54,12 +56,7 @@ namespace Crevasse
   void
   CondensedActiveSet::start_from(const std::vector<bool> &closed_bounds)
   {
-    std::vector<double> flags(lip.n_nodes());
-    std::copy(closed_bounds.begin(),
-              closed_bounds.end(),
-              flags.begin() + lip.first());
-    lip.gather(flags.data());
-    lip_problem.start_from({flags.begin(), flags.end()});
+    lip_problem.start_from(lip.gathered(closed_bounds));
   }
 
 
@@ -68,18 +65,22 @@ namespace Crevasse
   CondensedActiveSet::first_set() const
   {
     std::vector<bool> closed(problem.bounds.dofs.size(), false);
-    for (const unsigned int node : lip_problem.active_set())
-      if (const unsigned int k = node - lip.first(); k < closed.size())
-        closed[k] = true;
+    for_each_closed(
+      [&](const unsigned int k, const unsigned int) { closed[k] = true; });
     return closed;
   }
 
 
 
-  std::vector<dealii::Vector<double>> *
-  CondensedActiveSet::known_columns()
+  template <typename Function>
+  void
+  CondensedActiveSet::for_each_closed(const Function &f) const
   {
-    return &lip_problem.known_columns();
+    // Another rank's node is a number beyond the local ones.
+    for (const unsigned int node : lip_problem.active_set())
+      if (const unsigned int k = node - lip.first();
+          k < problem.bounds.dofs.size())
+        f(k, node);
   }
 
 
@@ -120,7 +121,7 @@ namespace Crevasse
         for (std::size_t k = 0; k < m; ++k)
           {
             unit_loads[k] = 0.;
-            // Another rank's node is a number beyond the local ones.
+            // As above: of which rank the node is.
             const unsigned int bound = nodes[begin + k] - lip.first();
             if (bound < problem.bounds.dofs.size())
               unit_loads[k](problem.bounds.dofs[bound]) =
@@ -138,21 +139,12 @@ namespace Crevasse
 
 
 
-  bool
-  CondensedActiveSet::can_refine() const
-  {
-    return linear_solver.is_direct();
-  }
-
-
-
   void
-  CondensedActiveSet::add_to_loads(const dealii::Vector<double> &forces)
+  CondensedActiveSet::add_forces_to_loads()
   {
-    const UnilateralBounds &bounds = problem.bounds;
-    for (const unsigned int node : lip_problem.active_set())
-      if (const unsigned int k = node - lip.first(); k < bounds.dofs.size())
-        loads(bounds.dofs[k]) += bounds.sign[k] * forces(node);
+    for_each_closed([&](const unsigned int k, const unsigned int node) {
+      loads(problem.bounds.dofs[k]) += problem.bounds.sign[k] * forces(node);
+    });
   }
 
 
@@ -161,38 +153,41 @@ namespace Crevasse
   CondensedActiveSet::close(Vector &solution) const
   {
     const UnilateralBounds &bounds = problem.bounds;
-    for (const unsigned int node : lip_problem.active_set())
-      if (const unsigned int k = node - lip.first(); k < bounds.dofs.size())
-        solution(bounds.dofs[k]) = bounds.sign[k] * bounds.gap[k];
+    for_each_closed([&](const unsigned int k, const unsigned int) {
+      solution(bounds.dofs[k]) = bounds.sign[k] * bounds.gap[k];
+    });
   }
 
 
 
   void
-  CondensedActiveSet::refine_on_set(const Vector &right_hand_side,
-                                    Vector       &solution)
+  CondensedActiveSet::refine(const Vector &right_hand_side, Vector &solution)
   {
     // A solution for given forces has the rounding of a back-solve at the
     // closed nodes, however often it is refined; moved away from there it would
     // leave forces out of balance, large ones on flat cells. So the nodes stay
     // where they are, and what is out of balance elsewhere is solved for.
     const UnilateralBounds &bounds = problem.bounds;
+    loads.reinit(solution, true);
     problem.stiffness.vmult(loads, solution);
     loads.sadd(-1., 1., right_hand_side);
-    for (const unsigned int node : lip_problem.active_set())
-      if (const unsigned int k = node - lip.first(); k < bounds.dofs.size())
-        loads(bounds.dofs[k]) = 0.;
+    for_each_closed([&](const unsigned int k, const unsigned int) {
+      loads(bounds.dofs[k]) = 0.;
+    });
 
     change.reinit(solution, true);
     linear_solver.solve(change, loads, residual_target());
-    // Zero but for nodes that are to be closed now and are not yet.
-    restrict_to_lip(solution, opening);
-    opening -= gap;
-    restrict_to_lip(change, forces);
-    opening += forces;
-    lip_problem.forces_that_close(opening, forces);
-    add_to_loads(forces);
-    linear_solver.solve(change, loads, residual_target());
+    if (!lip_problem.active_set().empty())
+      {
+        // Zero but for nodes that are to be closed now and are not yet.
+        restrict_to_lip(solution, opening);
+        opening -= gap;
+        restrict_to_lip(change, forces);
+        opening += forces;
+        lip_problem.forces_that_close(opening, forces);
+        add_forces_to_loads();
+        linear_solver.solve(change, loads, residual_target());
+      }
     solution += change;
     close(solution);
   }
@@ -236,19 +231,19 @@ namespace Crevasse
     if (lip_problem.active_set().empty())
       {
         if (asks_for_refinement())
-          refine(linear_solver, right_hand_side, solution);
+          refine(right_hand_side, solution);
         return n_sets;
       }
 
     loads = right_hand_side;
-    add_to_loads(forces);
+    add_forces_to_loads();
     solve_linear(linear_solver, loads, solution);
     // Closed is closed: no rounding of a back-solve in the gap.
     close(solution);
     constexpr unsigned int most_sets = 4;
     for (unsigned int k = 0; asks_for_refinement() && k < most_sets; ++k)
       {
-        refine_on_set(right_hand_side, solution);
+        refine(right_hand_side, solution);
         if (!closes_more(solution))
           break;
         ++n_sets;

@@ -6,6 +6,7 @@
 #include <crevasse/contact/contact_solver.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,23 +19,6 @@ namespace Crevasse
     /** However bad the rounding, no solution with a larger error is accepted:
      * it is also the largest tolerance that a scene may ask for. */
     constexpr double coarsest = 1e-2;
-
-    /** Runs a timer until the end of a scope, by an exception too. */
-    struct Running
-    {
-      explicit Running(dealii::Timer &timer)
-        : timer(timer)
-      {
-        timer.start();
-      }
-
-      ~Running()
-      {
-        timer.stop();
-      }
-
-      dealii::Timer &timer;
-    };
   } // namespace
 
 
@@ -45,8 +29,6 @@ namespace Crevasse
     , tolerance(tolerance)
     , residual(problem.diagonal())
   {
-    timer.stop();
-    timer.reset();
   }
 
 
@@ -67,11 +49,8 @@ namespace Crevasse
                        std::vector<double> &contact_forces,
                        const double         stiffness_factor)
   {
-    const Running running(timer);
-    if (!(stiffness_factor > 0.))
-      throw NumericalError("The stiffness factor k(t) is " +
-                           std::to_string(stiffness_factor) +
-                           "; it must be positive.");
+    Assert(stiffness_factor > 0., dealii::ExcInternalError());
+    const dealii::Timer timer;
     scales_of_solutions.set_force_scale(load / stiffness_factor);
     if (stiffness_factor != 1.)
       {
@@ -100,6 +79,7 @@ namespace Crevasse
     contact_forces = forces;
     for (double &force : contact_forces)
       force *= stiffness_factor;
+    wall_time += timer.wall_time();
   }
 
 
@@ -111,21 +91,15 @@ namespace Crevasse
     std::ostringstream message;
     message << "The contact problem was not solved to the accuracy "
             << force_accuracy() << " of forces and " << displacement_accuracy()
-            << " of displacements"
-            << " by " << description() << " in " << n_iterations
-            << " iterations. Reached: " << certified.describe() << '.';
-    const std::string sets = last_sets(), trouble = linear_trouble();
-    if (!sets.empty())
-      message << " Closed nodes of the last sets: " << sets << '.';
+            << " of displacements by " << description() << " in "
+            << n_iterations << " iterations. Reached: " << certified.describe()
+            << '.' << failure_notes();
     if (std::max(force_accuracy(), displacement_accuracy()) > coarsest)
       message << " Rounding alone makes such errors here. Look for very flat "
-                 "cells, a Poisson ratio "
-                 "close to its limits, and moduli, relaxation times or lengths "
-                 "that differ by many orders of magnitude; and for a body that "
-                 "has flown far (many relaxation times in a period), of which "
-                 "[Periodic state] Secular split = on takes the mean away.";
-    else if (!trouble.empty())
-      message << trouble;
+                 "cells, extreme Poisson ratios, and moduli, relaxation times "
+                 "or lengths that differ by many orders of magnitude; for a "
+                 "body that flows far [Periodic state] Secular split = on "
+                 "takes the mean away.";
     else
       message << " If the iterations are as many as [Contact] Maximum "
                  "iterations, raise it; otherwise try another [Contact] Solver "
@@ -133,30 +107,6 @@ namespace Crevasse
                  "they know no singular functions), or a larger [Contact] "
                  "Tolerance.";
     throw NumericalError(message.str());
-  }
-
-
-
-  void
-  ContactSolver::set_force_scale(const double largest_nodal_force)
-  {
-    load = largest_nodal_force;
-  }
-
-
-
-  double
-  ContactSolver::force_accuracy() const
-  {
-    return std::max(tolerance, scales.force_rounding());
-  }
-
-
-
-  double
-  ContactSolver::displacement_accuracy() const
-  {
-    return std::max(tolerance, scales.displacement_rounding());
   }
 
 
@@ -184,24 +134,6 @@ namespace Crevasse
 
 
 
-  bool
-  ContactSolver::is_solved(const Vector &right_hand_side,
-                           const Vector &candidate)
-  {
-    return accepts(certify(right_hand_side, candidate));
-  }
-
-
-
-  double
-  ContactSolver::residual_target() const
-  {
-    // The l₂ norm is never below the maximum norm of the certificate.
-    return 0.5 * force_accuracy() * scales.force();
-  }
-
-
-
   void
   ContactSolver::solve_linear(LinearSolver &linear_solver,
                               const Vector &right_hand_side,
@@ -223,21 +155,6 @@ namespace Crevasse
 
 
 
-  void
-  ContactSolver::refine(LinearSolver &linear_solver,
-                        const Vector &right_hand_side,
-                        Vector       &solution)
-  {
-    defect.reinit(solution, true);
-    correction.reinit(solution, true);
-    problem.stiffness.vmult(defect, solution);
-    defect.sadd(-1., 1., right_hand_side);
-    linear_solver.solve(correction, defect, residual_target());
-    solution += correction;
-  }
-
-
-
   std::vector<bool>
   ContactSolver::closed_bounds() const
   {
@@ -246,13 +163,6 @@ namespace Crevasse
     for (std::size_t k = 0; k < forces.size(); ++k)
       closed[k] = forces[k] > rounding;
     return closed;
-  }
-
-
-
-  void
-  ContactSolver::start_from(const std::vector<bool> &)
-  {
   }
 
 
@@ -288,19 +198,10 @@ namespace Crevasse
 
 
 
-  bool
-  ContactSolver::has_bounds() const
-  {
-    return problem.n_bounds() > 0;
-  }
-
-
-
   std::size_t
   ContactSolver::memory_consumption() const
   {
     return scaled_right_hand_side.memory_consumption() +
-           defect.memory_consumption() + correction.memory_consumption() +
            residual.memory_consumption() + forces.size() * sizeof(double);
   }
 
@@ -324,11 +225,4 @@ namespace Crevasse
       }
   }
 
-
-
-  double
-  ContactSolver::seconds() const
-  {
-    return timer.wall_time();
-  }
 } // namespace Crevasse

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/contact/face_solver.h>
-#include <crevasse/linear/cg_iteration.h>
+#include <crevasse/linear/conjugate_gradients.h>
 
 namespace Crevasse
 {
@@ -45,7 +45,7 @@ namespace Crevasse
     solver.hold(held_dofs);
 
     // P A and P B, for vectors whose held entries are zero.
-    const CgResult result = iterate_cg(
+    const auto end = ConjugateGradients::iterate(
       [&](Vector &product, const Vector &v) {
         problem.stiffness.vmult(product, v);
         project(held, product);
@@ -58,7 +58,7 @@ namespace Crevasse
       projected_residual,
       residual_norm);
     ++solves;
-    iterations += result.n_iterations;
-    return result.has_converged;
+    iterations += end.last_step();
+    return end.last_check() == SolverControl::success;
   }
 } // namespace Crevasse

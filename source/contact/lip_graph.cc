@@ -15,17 +15,6 @@ namespace Crevasse
 
   namespace
   {
-    /** Where the entries of each rank start. */
-    std::vector<int>
-    partial_sums(const std::vector<int> &counts)
-    {
-      std::vector<int> starts(counts.size(), 0);
-      std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
-      return starts;
-    }
-
-
-
     /** Edges move by this many layers at least, or the formulas are not those
      * of a layer. */
     constexpr unsigned int fewest_layers = 3;
@@ -37,9 +26,10 @@ namespace Crevasse
     : communicator(problem.stiffness.get_mpi_communicator())
     , counts(Utilities::MPI::all_gather(communicator,
                                         int(problem.bounds.dofs.size())))
-    , starts(partial_sums(counts))
-    , first_local(starts[Utilities::MPI::this_mpi_process(communicator)])
+    , starts(counts.size(), 0)
   {
+    std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
+    first_local = starts[Utilities::MPI::this_mpi_process(communicator)];
     // Numbers by dof, of all ranks: the lip is small. Bounds without a place
     // have numbers, but no neighbours.
     std::vector<types::global_dof_index> with_place = problem.bounds.dofs;
@@ -82,6 +72,17 @@ namespace Crevasse
                                      MPI_DOUBLE,
                                      communicator);
     AssertThrowMPI(error);
+  }
+
+
+
+  std::vector<bool>
+  LipGraph::gathered(const std::vector<bool> &local) const
+  {
+    std::vector<double> flags(n_nodes());
+    std::copy(local.begin(), local.end(), flags.begin() + first());
+    gather(flags.data());
+    return {flags.begin(), flags.end()};
   }
 
 

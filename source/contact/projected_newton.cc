@@ -37,16 +37,6 @@ namespace Crevasse
 
 
   void
-  ProjectedNewton::compute_residual(const Vector &right_hand_side,
-                                    const Vector &solution)
-  {
-    problem.stiffness.vmult(residual, solution);
-    residual.sadd(-1., 1., right_hand_side);
-  }
-
-
-
-  void
   ProjectedNewton::find_face(const Vector &solution)
   {
     // How far a projected Jacobi step would move: where bounds nearer than
@@ -74,41 +64,6 @@ namespace Crevasse
 
 
 
-  void
-  ProjectedNewton::relax_held_bounds()
-  {
-    // Newton's direction leaves them out; the diagonal of A presses them on, so
-    // that those which are near but not met come to rest on their bounds.
-    for (std::size_t k = 0; k < held.size(); ++k)
-      if (held[k])
-        {
-          const auto i  = problem.bounds.dofs[k];
-          correction(i) = residual(i) / problem.diagonal()(i);
-        }
-  }
-
-
-
-  double
-  ProjectedNewton::promised_decrease(const double step) const
-  {
-    // To first order: of the free unknowns along the direction, of the held
-    // ones along what is left of the way after bending (Bertsekas, (32)).
-    double promise = step * (residual * correction);
-    double of_held = 0.;
-    for (std::size_t k = 0; k < held.size(); ++k)
-      if (held[k])
-        {
-          const auto i = problem.bounds.dofs[k];
-          of_held += residual(i) * (trial(i) - step * correction(i));
-        }
-    return promise +
-           Utilities::MPI::sum(of_held,
-                               problem.stiffness.get_mpi_communicator());
-  }
-
-
-
   bool
   ProjectedNewton::search_along_correction(Vector &solution)
   {
@@ -125,7 +80,17 @@ namespace Crevasse
           return false;
         problem.stiffness.vmult(product, trial);
         const double change = 0.5 * (trial * product) - residual * trial;
-        if (change <= -sufficient * promised_decrease(step))
+        // To first order: of the free unknowns along the direction, of the held
+        // ones along what is left of the way after bending (Bertsekas, (32)).
+        double of_held = 0.;
+        for (std::size_t k = 0; k < held.size(); ++k)
+          if (const auto i = problem.bounds.dofs[k]; held[k])
+            of_held += residual(i) * (trial(i) - step * correction(i));
+        const double promise =
+          step * (residual * correction) +
+          Utilities::MPI::sum(of_held,
+                              problem.stiffness.get_mpi_communicator());
+        if (change <= -sufficient * promise)
           {
             solution += trial;
             project(solution); // no rounding in a gap
@@ -144,20 +109,23 @@ namespace Crevasse
                          const std::function<bool(const Vector &)> &is_solved,
                          const unsigned int maximum_steps)
   {
-    residual.reinit(solution, true);
-    correction.reinit(solution, true);
-    trial.reinit(solution, true);
-    product.reinit(solution, true);
-
+    for (Vector *vector : {&residual, &correction, &trial, &product})
+      vector->reinit(solution, true);
     project(solution);
     for (unsigned int n = 0; n < maximum_steps; ++n)
       {
         if (is_solved(solution))
           return n;
-        compute_residual(right_hand_side, solution);
+        problem.stiffness.vmult(residual, solution);
+        residual.sadd(-1., 1., right_hand_side);
         find_face(solution);
         face.solve(held, residual, residual_norm, correction);
-        relax_held_bounds();
+        // Newton's direction leaves them out; the diagonal of A presses them
+        // on, so that those which are near but not met come to rest on their
+        // bounds.
+        for (std::size_t k = 0; k < held.size(); ++k)
+          if (const auto i = problem.bounds.dofs[k]; held[k])
+            correction(i) = residual(i) / problem.diagonal()(i);
         if (!search_along_correction(solution))
           return n;
       }

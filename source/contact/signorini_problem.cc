@@ -15,31 +15,9 @@ namespace Crevasse
                                      const UnilateralBounds &bounds)
     : stiffness(stiffness)
     , bounds(bounds)
-    , n_all_bounds(Utilities::MPI::sum(static_cast<types::global_dof_index>(
-                                         bounds.dofs.size()),
-                                       stiffness.get_mpi_communicator()))
-  {
-    require_positive_diagonal();
-  }
-
-
-
-  SignoriniProblem::SignoriniProblem(const SparseMatrix     &matrix,
-                                     const UnilateralBounds &bounds)
-    : of_matrix(std::make_unique<MatrixOperator>(matrix))
-    , stiffness(*of_matrix)
-    , bounds(bounds)
-    , n_all_bounds(Utilities::MPI::sum(static_cast<types::global_dof_index>(
-                                         bounds.dofs.size()),
-                                       matrix.get_mpi_communicator()))
-  {
-    require_positive_diagonal();
-  }
-
-
-
-  void
-  SignoriniProblem::require_positive_diagonal() const
+    , n_all_bounds(
+        Utilities::MPI::sum(types::global_dof_index(bounds.dofs.size()),
+                            stiffness.get_mpi_communicator()))
   {
     for (const auto i : diagonal().locally_owned_elements())
       if (!(diagonal()(i) > 0.))
@@ -52,21 +30,19 @@ namespace Crevasse
 
 
 
-  const SparseMatrix &
-  SignoriniProblem::matrix() const
+  SignoriniProblem::SignoriniProblem(std::shared_ptr<const LinearOperator> own,
+                                     const UnilateralBounds &bounds)
+    : SignoriniProblem(*own, bounds)
   {
-    if (stiffness.matrix() == nullptr)
-      throw SceneError(
-        "[Linear solver] Type = gmg: there is no matrix, whose "
-        "entries this scene needs; choose another type.");
-    return *stiffness.matrix();
+    of_matrix = std::move(own);
   }
 
 
 
-  const Vector &
-  SignoriniProblem::diagonal() const
+  SignoriniProblem::SignoriniProblem(const SparseMatrix     &matrix,
+                                     const UnilateralBounds &bounds)
+    : SignoriniProblem(std::make_shared<MatrixOperator>(matrix), bounds)
   {
-    return stiffness.diagonal();
   }
+
 } // namespace Crevasse

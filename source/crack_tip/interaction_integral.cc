@@ -18,13 +18,9 @@ namespace Crevasse
   namespace
   {
     /** q and its gradient, in the coordinates of the tip. */
-    class Weight
+    struct Weight
     {
-    public:
-      explicit Weight(const double radius)
-        : radius(radius)
-      {
-      }
+      const double radius;
 
       double
       value(const Point<2> &local) const
@@ -39,7 +35,6 @@ namespace Crevasse
                              factor(local[0]) * slope(local[1])});
       }
 
-    private:
       double
       factor(const double x) const
       {
@@ -53,8 +48,6 @@ namespace Crevasse
         const double s = x / radius;
         return std::abs(s) >= 1. ? 0. : -4. * s * (1. - s * s) / radius;
       }
-
-      const double radius;
     };
 
 
@@ -73,18 +66,11 @@ namespace Crevasse
 
     /** The integrand of 2 I at a point, times E'/2, for any gradient of u in
      * the coordinates of the tip. */
-    class Integrand
+    struct Integrand
     {
-    public:
-      Integrand(const PlaneElasticity &elasticity,
-                const Tensor<2, 2>    &unit_gradient,
-                const Tensor<1, 2>    &weight_gradient)
-        : elasticity(elasticity)
-        , unit_gradient(unit_gradient)
-        , unit_stress(elasticity.stress(unit_gradient))
-        , weight_gradient(weight_gradient)
-      {
-      }
+      const PlaneElasticity &elasticity;
+      const Tensor<2, 2>     unit_gradient, unit_stress;
+      const Tensor<1, 2>     weight_gradient;
 
       double
       operator()(const Tensor<2, 2> &gradient, const double dilatation) const
@@ -99,30 +85,7 @@ namespace Crevasse
                    stress[i][j] * unit_gradient[i][j] * weight_gradient[0];
         return elasticity.modulus() * sum;
       }
-
-    private:
-      const PlaneElasticity &elasticity;
-      const Tensor<2, 2>     unit_gradient, unit_stress;
-      const Tensor<1, 2>     weight_gradient;
     };
-
-
-
-    /** Those at the points of a cell. */
-    std::vector<Integrand>
-    integrands(const FEValues<2>     &values,
-               const CrackTip        &tip,
-               const PlaneElasticity &elasticity,
-               const PolarField      &unit,
-               const Weight          &weight)
-    {
-      std::vector<Integrand> all;
-      for (const Point<2> &point : values.get_quadrature_points())
-        all.emplace_back(elasticity,
-                         unit.gradient(tip.local(point)),
-                         weight.gradient(tip.local(point)));
-      return all;
-    }
 
 
 
@@ -205,136 +168,157 @@ namespace Crevasse
         }
       return Quadrature<1>(nodes, weights);
     }
+
+
+
+    /** Those of displacements over the square. */
+    Vector
+    integrate_over_cells(const Body<2>   &body,
+                         const TipRegion &region,
+                         const double     radius)
+    {
+      const Space<2>        &space      = body.space;
+      const CrackTip        &tip        = region.tip();
+      const PlaneElasticity &elasticity = region.elasticity();
+      const PolarField       unit       = unit_field(elasticity);
+      const Weight           weight{radius};
+      const bool             mean_volume =
+        space.volumetric_strain() == VolumetricStrain::mean;
+
+      // Independent of the points where the stress is: u is known everywhere.
+      const FESystem<2> &fe = space.finite_element();
+      const UpdateFlags  flags =
+        update_gradients | update_quadrature_points | update_JxW_values;
+      FEValues<2> regular(space.mapping(), fe, QGauss<2>(fe.degree + 4), flags);
+      CellValues<2> near_tip(space, flags);
+
+      Vector functional;
+      body.strain_operator.initialize(functional);
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      dealii::Vector<double>               cell_vector(fe.n_dofs_per_cell());
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned() &&
+            region.distance(cell->active_cell_index()) < radius)
+          {
+            if (space.rule(cell) == 0)
+              regular.reinit(cell);
+            const FEValues<2> &values =
+              space.rule(cell) == 0 ? regular : near_tip.reinit(cell);
+            std::vector<Integrand> at_points;
+            for (const Point<2> &point : values.get_quadrature_points())
+              {
+                const Tensor<2, 2> gradient = unit.gradient(tip.local(point));
+                at_points.push_back({elasticity,
+                                     gradient,
+                                     elasticity.stress(gradient),
+                                     weight.gradient(tip.local(point))});
+              }
+            cell->get_dof_indices(dofs);
+            for (const unsigned int i : values.dof_indices())
+              cell_vector[i] =
+                integral_of_shape(values, i, tip, at_points, mean_volume);
+            space.constraints().distribute_local_to_global(cell_vector,
+                                                           dofs,
+                                                           functional);
+            add_singular_functions(space, tip, values, at_points, functional);
+          }
+      functional.compress(VectorOperation::add);
+      return functional;
+    }
+
+
+
+    /** Those of the pressure along the lip, for its nodes. */
+    std::vector<double>
+    integrate_over_lip(const Body<2>  &body,
+                       const CrackTip &tip,
+                       const double    radius)
+    {
+      const Space<2>                      &space = body.space;
+      const Weight                         weight{radius};
+      const FESystem<2>                   &fe = space.finite_element();
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      Vector per_pressure = space.ghosted_vector();
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int f : cell->face_indices())
+            {
+              if (!cell->at_boundary(f) || space.roles().contact.count(
+                                             cell->face(f)->boundary_id()) == 0)
+                continue;
+              const Point<2> a   = tip.local(cell->face(f)->vertex(0));
+              const Point<2> b   = tip.local(cell->face(f)->vertex(1));
+              const double   r_a = -a[0], r_b = -b[0];
+              // Another lip may be anywhere.
+              if (std::abs(a[1]) + std::abs(b[1]) > 1e-8 * (b - a).norm() ||
+                  r_a + r_b <= 0. || std::min(r_a, r_b) >= radius)
+                continue;
+              FEFaceValues<2> values(space.mapping(),
+                                     fe,
+                                     inverse_root_rule(std::max(r_a, 0.),
+                                                       std::max(r_b, 0.)),
+                                     update_values | update_quadrature_points |
+                                       update_JxW_values);
+              values.reinit(cell, f);
+              cell->get_dof_indices(dofs);
+              for (const unsigned int i : values.dof_indices())
+                {
+                  const unsigned int d = fe.system_to_component_index(i).first;
+                  if (!fe.has_support_on_face(i, f) ||
+                      std::abs(tip.inward[d]) < 0.5)
+                    continue;
+                  for (const unsigned int q : values.quadrature_point_indices())
+                    per_pressure(dofs[i]) +=
+                      2. / std::sqrt(2. * numbers::PI) *
+                      values.shape_value(i, q) *
+                      weight.value(tip.local(values.quadrature_point(q))) *
+                      values.JxW(q);
+                }
+            }
+      per_pressure.compress(VectorOperation::add);
+      body.lip.gather_from_held_nodes(per_pressure);
+      std::vector<double> of_forces;
+      for (const LipNode<2> &node : body.lip.nodes())
+        of_forces.push_back(per_pressure(node.dof) / node.weight);
+      return of_forces;
+    }
   } // namespace
 
 
 
-  InteractionIntegral::InteractionIntegral(
-    const Space<2>           &space,
-    const StrainOperator<2>  &strain_operator,
-    const ContactBoundary<2> &lip,
-    const TipRegion          &region,
-    const double              radius)
-    : radius(radius)
-  {
-    strain_operator.initialize(functional);
-    integrate_over_cells(space, region);
-    functional.compress(VectorOperation::add);
-    integrate_over_lip(space, lip, region.tip());
-  }
-
-
-
-  void
-  InteractionIntegral::integrate_over_cells(const Space<2>  &space,
-                                            const TipRegion &region)
-  {
-    const CrackTip        &tip        = region.tip();
-    const PlaneElasticity &elasticity = region.elasticity();
-    const PolarField       unit       = unit_field(elasticity);
-    const Weight           weight(radius);
-    const bool             mean_volume =
-      space.volumetric_strain() == VolumetricStrain::mean;
-
-    // Independent of the points where the stress is: u is known everywhere.
-    const FESystem<2> &fe = space.finite_element();
-    const UpdateFlags  flags =
-      update_gradients | update_quadrature_points | update_JxW_values;
-    FEValues<2> regular(space.mapping(), fe, QGauss<2>(fe.degree + 4), flags);
-
-    CellValues<2> near_tip(space, flags);
-    const auto    values_on =
-      [&](const typename DoFHandler<2>::active_cell_iterator &cell)
-      -> const FEValues<2> & {
-      if (space.rule(cell) != 0)
-        return near_tip.reinit(cell);
-      regular.reinit(cell);
-      return regular;
-    };
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    dealii::Vector<double>               cell_vector(fe.n_dofs_per_cell());
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned() &&
-          region.distance(cell->active_cell_index()) < radius)
-        {
-          const FEValues<2>           &values = values_on(cell);
-          const std::vector<Integrand> at_points =
-            integrands(values, tip, elasticity, unit, weight);
-          cell->get_dof_indices(dofs);
-          cell_vector = 0.;
-          for (const unsigned int i : values.dof_indices())
-            cell_vector[i] =
-              integral_of_shape(values, i, tip, at_points, mean_volume);
-          space.constraints().distribute_local_to_global(cell_vector,
-                                                         dofs,
-                                                         functional);
-          add_singular_functions(space, tip, values, at_points, functional);
-        }
-  }
-
-
-
-  void
-  InteractionIntegral::integrate_over_lip(const Space<2>           &space,
-                                          const ContactBoundary<2> &lip,
-                                          const CrackTip           &tip)
-  {
-    const Weight                         weight(radius);
-    const FESystem<2>                   &fe = space.finite_element();
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    Vector                               per_pressure = space.ghosted_vector();
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          {
-            if (!cell->at_boundary(f) ||
-                space.roles().contact.count(cell->face(f)->boundary_id()) == 0)
-              continue;
-            const Point<2> a   = tip.local(cell->face(f)->vertex(0));
-            const Point<2> b   = tip.local(cell->face(f)->vertex(1));
-            const double   r_a = -a[0], r_b = -b[0];
-            // Another lip may be anywhere.
-            if (std::abs(a[1]) + std::abs(b[1]) > 1e-8 * (b - a).norm() ||
-                r_a + r_b <= 0. || std::min(r_a, r_b) >= radius)
-              continue;
-            FEFaceValues<2> values(space.mapping(),
-                                   fe,
-                                   inverse_root_rule(std::max(r_a, 0.),
-                                                     std::max(r_b, 0.)),
-                                   update_values | update_quadrature_points |
-                                     update_JxW_values);
-            values.reinit(cell, f);
-            cell->get_dof_indices(dofs);
-            for (const unsigned int i : values.dof_indices())
-              {
-                const unsigned int d = fe.system_to_component_index(i).first;
-                if (!fe.has_support_on_face(i, f) ||
-                    std::abs(tip.inward[d]) < 0.5)
-                  continue;
-                for (const unsigned int q : values.quadrature_point_indices())
-                  per_pressure(dofs[i]) +=
-                    2. / std::sqrt(2. * numbers::PI) *
-                    values.shape_value(i, q) *
-                    weight.value(tip.local(values.quadrature_point(q))) *
-                    values.JxW(q);
-              }
-          }
-    per_pressure.compress(VectorOperation::add);
-    lip.gather_from_held_nodes(per_pressure);
-    for (const LipNode<2> &node : lip.nodes())
-      lip_functional.push_back(per_pressure(node.dof) / node.weight);
-  }
-
-
-
   double
-  InteractionIntegral::value(const Vector              &displacement,
+  IntensityFunctional::value(const Vector              &v,
                              const std::vector<double> &contact_forces) const
   {
     double of_forces = 0.;
-    for (std::size_t k = 0; k < lip_functional.size(); ++k)
-      of_forces += lip_functional[k] * contact_forces[k];
-    return functional * displacement +
-           Utilities::MPI::sum(of_forces, functional.get_mpi_communicator());
+    for (std::size_t k = 0; k < of_contact_forces.size(); ++k)
+      of_forces += of_contact_forces[k] * contact_forces[k];
+    return of_vector * v +
+           Utilities::MPI::sum(of_forces, v.get_mpi_communicator());
+  }
+
+
+
+  IntensityFunctional
+  interaction_integral(const Body<2>   &body,
+                       const TipRegion &region,
+                       const double     radius)
+  {
+    return {integrate_over_cells(body, region, radius),
+            integrate_over_lip(body, region.tip(), radius)};
+  }
+
+
+
+  IntensityFunctional
+  weight_function(Vector                   &&influence,
+                  const UnilateralBounds    &bounds,
+                  const std::vector<double> &of_lip)
+  {
+    std::vector<double> of_contact_forces(of_lip);
+    of_contact_forces.resize(bounds.dofs.size(), 0.);
+    for (std::size_t k = 0; k < of_contact_forces.size(); ++k)
+      of_contact_forces[k] += bounds.sign[k] * influence(bounds.dofs[k]);
+    return {std::move(influence), std::move(of_contact_forces)};
   }
 } // namespace Crevasse

@@ -4,7 +4,8 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/tip_region.h>
-#include <crevasse/parameters/crack_tip_parameters.h>
+#include <crevasse/discretisation/cell_values.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
@@ -57,15 +58,32 @@ namespace Crevasse
       look_where(a[0] + a[1], b[0] + b[1]);
       return least;
     }
-
-
-
-    bool
-    differ(const VoigtMatrix<2> &a, const VoigtMatrix<2> &b)
-    {
-      return (a - b).norm() > rounding * b.norm();
-    }
   } // namespace
+
+
+
+  PointGeometry::PointGeometry(const Space<2>           &space,
+                               const QuadratureField<2> &points)
+    : location(points.n_local_points())
+    , weight(points.n_local_points())
+    , cell(points.n_local_points())
+  {
+    CellValues<2> cell_values(space,
+                              update_quadrature_points | update_JxW_values);
+    for (const auto &active : space.dof_handler().active_cell_iterators())
+      if (active->is_locally_owned())
+        {
+          const FEValues<2> &values = cell_values.reinit(active);
+          const std::size_t  first =
+            points.offset(active) / QuadratureField<2>::n_components;
+          for (const unsigned int q : values.quadrature_point_indices())
+            {
+              location[first + q] = values.quadrature_point(q);
+              weight[first + q]   = values.JxW(q);
+              cell[first + q]     = active->active_cell_index();
+            }
+        }
+  }
 
 
 
@@ -78,7 +96,10 @@ namespace Crevasse
   {
     measure_cells(space);
     find_boundaries(space);
-    const auto at_tip = stiffness_at_tip(points, stiffness);
+    std::optional<VoigtMatrix<2>> at_tip;
+    for (std::size_t p = 0; p < points.cell.size() && !at_tip; ++p)
+      if (distance(points.cell[p]) == 0.)
+        at_tip = stiffness[p];
     const bool is_isotropic =
       Utilities::MPI::min(!at_tip || PlaneElasticity::is_isotropic(*at_tip) ? 1
                                                                             : 0,
@@ -104,7 +125,10 @@ namespace Crevasse
 
     plane_elasticity.emplace(own);
     const double boundary = end;
-    find_other_stiffness(points, stiffness, own);
+    for (std::size_t p = 0; p < points.cell.size(); ++p)
+      if ((stiffness[p] - own).norm() > rounding * own.norm())
+        end = std::min(end, distance(points.cell[p]));
+    end = Utilities::MPI::min(end, communicator);
     if (end < end_of_tip_cells * (1. - rounding))
       throw SceneError(
         setting() + ": the cells at the crack tip " + place + " reach to " +
@@ -176,33 +200,6 @@ namespace Crevasse
 
 
 
-  std::optional<VoigtMatrix<2>>
-  TipRegion::stiffness_at_tip(
-    const PointGeometry               &points,
-    const PointValues<VoigtMatrix<2>> &stiffness) const
-  {
-    for (std::size_t p = 0; p < points.cell.size(); ++p)
-      if (distance(points.cell[p]) == 0.)
-        return stiffness[p];
-    return {};
-  }
-
-
-
-  void
-  TipRegion::find_other_stiffness(const PointGeometry               &points,
-                                  const PointValues<VoigtMatrix<2>> &stiffness,
-                                  const VoigtMatrix<2>              &own)
-  {
-    if (!stiffness.is_uniform())
-      for (std::size_t p = 0; p < points.cell.size(); ++p)
-        if (distance(points.cell[p]) < end && differ(stiffness[p], own))
-          end = distance(points.cell[p]);
-    end = Utilities::MPI::min(end, communicator);
-  }
-
-
-
   double
   TipRegion::aligned_radius(const double at_most) const
   {
@@ -229,13 +226,5 @@ namespace Crevasse
                               end_of_tip_cells * (1. - rounding))
              ? radius
              : at_most;
-  }
-
-
-
-  double
-  TipRegion::distance(const unsigned int cell) const
-  {
-    return cells[cell].first;
   }
 } // namespace Crevasse

@@ -75,7 +75,7 @@ namespace Crevasse
 
     /** The first row of the inverse of a Gram matrix, without the directions
      * that it does not tell from rounding. */
-    std::vector<double>
+    dealii::Vector<double>
     first_row_of_inverse(const FullMatrix<double> &gram, const unsigned int n)
     {
       LAPACKFullMatrix<double> matrix(n, n);
@@ -84,12 +84,9 @@ namespace Crevasse
           matrix(i, j) = gram(i, j);
       constexpr double rounding = 1e-13;
       matrix.compute_inverse_svd(rounding);
-      std::vector<double>    row;
-      dealii::Vector<double> unit(n), column(n);
+      dealii::Vector<double> unit(n), row(n);
       unit[0] = 1.;
-      matrix.vmult(column, unit);
-      for (unsigned int i = 0; i < n; ++i)
-        row.push_back(column[i]);
+      matrix.vmult(row, unit);
       return row;
     }
   } // namespace
@@ -102,9 +99,9 @@ namespace Crevasse
                            const double              radius,
                            const MPI_Comm            communicator)
     : communicator(communicator)
+    , small(fit(points, lip, region, 0.5 * radius))
     , large(fit(points, lip, region, radius))
   {
-    small = fit(points, lip, region, 0.5 * radius); // and its number of terms
   }
 
 
@@ -134,7 +131,7 @@ namespace Crevasse
   WilliamsFit::fit(const PointGeometry      &points,
                    const ContactBoundary<2> &lip,
                    const TipRegion          &region,
-                   const double              radius)
+                   const double              radius) const
   {
     const std::vector<PolarField> series = williams_series();
     const CrackTip               &tip    = region.tip();
@@ -154,10 +151,10 @@ namespace Crevasse
     const std::size_t n_points =
       Utilities::MPI::sum(inside.size(), communicator);
     Utilities::MPI::sum(gram, communicator, gram);
-    terms = std::max<std::size_t>(
+    const unsigned int terms = std::max<std::size_t>(
       1, std::min<std::size_t>(most_terms, n_points / points_per_term));
 
-    const std::vector<double> row = first_row_of_inverse(gram, terms);
+    const dealii::Vector<double> row = first_row_of_inverse(gram, terms);
     // The first term has K_I = √(2π), and was scaled by √R.
     const double scale = std::sqrt(2. * numbers::PI * radius);
     Disc         disc{radius, {}, {}};

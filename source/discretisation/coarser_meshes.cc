@@ -20,10 +20,8 @@ namespace Crevasse
     coarsen(Mesh<dim> &mesh)
     {
       std::vector<Cells> numbers(mesh.n_active_cells());
-      for (const auto &cell : mesh.active_cell_iterators())
-        if (cell->is_locally_owned())
-          numbers[cell->active_cell_index()] = {
-            cell->global_active_cell_index()};
+      for (const auto &cell : owned_cells(mesh))
+        numbers[cell->active_cell_index()] = {cell->global_active_cell_index()};
 
       const auto all_of_them = [](const auto &, const std::vector<Cells> &of) {
         Cells all;
@@ -77,29 +75,6 @@ namespace Crevasse
 
   template <int dim>
   std::vector<VoigtMatrix<dim>>
-  cell_means(const Space<dim>                    &space,
-             const QuadratureField<dim>          &points,
-             const PointValues<VoigtMatrix<dim>> &values)
-  {
-    std::vector<VoigtMatrix<dim>> means(space.mesh().n_active_cells());
-    for (const auto &cell : space.mesh().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const std::size_t first =
-            points.offset(cell) / n_stress_components<dim>;
-          const unsigned int n    = space.quadrature(cell).size();
-          VoigtMatrix<dim>  &mean = means[cell->active_cell_index()];
-          for (unsigned int q = 0; q < n; ++q)
-            mean += values[first + q];
-          mean /= n;
-        }
-    return means;
-  }
-
-
-
-  template <int dim>
-  std::vector<VoigtMatrix<dim>>
   means_over_children(const Mesh<dim>                     &finer,
                       const CoarserMesh<dim>              &coarser,
                       const std::vector<VoigtMatrix<dim>> &of_finer)
@@ -120,10 +95,9 @@ namespace Crevasse
       for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
         {
           entries.zero_out_ghost_values();
-          for (const auto &cell : finer.active_cell_iterators())
-            if (cell->is_locally_owned())
-              entries(cell->global_active_cell_index()) =
-                of_finer[cell->active_cell_index()][i][j];
+          for (const auto &cell : owned_cells(finer))
+            entries(cell->global_active_cell_index()) =
+              of_finer[cell->active_cell_index()][i][j];
           entries.update_ghost_values();
           for (std::size_t c = 0; c < means.size(); ++c)
             for (const auto child : coarser.children[c])
@@ -137,10 +111,6 @@ namespace Crevasse
 #define INSTANTIATE(dim)                                           \
   template std::vector<CoarserMesh<dim>> coarser_meshes<dim>(      \
     const Mesh<dim> &, const std::size_t);                         \
-  template std::vector<VoigtMatrix<dim>> cell_means<dim>(          \
-    const Space<dim> &,                                            \
-    const QuadratureField<dim> &,                                  \
-    const PointValues<VoigtMatrix<dim>> &);                        \
   template std::vector<VoigtMatrix<dim>> means_over_children<dim>( \
     const Mesh<dim> &,                                             \
     const CoarserMesh<dim> &,                                      \

@@ -6,13 +6,14 @@
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/contact_boundary.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -28,13 +29,11 @@ namespace Crevasse
       for (unsigned int d = 0; d < dim; ++d)
         if (std::abs(outward_normal[d]) > 1. - 1e-10)
           return {d, outward_normal[d] > 0. ? -1. : 1.};
-      std::ostringstream message;
-      message << "[Boundary] Contact: the face at " << Text::from_point(place)
-              << " has the normal "
-              << Text::from_point(Point<dim>(outward_normal))
-              << ", but the crack lip must be parallel to a coordinate axis: "
-                 "turn the mesh.";
-      throw SceneError(message.str());
+      throw SceneError(
+        "[Boundary] Contact: the face at " + Text::from_point(place) +
+        " has the normal " + Text::from_point(Point<dim>(outward_normal)) +
+        ", but the crack lip must be parallel to a coordinate axis: turn the "
+        "mesh.");
     }
 
 
@@ -64,11 +63,9 @@ namespace Crevasse
     double
     rounding_of_coordinates(const Triangulation<dim> &mesh)
     {
-      double largest = 0.;
-      for (const auto &cell : mesh.cell_iterators_on_level(0)) // on all ranks
-        for (const unsigned int v : cell->vertex_indices())
-          largest = std::max(largest, cell->vertex(v).norm());
-      return 1e-15 * largest;
+      const BoundingBox<dim> box     = GridTools::compute_bounding_box(mesh);
+      const auto            &corners = box.get_boundary_points();
+      return 1e-15 * (corners.first.norm() + corners.second.norm());
     }
 
 
@@ -120,81 +117,53 @@ namespace Crevasse
 
 
 
-    /** The nodes of one face of the lip, with the weights of this face. */
-    template <int dim>
-    class FaceNodes
-    {
-    public:
-      explicit FaceNodes(const Space<dim> &space)
-        : fe(space.finite_element())
-        , values(space.mapping(),
-                 fe,
-                 space.face_quadrature(),
-                 update_values | update_normal_vectors | update_JxW_values)
-        , support_values(space.mapping(),
-                         fe,
-                         Quadrature<dim>(fe.get_unit_support_points()),
-                         update_quadrature_points)
-        , indices(fe.n_dofs_per_cell())
-      {
-      }
-
-
-
-      std::vector<LipNode<dim>>
-      of(const typename DoFHandler<dim>::active_cell_iterator &cell,
-         const unsigned int                                    face)
-      {
-        values.reinit(cell, face);
-        support_values.reinit(cell);
-        cell->get_dof_indices(indices);
-        const auto [axis, sign] =
-          inward_axis<dim>(values.normal_vector(0), cell->face(face)->center());
-
-        std::vector<LipNode<dim>> nodes;
-        for (unsigned int i = 0; i < indices.size(); ++i)
-          {
-            if (fe.system_to_component_index(i).first != axis ||
-                !fe.has_support_on_face(i, face))
-              continue;
-            nodes.emplace_back();
-            nodes.back().dof       = indices[i];
-            nodes.back().component = axis;
-            nodes.back().sign      = sign;
-            nodes.back().point     = support_values.quadrature_point(i);
-            for (const unsigned int q : values.quadrature_point_indices())
-              nodes.back().weight +=
-                values.shape_value_component(i, q, axis) * values.JxW(q);
-          }
-        return nodes;
-      }
-
-    private:
-      const FESystem<dim>                 &fe;
-      FEFaceValues<dim>                    values;
-      FEValues<dim>                        support_values;
-      std::vector<types::global_dof_index> indices;
-    };
-
-
-
-    /** Keeps the free node of a face that is nearest to a held one. Cells come
-     * in the same order on any number of ranks, and the first of equals
-     * stays. */
-    template <int dim>
+    /** Calls f(nodes) for the faces of the lip that this rank sees, with the
+     * weights of this face. */
+    template <int dim, typename Function>
     void
-    keep_nearest(std::pair<double, types::global_dof_index> &nearest,
-                 const LipNode<dim>                         &held,
-                 const std::vector<LipNode<dim>>            &on_face,
-                 const AffineConstraints<double>            &constraints)
+    for_each_face(const Space<dim> &space, const Function &f)
     {
-      for (const LipNode<dim> &node : on_face)
-        if (!constraints.is_constrained(node.dof))
-          {
-            const double distance = node.point.distance(held.point);
-            if (distance < (1. - 1e-10) * nearest.first)
-              nearest = {distance, node.dof};
-          }
+      const FESystem<dim>                 &fe = space.finite_element();
+      FEFaceValues<dim>                    values(space.mapping(),
+                               fe,
+                               space.face_quadrature(),
+                               update_values | update_normal_vectors |
+                                 update_JxW_values);
+      FEValues<dim>                        support_values(space.mapping(),
+                                   fe,
+                                   Quadrature<dim>(
+                                     fe.get_unit_support_points()),
+                                   update_quadrature_points);
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      for (const auto &cell : space.dof_handler().active_cell_iterators())
+        for (const unsigned int face : cell->face_indices())
+          if (!cell->is_artificial() && cell->at_boundary(face) &&
+              space.roles().contact.count(cell->face(face)->boundary_id()) > 0)
+            {
+              values.reinit(cell, face);
+              support_values.reinit(cell);
+              cell->get_dof_indices(indices);
+              const auto [axis, sign] =
+                inward_axis<dim>(values.normal_vector(0),
+                                 cell->face(face)->center());
+              std::vector<LipNode<dim>> nodes;
+              for (unsigned int i = 0; i < indices.size(); ++i)
+                if (fe.system_to_component_index(i).first == axis &&
+                    fe.has_support_on_face(i, face))
+                  {
+                    LipNode<dim> node;
+                    node.dof       = indices[i];
+                    node.component = axis;
+                    node.sign      = sign;
+                    node.point     = support_values.quadrature_point(i);
+                    for (const unsigned int q :
+                         values.quadrature_point_indices())
+                      node.weight += values.shape_value_component(i, q, axis) *
+                                     values.JxW(q);
+                    nodes.push_back(node);
+                  }
+              f(nodes);
+            }
     }
   } // namespace
 
@@ -221,40 +190,41 @@ namespace Crevasse
 
     // Weights are sums over the faces of all ranks that share a node; ghost
     // cells are visited too instead of communicating.
-    FaceNodes<dim>                                  face_nodes(space);
     std::map<types::global_dof_index, LipNode<dim>> nodes;
     std::map<types::global_dof_index,
              std::pair<double, types::global_dof_index>>
-      nearest;
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
-      if (!cell->is_artificial() && cell->at_boundary())
-        for (const unsigned int f : cell->face_indices())
-          {
-            if (!cell->face(f)->at_boundary() ||
-                space.roles().contact.count(cell->face(f)->boundary_id()) == 0)
-              continue;
-            const std::vector<LipNode<dim>> on_face = face_nodes.of(cell, f);
-            for (const LipNode<dim> &node : on_face)
+      nearest; // free node on a face of a constrained one, and how far it is
+    for_each_face(space, [&](const std::vector<LipNode<dim>> &on_face) {
+      for (const LipNode<dim> &node : on_face)
+        {
+          if (!owned.is_element(node.dof))
+            continue;
+          const auto [entry, is_new] = nodes.emplace(node.dof, node);
+          if (!is_new)
+            {
+              require_same_side(entry->second, node);
+              entry->second.weight += node.weight;
+            }
+          if (!constraints.is_constrained(node.dof))
+            continue;
+          // Cells come in the same order on any number of ranks, and the first
+          // of equals stays.
+          auto &[distance, dof] =
+            nearest
+              .emplace(node.dof,
+                       std::make_pair(std::numeric_limits<double>::max(),
+                                      numbers::invalid_dof_index))
+              .first->second;
+          for (const LipNode<dim> &other : on_face)
+            if (const double length = other.point.distance(node.point);
+                !constraints.is_constrained(other.dof) &&
+                length < (1. - 1e-10) * distance)
               {
-                if (!owned.is_element(node.dof))
-                  continue;
-                const auto [entry, is_new] = nodes.emplace(node.dof, node);
-                if (!is_new)
-                  {
-                    require_same_side(entry->second, node);
-                    entry->second.weight += node.weight;
-                  }
-                if (!constraints.is_constrained(node.dof))
-                  continue;
-                const auto none =
-                  std::make_pair(std::numeric_limits<double>::max(),
-                                 numbers::invalid_dof_index);
-                keep_nearest(nearest.emplace(node.dof, none).first->second,
-                             node,
-                             on_face,
-                             constraints);
+                distance = length;
+                dof      = other.dof;
               }
-          }
+        }
+    });
 
     std::vector<LipNode<dim>> constrained;
     for (auto &[dof, node] : nodes)
@@ -267,41 +237,28 @@ namespace Crevasse
       }
     require_held_or_hanging(space, constrained);
     for (const LipNode<dim> &node : constrained)
-      held_nodes.push_back(
-        {node.dof,
-         speakers_for(node, nearest[node.dof].second, constraints),
-         node.weight});
-  }
-
-
-
-  template <int dim>
-  std::vector<typename ContactBoundary<dim>::MasterNode>
-  ContactBoundary<dim>::speakers_for(
-    const LipNode<dim>              &node,
-    const types::global_dof_index    nearest,
-    const AffineConstraints<double> &constraints)
-  {
-    std::vector<MasterNode> speakers;
-    double                  rest      = 1.;
-    double                  most      = 0.;
-    types::global_dof_index strongest = nearest;
-    for (const auto &[dof, factor] :
-         *constraints.get_constraint_entries(node.dof))
       {
-        speakers.push_back({dof, factor, true});
-        rest -= factor;
-        if (factor > most)
+        HeldNode                held{node.dof, {}, node.weight};
+        double                  rest      = 1.;
+        double                  most      = 0.;
+        types::global_dof_index strongest = nearest[node.dof].second;
+        for (const auto &[dof, factor] :
+             *constraints.get_constraint_entries(node.dof))
           {
-            most      = factor;
-            strongest = dof;
+            held.speakers.push_back({dof, factor, true});
+            rest -= factor;
+            if (factor > most)
+              {
+                most      = factor;
+                strongest = dof;
+              }
           }
+        // What a hanging node has from held ones, the nearest of the others
+        // has to tell.
+        if (std::abs(rest) > 1e-10 && strongest != numbers::invalid_dof_index)
+          held.speakers.push_back({strongest, rest, false});
+        held_nodes.push_back(held);
       }
-    // What a hanging node has from held ones, the nearest of the others has to
-    // tell.
-    if (std::abs(rest) > 1e-10 && strongest != numbers::invalid_dof_index)
-      speakers.push_back({strongest, rest, false});
-    return speakers;
   }
 
 
@@ -366,13 +323,11 @@ namespace Crevasse
   {
     const double value = gap.value(point);
     if (value > rounding)
-      {
-        std::ostringstream message;
-        message << "[Boundary] Gap = " << gap.formula() << ": is " << value
-                << " at " << Text::from_point(point)
-                << "; it must be at most 0 (an initial opening is negative).";
-        throw SceneError(message.str());
-      }
+      throw SceneError("[Boundary] Gap = " + gap.formula() + ": is " +
+                       Text::from_number(value) + " at " +
+                       Text::from_point(point) +
+                       "; it must be at most 0 (an initial opening is "
+                       "negative).");
     return std::min(value, 0.);
   }
 

@@ -36,37 +36,51 @@ namespace Crevasse
 
 
 
-    /** A face of the lip or of the plane of symmetry at one of its vertices. */
+    /** A face of the lip or of the plane of symmetry at one of its ends: a
+     * vertex in the plane, with the same point twice, an edge in space. */
     template <int dim>
-    struct FaceAtVertex
+    struct FaceAtEnd
     {
-      Point<dim>     vertex, center;
-      Tensor<1, dim> normal;
+      std::pair<Point<dim>, Point<dim>> end;
+      Point<dim>                        center;
+      Tensor<1, dim>                    normal;
     };
 
 
 
+    /** By the index of the vertex or edge. */
     template <int dim>
-    using FacesAtVertices =
-      std::multimap<unsigned int, FaceAtVertex<dim>>; // by vertex
+    using FacesAtEnds = std::multimap<unsigned int, FaceAtEnd<dim>>;
 
 
 
     template <int dim>
-    FacesAtVertices<dim>
+    FacesAtEnds<dim>
     faces_with(const std::set<types::boundary_id> &ids,
                const Triangulation<dim>           &mesh)
     {
-      FacesAtVertices<dim> faces;
+      FacesAtEnds<dim> faces;
       for (const auto &cell : mesh.cell_iterators_on_level(0))
         for (const unsigned int f : cell->face_indices())
           if (const auto face = cell->face(f);
               face->at_boundary() && ids.count(face->boundary_id()) > 0)
-            for (const unsigned int v : face->vertex_indices())
-              faces.emplace(face->vertex_index(v),
-                            FaceAtVertex<dim>{face->vertex(v),
-                                              face->center(),
-                                              outward_normal<dim>(cell, f)});
+            {
+              const Tensor<1, dim> normal = outward_normal<dim>(cell, f);
+              const auto           add    = [&](const unsigned int index,
+                                   const Point<dim>  &first,
+                                   const Point<dim>  &last) {
+                faces.emplace(
+                  index, FaceAtEnd<dim>{{first, last}, face->center(), normal});
+              };
+              if constexpr (dim == 2)
+                for (const unsigned int v : face->vertex_indices())
+                  add(face->vertex_index(v), face->vertex(v), face->vertex(v));
+              else
+                for (const unsigned int l : face->line_indices())
+                  add(face->line_index(l),
+                      face->line(l)->vertex(0),
+                      face->line(l)->vertex(1));
+            }
       return faces;
     }
 
@@ -80,44 +94,16 @@ namespace Crevasse
                         const BoundaryRoles      &roles,
                         const Function           &f)
     {
-      const FacesAtVertices<dim> planes = faces_with(roles.symmetry, mesh);
-      for (const auto &[vertex, lip] : faces_with(roles.contact, mesh))
+      const FacesAtEnds<dim> planes = faces_with(roles.symmetry, mesh);
+      for (const auto &[index, lip] : faces_with(roles.contact, mesh))
         {
-          const auto [first, last] = planes.equal_range(vertex);
+          const auto [first, last] = planes.equal_range(index);
           for (auto plane = first; plane != last; ++plane)
             if (lip.normal * plane->second.normal > 1. - 1e-10)
-              f(vertex, lip, plane->second);
+              f(index, lip, plane->second);
         }
     }
   } // namespace
-
-
-
-  Point<2>
-  CrackTip::local(const Point<2> &point) const
-  {
-    const Tensor<1, 2> distance = point - position;
-    return {distance * ahead, distance * inward};
-  }
-
-
-
-  Tensor<2, 2>
-  CrackTip::to_local() const
-  {
-    Tensor<2, 2> rows;
-    rows[0] = ahead;
-    rows[1] = inward;
-    return rows;
-  }
-
-
-
-  Tensor<1, 2>
-  CrackTip::global(const Tensor<1, 2> &vector) const
-  {
-    return vector[0] * ahead + vector[1] * inward;
-  }
 
 
 
@@ -128,12 +114,13 @@ namespace Crevasse
     for_each_end_of_lip<2>(
       mesh,
       roles,
-      [&tips](const unsigned int     vertex,
-              const FaceAtVertex<2> &lip,
-              const FaceAtVertex<2> &plane) {
-        const Tensor<1, 2> ahead = plane.center - plane.vertex;
-        if (ahead * (lip.center - lip.vertex) < 0.)
-          tips[vertex] = {plane.vertex, ahead / ahead.norm(), -plane.normal};
+      [&tips](const unsigned int  vertex,
+              const FaceAtEnd<2> &lip,
+              const FaceAtEnd<2> &plane) {
+        const Point<2>    &tip   = plane.end.first;
+        const Tensor<1, 2> ahead = plane.center - tip;
+        if (ahead * (lip.center - tip) < 0.)
+          tips[vertex] = {tip, ahead / ahead.norm(), -plane.normal};
       });
     std::vector<CrackTip> list;
     for (const auto &[vertex, tip] : tips)
@@ -172,27 +159,24 @@ namespace Crevasse
 
 
   template <int dim>
-  std::vector<Point<dim>>
+  CrackFront<dim>
   crack_front(const Triangulation<dim> &mesh, const BoundaryRoles &roles)
   {
-    std::map<unsigned int, Point<dim>> vertices;
+    CrackFront<dim> front;
     for_each_end_of_lip<dim>(mesh,
                              roles,
-                             [&vertices](const unsigned int       vertex,
-                                         const FaceAtVertex<dim> &lip,
-                                         const FaceAtVertex<dim> &) {
-                               vertices[vertex] = lip.vertex;
+                             [&front](const unsigned int,
+                                      const FaceAtEnd<dim> &lip,
+                                      const FaceAtEnd<dim> &) {
+                               front.push_back(lip.end);
                              });
-    std::vector<Point<dim>> list;
-    for (const auto &[vertex, point] : vertices)
-      list.push_back(point);
-    return list;
+    return front;
   }
 
 
 
-  template std::vector<Point<2>>
+  template CrackFront<2>
   crack_front<2>(const Triangulation<2> &, const BoundaryRoles &);
-  template std::vector<Point<3>>
+  template CrackFront<3>
   crack_front<3>(const Triangulation<3> &, const BoundaryRoles &);
 } // namespace Crevasse

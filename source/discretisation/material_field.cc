@@ -3,6 +3,7 @@
 
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
+#include <crevasse/base/range.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/material_field.h>
@@ -51,17 +52,17 @@ namespace Crevasse
 
 
 
-    void
-    require_positive(const double      value,
-                     const Expression &factor,
-                     const char       *name,
-                     const double      t)
+    double
+    factor_at(const double t, const Expression &factor, const char *name)
     {
-      if (!(value > 0.))
-        throw NumericalError(
-          Text::parameter(MaterialParameters::section, name) + " = " +
-          factor.formula() + ": is " + Text::from_number(value) +
-          " at t = " + Text::from_number(t) + "; it must be greater than 0.");
+      const double value = factor.value(Point<2>(), t);
+      if (!Ranges::positive.contains(value))
+        throw SceneError(Text::parameter(MaterialParameters::section, name) +
+                         " = " + factor.formula() + ": is " +
+                         Text::from_number(value) +
+                         " at t = " + Text::from_number(t) + "; " +
+                         Ranges::positive.text() + '.');
+      return value;
     }
   } // namespace
 
@@ -95,21 +96,16 @@ namespace Crevasse
       of_importance = of_importance || varies_in_space(branch.fluidity);
     if (of_importance)
       {
-        CellValues<dim> cell_values(space, update_quadrature_points);
         locations.resize(n_points);
         materials.resize(n_points);
-        for (const auto &cell : space.dof_handler().active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              const FEValues<dim> &values = cell_values.reinit(cell);
-              const std::size_t    first =
-                points.offset(cell) / n_stress_components<dim>;
-              for (const unsigned int q : values.quadrature_point_indices())
-                {
-                  locations[first + q] = values.quadrature_point(q);
-                  materials[first + q] = cell->material_id();
-                }
-            }
+        for_each_point(space,
+                       update_quadrature_points,
+                       [&](const FEValues<dim> &values,
+                           const unsigned int   q,
+                           const std::size_t    point) {
+                         locations[point] = values.quadrature_point(q);
+                         materials[point] = values.get_cell()->material_id();
+                       });
       }
 
     check_requirements({0.});
@@ -137,65 +133,6 @@ namespace Crevasse
 
   template <int dim>
   template <typename Value>
-  bool
-  MaterialField<dim>::varies_in_space(const Property<Value> &property) const
-  {
-    for (const char *variable : {"x", "y", "z", "material"})
-      if (property.depends_on(variable))
-        return true;
-    return property.depends_on("theta") && temperature.depends_on_space();
-  }
-
-
-
-  template <int dim>
-  template <typename Value>
-  bool
-  MaterialField<dim>::varies_in_time(const Property<Value> &property) const
-  {
-    return property.depends_on("t") ||
-           (property.depends_on("theta") && temperature.depends_on_time());
-  }
-
-
-
-  template <int dim>
-  bool
-  MaterialField<dim>::thermal_strain_varies_in_space() const
-  {
-    return std::any_of(free_strains.begin(),
-                       free_strains.end(),
-                       [this](const FreeStrain *strain) {
-                         return varies_in_space(strain->value) ||
-                                (strain->is_thermal &&
-                                 temperature.depends_on_space());
-                       });
-  }
-
-
-
-  template <int dim>
-  Place<dim>
-  MaterialField<dim>::place(const std::size_t point,
-                            const double      t,
-                            const bool        with_temperature) const
-  {
-    Place<dim> place;
-    place.t = t;
-    if (!locations.empty())
-      {
-        place.point    = locations[point];
-        place.material = materials[point];
-      }
-    if (with_temperature)
-      place.temperature = temperature.value(place.point, t);
-    return place;
-  }
-
-
-
-  template <int dim>
-  template <typename Value>
   std::shared_ptr<const PointValues<Value>>
   MaterialField<dim>::evaluate(const Property<Value> &property,
                                const double           t) const
@@ -212,7 +149,13 @@ namespace Crevasse
     for (std::size_t p = 0; p < n_points; ++p)
       {
         if (distinct.size() > worth_sharing)
-          return evaluate_at_each_point(property, t);
+          {
+            distinct.resize(n_points);
+            for (std::size_t each = 0; each < n_points; ++each)
+              distinct[each] = property.at(place(each, t, with_temperature));
+            return std::make_shared<const PointValues<Value>>(
+              std::move(distinct));
+          }
         property.evaluate(place(p, t, with_temperature), values);
         const auto [number, is_new] =
           numbers.emplace(key_of(values), distinct.size());
@@ -222,21 +165,6 @@ namespace Crevasse
       }
     return std::make_shared<const PointValues<Value>>(std::move(distinct),
                                                       std::move(which));
-  }
-
-
-
-  template <int dim>
-  template <typename Value>
-  std::shared_ptr<const PointValues<Value>>
-  MaterialField<dim>::evaluate_at_each_point(const Property<Value> &property,
-                                             const double           t) const
-  {
-    const bool         with_temperature = property.depends_on("theta");
-    std::vector<Value> values(n_points);
-    for (std::size_t p = 0; p < n_points; ++p)
-      values[p] = property.at(place(p, t, with_temperature));
-    return std::make_shared<const PointValues<Value>>(std::move(values));
   }
 
 
@@ -259,16 +187,6 @@ namespace Crevasse
     for (std::size_t p = 0; p < n_points; ++p)
       strains[p] = strain_at(p);
     return std::make_shared<const Vectors>(std::move(strains));
-  }
-
-
-
-  template <int dim>
-  bool
-  MaterialField<dim>::fluidity_varies() const
-  {
-    return std::find(fluidity_is_free.begin(), fluidity_is_free.end(), true) !=
-           fluidity_is_free.end();
   }
 
 
@@ -316,16 +234,10 @@ namespace Crevasse
   MaterialField<dim>::set_factors(const double        t,
                                   MaterialState<dim> &state) const
   {
-    state.stiffness_factor = law.stiffness_factor().value(Point<dim>(), t);
-    state.viscosity_factor = law.viscosity_factor().value(Point<dim>(), t);
-    require_positive(state.stiffness_factor,
-                     law.stiffness_factor(),
-                     "Stiffness time factor",
-                     t);
-    require_positive(state.viscosity_factor,
-                     law.viscosity_factor(),
-                     "Viscosity time factor",
-                     t);
+    state.stiffness_factor =
+      factor_at(t, law.stiffness_factor(), "Stiffness time factor");
+    state.viscosity_factor =
+      factor_at(t, law.viscosity_factor(), "Viscosity time factor");
   }
 
 

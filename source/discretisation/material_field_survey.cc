@@ -100,7 +100,8 @@ namespace Crevasse
                        excess,
                        requirement.name + ": " + requirement.shown + ' ' +
                          Text::from_number(requirement.actual(values)) + ' ' +
-                         describe(here) + "; " + requirement.text + '.'};
+                         describe(here) + "; " + requirement.range.text() +
+                         '.'};
           }
       }
     n_checked += property.requirements.size();
@@ -141,45 +142,22 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  MaterialField<dim>::check_factor(const Expression          &factor,
-                                   const char                *name,
-                                   const std::vector<double> &instants) const
-  {
-    for (const double t : instants)
-      if (const double value = factor.value(Point<dim>(), t);
-          !Ranges::size.contains(value))
-        throw SceneError(
-          Text::parameter(MaterialParameters::section, name) + " = " +
-          factor.formula() + ": is " + Text::from_number(value) +
-          " at t = " + Text::from_number(t) + "; " + Ranges::size.text + '.');
-  }
-
-
-
-  template <int dim>
   RelaxationRates
   MaterialField<dim>::extreme_rates(const MaterialState<dim> &state) const
   {
-    const Matrices &K = *state.stiffness;
     RelaxationRates all{std::numeric_limits<double>::infinity(), 0., true};
     for (unsigned int i = 0; i < state.fluidity.size(); ++i)
       {
-        const Matrices   &H        = *state.fluidity[i];
-        const double      fraction = state.fractions[i];
-        const bool        is_alike = K.is_uniform() && H.is_uniform();
-        const std::size_t n        = is_alike ? std::size_t(1) : n_points;
-        std::pair<std::size_t, std::size_t> last(-1, -1);
-        for (std::size_t p = 0; p < n; ++p)
+        const double fraction = state.fractions[i];
+        const auto   rates    = combine(*state.fluidity[i],
+                                   *state.stiffness,
+                                   n_points,
+                                   relaxation_rates<dim>);
+        for (const RelaxationRates &here : rates.distinct())
           {
-            const auto pair = std::make_pair(K.index(p), H.index(p));
-            if (pair == last)
-              continue;
-            last             = pair;
-            const auto rates = relaxation_rates<dim>(H[p], K[p]);
-            all.least        = std::min(all.least, fraction * rates.least);
-            all.largest      = std::max(all.largest, fraction * rates.largest);
-            all.all          = all.all && rates.all;
+            all.least   = std::min(all.least, fraction * here.least);
+            all.largest = std::max(all.largest, fraction * here.largest);
+            all.all     = all.all && here.all;
           }
       }
     return all;
@@ -192,9 +170,10 @@ namespace Crevasse
   MaterialField<dim>::validate_and_bound(const std::vector<double> &instants,
                                          const double period) const
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    check_factor(law.stiffness_factor(), "Stiffness time factor", instants);
-    check_factor(law.viscosity_factor(), "Viscosity time factor", instants);
+    constexpr double   infinity = std::numeric_limits<double>::infinity();
+    MaterialState<dim> factors;
+    for (const double t : instants)
+      set_factors(t, factors);
     check_requirements(instants);
     if (law.branches().empty())
       return {infinity, infinity, infinity, 1., false};
@@ -210,7 +189,6 @@ namespace Crevasse
             collectively(communicator, [&]() { now = extreme_rates(state); });
             now.least = Utilities::MPI::min(now.least, communicator);
           }
-        MaterialState<dim> factors;
         set_factors(t, factors);
         const double factor =
           factors.stiffness_factor / factors.viscosity_factor;

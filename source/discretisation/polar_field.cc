@@ -22,14 +22,6 @@ namespace Crevasse
 
 
 
-  PolarField::PolarField(const double power, const std::array<Term, 2> &terms)
-    : power(power)
-    , terms(terms)
-  {
-  }
-
-
-
   Tensor<1, 2>
   PolarField::displacement(const Point<2> &local) const
   {
@@ -63,19 +55,6 @@ namespace Crevasse
       }
     return std::pow(r, power - 1.) * (outer_product(along_r, radial) +
                                       outer_product(along_theta, tangential));
-  }
-
-
-
-  PolarField &
-  PolarField::operator*=(const double factor)
-  {
-    for (Term &term : terms)
-      {
-        term.cosine *= factor;
-        term.sine *= factor;
-      }
-    return *this;
   }
 
 

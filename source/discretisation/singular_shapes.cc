@@ -4,46 +4,43 @@
 #include <crevasse/discretisation/singular_shapes.h>
 
 #include <deal.II/base/function.h>
+#include <deal.II/base/numbers.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/numerics/vector_tools.h>
 
+#include <cmath>
+
 namespace Crevasse
 {
   using namespace dealii;
 
-  namespace
+  SingularFunctions
+  make_singular_functions(const unsigned int     n,
+                          const CrackTip        &tip,
+                          const PlaneElasticity &elasticity,
+                          const double           length)
   {
-
-
-
-    /** ψ in the coordinates of the mesh. */
-    class GlobalField : public Function<2>
-    {
-    public:
-      GlobalField(const CrackTip &tip, const PolarField &field)
-        : Function<2>(2)
-        , tip(tip)
-        , field(field)
-      {
-      }
-
-      void
-      vector_value(const Point<2>         &point,
-                   dealii::Vector<double> &values) const override
-      {
-        const Tensor<1, 2> psi =
-          tip.global(field.displacement(tip.local(point)));
-        for (unsigned int d = 0; d < 2; ++d)
-          values[d] = psi[d];
-      }
-
-    private:
-      const CrackTip   &tip;
-      const PolarField &field;
+    Assert(n >= 1 && n <= 3, ExcInternalError());
+    SingularFunctions functions{tip, {}, 0.};
+    const double      kappa = elasticity.kappa();
+    // The n-th term opens the lip by (κ + 1) r^{n/2}, up to its sign.
+    const auto scaled = [&](PolarField field, const double power) {
+      return field *= std::pow(length, -power) / (kappa + 1.);
     };
-  } // namespace
+    functions.fields.push_back(scaled(williams_term(1, kappa), 0.5));
+    if (n >= 2)
+      functions.fields.push_back(scaled(square_root_without_opening(), 0.5));
+    if (n >= 3)
+      functions.fields.push_back(scaled(williams_term(3, kappa), 1.5));
+
+    // 2μu = williams_term(1) has √(2π).
+    functions.unit_stress_intensity = 2. * elasticity.shear_modulus() *
+                                      std::sqrt(2. * numbers::PI / length) /
+                                      (kappa + 1.);
+    return functions;
+  }
 
 
 
@@ -58,26 +55,23 @@ namespace Crevasse
     DoFTools::make_hanging_node_constraints(dof_handler, hanging_nodes);
     hanging_nodes.close();
     interpolated.reserve(functions.fields.size()); // copies lose ghost values
-    for (const PolarField &field : functions.fields)
+    for (unsigned int k = 0; k < functions.fields.size(); ++k)
       {
         interpolated.emplace_back(dof_handler.locally_owned_dofs(),
                                   relevant,
                                   dof_handler.get_communicator());
+        std::vector<std::function<double(const Point<2> &)>> components;
+        for (unsigned int c = 0; c < 2; ++c)
+          components.push_back([k, c, &functions](const Point<2> &point) {
+            return functions.value(k, point)[c];
+          });
         VectorTools::interpolate(mapping,
                                  dof_handler,
-                                 GlobalField(functions.tip, field),
+                                 FunctionFromFunctionObjects<2>(components),
                                  interpolated.back());
         hanging_nodes.distribute(interpolated.back());
         interpolated.back().update_ghost_values();
       }
-  }
-
-
-
-  unsigned int
-  SingularShapes::size() const
-  {
-    return singular_functions.fields.size();
   }
 
 
@@ -90,11 +84,9 @@ namespace Crevasse
     result.resize(values.n_quadrature_points);
     values[FEValuesExtractors::Vector(0)].get_function_values(interpolated[k],
                                                               result);
-    const CrackTip &tip = singular_functions.tip;
     for (const unsigned int q : values.quadrature_point_indices())
-      result[q] = tip.global(singular_functions.fields[k].displacement(
-                    tip.local(values.quadrature_point(q)))) -
-                  result[q];
+      result[q] =
+        singular_functions.value(k, values.quadrature_point(q)) - result[q];
   }
 
 
@@ -107,13 +99,8 @@ namespace Crevasse
     result.resize(values.n_quadrature_points);
     values[FEValuesExtractors::Vector(0)].get_function_gradients(
       interpolated[k], result);
-    const CrackTip    &tip      = singular_functions.tip;
-    const Tensor<2, 2> to_local = tip.to_local();
     for (const unsigned int q : values.quadrature_point_indices())
-      result[q] = transpose(to_local) *
-                    singular_functions.fields[k].gradient(
-                      tip.local(values.quadrature_point(q))) *
-                    to_local -
-                  result[q];
+      result[q] =
+        singular_functions.gradient(k, values.quadrature_point(q)) - result[q];
   }
 } // namespace Crevasse

@@ -4,6 +4,7 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
+#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/discretisation/space.h>
 
 #include <deal.II/base/mpi.h>
@@ -12,6 +13,7 @@
 #include <deal.II/numerics/vector_tools.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -85,23 +87,22 @@ namespace Crevasse
   void
   Space<dim>::number_unknowns()
   {
-    const types::global_dof_index n_singular =
-      shapes == nullptr ? 0 : shapes->size();
-    const auto extended = [&](const IndexSet &of_nodes, const bool with_last) {
-      IndexSet all(n_unknowns());
-      all.add_indices(of_nodes);
-      if (with_last)
-        all.add_range(n_unknowns() - n_singular, n_unknowns());
-      all.compress();
-      return all;
-    };
+    owned_unknowns.set_size(n_unknowns());
+    owned_unknowns.add_indices(dofs.locally_owned_dofs());
+    if (Utilities::MPI::this_mpi_process(communicator()) + 1 ==
+        Utilities::MPI::n_mpi_processes(communicator()))
+      owned_unknowns.add_range(dofs.n_dofs(), n_unknowns());
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    relevant_unknowns = extended(relevant, true);
-    owned_unknowns =
-      extended(dofs.locally_owned_dofs(),
-               Utilities::MPI::this_mpi_process(communicator()) + 1 ==
-                 Utilities::MPI::n_mpi_processes(communicator()));
+    relevant_unknowns.set_size(n_unknowns());
+    relevant_unknowns.add_indices(relevant);
+    relevant_unknowns.add_range(dofs.n_dofs(), n_unknowns());
+    for (IndexSet *set : {&owned_unknowns, &relevant_unknowns})
+      set->compress();
+    partitioner =
+      std::make_shared<const Utilities::MPI::Partitioner>(owned_unknowns,
+                                                          relevant_unknowns,
+                                                          communicator());
   }
 
 
@@ -176,100 +177,41 @@ namespace Crevasse
   void
   Space<dim>::constrain(const FixedPoint<dim> &fixed_point)
   {
-    double     nearest_distance = std::numeric_limits<double>::max();
-    Point<dim> nearest;
-    bool       found = false;
+    bool found = false;
     collectively(communicator(), [&]() {
       for (const auto &cell : dofs.active_cell_iterators())
         if (!cell->is_artificial())
           for (const unsigned int v : cell->vertex_indices())
             {
-              const double distance =
-                cell->vertex(v).distance(fixed_point.point);
-              if (distance < nearest_distance)
-                {
-                  nearest_distance = distance;
-                  nearest          = cell->vertex(v);
-                }
               // Coordinates are as exact as those of the coarse mesh.
-              if (distance >
+              if (cell->vertex(v).distance(fixed_point.point) >
                   std::max(1e-8, 1e-10 * std::ldexp(1., cell->level())) *
                     cell->diameter())
                 continue;
               found = true;
               for (unsigned int d = 0; d < dim; ++d)
-                if (fixed_point.components[d])
-                  constrain(cell->vertex_dof_index(v, d), d, fixed_point.point);
+                if (const auto dof = cell->vertex_dof_index(v, d);
+                    fixed_point.components[d])
+                  {
+                    if (is_tied(dof))
+                      throw SceneError(
+                        "[Boundary] Fixed points: component " +
+                        std::to_string(d + 1) + " at " +
+                        Text::from_point(fixed_point.point) +
+                        " is already tied to another one by an inclined plane "
+                        "of symmetry or a hanging node; fix another component "
+                        "or another vertex.");
+                    if (!affine_constraints.is_constrained(dof))
+                      affine_constraints.add_line(dof);
+                  }
             }
     });
 
     if (Utilities::MPI::max(found ? 1 : 0, communicator()) == 0)
-      {
-        std::ostringstream message;
-        message << "[Boundary] Fixed points: "
-                << Text::from_point(fixed_point.point)
-                << " is no vertex of the mesh";
-        if (Utilities::MPI::n_mpi_processes(communicator()) == 1)
-          message << "; the nearest one is " << Text::from_point(nearest);
-        throw SceneError(message.str());
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  Space<dim>::constrain(const types::global_dof_index dof,
-                        const unsigned int            component,
-                        const Point<dim>             &place)
-  {
-    if (is_tied(dof))
       throw SceneError(
-        "[Boundary] Fixed points: component " + std::to_string(component + 1) +
-        " at " + Text::from_point(place) +
-        " is already tied to another one by an inclined plane of symmetry or a "
-        "hanging node; fix another component or another vertex.");
-    if (!affine_constraints.is_constrained(dof))
-      affine_constraints.add_line(dof);
-  }
-
-
-
-  template <int dim>
-  bool
-  Space<dim>::is_tied(const types::global_dof_index dof) const
-  {
-    const auto *entries = affine_constraints.get_constraint_entries(dof);
-    return entries != nullptr && !entries->empty();
-  }
-
-
-
-  template <int dim>
-  MPI_Comm
-  Space<dim>::communicator() const
-  {
-    return triangulation->get_communicator();
-  }
-
-
-
-  template <int dim>
-  Vector
-  Space<dim>::ghosted_vector() const
-  {
-    return Vector(owned_unknowns, relevant_unknowns, communicator());
-  }
-
-
-
-  template <int dim>
-  Vector
-  Space<dim>::nodal_vector() const
-  {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    return Vector(dofs.locally_owned_dofs(), relevant, communicator());
+        "[Boundary] Fixed points: " + Text::from_point(fixed_point.point) +
+        " is no vertex of the mesh; the nearest one is " +
+        Text::from_point(*nearest_free_vertex({fixed_point.point, {}}, {})));
   }
 
 
@@ -284,38 +226,11 @@ namespace Crevasse
     unknowns.copy_locally_owned_data_from(displacement);
     affine_constraints.distribute(unknowns);
 
-    Vector values = nodal_vector();
+    Vector values = make_vector(dofs);
     for (std::size_t i = 0; i < values.locally_owned_size(); ++i)
       values.local_element(i) = unknowns.local_element(i);
     values.update_ghost_values();
     return values;
-  }
-
-
-
-  template <int dim>
-  const SingularShapes *
-  Space<dim>::singular_shapes() const
-  {
-    return shapes.get();
-  }
-
-
-
-  template <int dim>
-  types::global_dof_index
-  Space<dim>::singular_unknown(const unsigned int k) const
-  {
-    return dofs.n_dofs() + k;
-  }
-
-
-
-  template <int dim>
-  types::global_dof_index
-  Space<dim>::n_unknowns() const
-  {
-    return dofs.n_dofs() + (shapes == nullptr ? 0 : shapes->size());
   }
 
 
@@ -330,26 +245,6 @@ namespace Crevasse
     cell->get_dof_indices(indices);
     for (auto i = dofs.n_dofs(); i < n_unknowns(); ++i)
       indices.push_back(i);
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  Space<dim>::rule(
-    const typename Triangulation<dim>::active_cell_iterator &cell) const
-  {
-    return rule_of_cell.empty() ? 0 : rule_of_cell[cell->active_cell_index()];
-  }
-
-
-
-  template <int dim>
-  const Quadrature<dim> &
-  Space<dim>::quadrature(
-    const typename Triangulation<dim>::active_cell_iterator &cell) const
-  {
-    return rules[rule(cell)];
   }
 
 
@@ -371,6 +266,90 @@ namespace Crevasse
         cell_loops = std::move(loops);
       }
     return cell_loops;
+  }
+
+
+
+  template <int dim>
+  std::optional<Point<dim>>
+  Space<dim>::nearest_free_vertex(const FixedPoint<dim>         &fixed_point,
+                                  const std::vector<Point<dim>> &taken) const
+  {
+    const auto is_free = [&](const auto &cell, const unsigned int v) {
+      for (const Point<dim> &vertex : taken)
+        if (cell->vertex(v).distance(vertex) < 1e-8 * cell->diameter())
+          return false;
+      for (unsigned int d = 0; d < dim; ++d)
+        if (fixed_point.components[d] && is_tied(cell->vertex_dof_index(v, d)))
+          return false;
+      return true;
+    };
+
+    // The distance, then the coordinates: of equally near vertices all ranks
+    // choose the first.
+    constexpr double            far = std::numeric_limits<double>::max();
+    std::array<double, dim + 1> nearest;
+    nearest.fill(far);
+    for (const auto &cell : owned_cells(dofs))
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          std::array<double, dim + 1> candidate;
+          candidate[0] = cell->vertex(v).distance(fixed_point.point);
+          for (unsigned int d = 0; d < dim; ++d)
+            candidate[d + 1] = cell->vertex(v)[d];
+          if (candidate < nearest && is_free(cell, v))
+            nearest = candidate;
+        }
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(communicator(), nearest))
+      nearest = std::min(nearest, of_rank);
+    if (nearest[0] == far)
+      return {};
+    Point<dim> vertex;
+    for (unsigned int d = 0; d < dim; ++d)
+      vertex[d] = nearest[d + 1];
+    return vertex;
+  }
+
+
+
+  template <int dim>
+  std::vector<FixedPoint<dim>>
+  Space<dim>::at_vertices(
+    const std::vector<FixedPoint<dim>> &fixed_points) const
+  {
+    std::vector<FixedPoint<dim>>                   moved;
+    std::vector<std::pair<Point<dim>, Point<dim>>> moves;
+    for (const FixedPoint<dim> &fixed_point : fixed_points)
+      {
+        std::vector<Point<dim>> taken; // by other points
+        for (const auto &[from, to] : moves)
+          if (from != fixed_point.point)
+            taken.push_back(to);
+        if (const auto vertex = nearest_free_vertex(fixed_point, taken))
+          {
+            moves.emplace_back(fixed_point.point, *vertex);
+            moved.push_back({*vertex, fixed_point.components});
+          }
+      }
+    return moved;
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<const Space<dim>>
+  Space<dim>::on_coarser(std::shared_ptr<const Mesh<dim>> coarser_mesh) const
+  {
+    const auto make_space = [&](const std::vector<FixedPoint<dim>> &fixed) {
+      return std::make_shared<const Space>(
+        coarser_mesh, fe.degree, boundary_roles, fixed, volumetric);
+    };
+    const auto without_supports = make_space({});
+    if (supports.empty())
+      return without_supports;
+    auto coarser = make_space(without_supports->at_vertices(supports));
+    return find_free_rigid_motions(*coarser).empty() ? coarser : nullptr;
   }
 
 

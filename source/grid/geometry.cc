@@ -36,17 +36,11 @@ namespace Crevasse
     std::vector<double>
     steps_through_tip(const GeometryParameters &parameters)
     {
-      const double       width = parameters.width;
-      const double       tip   = tip_abscissa(parameters);
-      const unsigned int n     = parameters.subdivisions[0];
-      if (n < 2)
-        throw SceneError(
-          "[Geometry] Subdivisions: a cracked plate needs at "
-          "least 2 cells along the crack plane, because the "
-          "crack tip is a vertex of the mesh.");
-
-      const double cells_left = n * tip / width;
-      const auto   n_left     = static_cast<unsigned int>(
+      const double       width      = parameters.width;
+      const double       tip        = tip_abscissa(parameters);
+      const unsigned int n          = parameters.subdivisions[0];
+      const double       cells_left = n * tip / width;
+      const auto         n_left     = static_cast<unsigned int>(
         std::clamp(std::round(cells_left), 1., n - 1.));
       if (std::abs(cells_left - n_left) < 1e-10 * n)
         return equal_steps(width, n);
@@ -179,6 +173,25 @@ namespace Crevasse
 
 
 
+    /** Elements with deal.II's order of vertices. */
+    template <int structdim>
+    std::vector<CellData<structdim>>
+    cell_data(const std::vector<MeshElement>            &elements,
+              const std::map<std::size_t, unsigned int> &vertex_of)
+    {
+      std::vector<CellData<structdim>> all(elements.size());
+      for (std::size_t i = 0; i < elements.size(); ++i)
+        {
+          for (const unsigned int v : GeometryInfo<structdim>::vertex_indices())
+            all[i].vertices[GeometryInfo<structdim>::ucd_to_deal[v]] =
+              vertex_of.at(elements[i].nodes[v]);
+          all[i].material_id = elements[i].group; // or boundary_id: a union
+        }
+      return all;
+    }
+
+
+
     template <int dim>
     CoarseMesh<dim>
     read_gmsh(const std::string &file_name)
@@ -193,24 +206,8 @@ namespace Crevasse
           for (unsigned int d = 0; d < dim; ++d)
             coarse.vertices.back()[d] = node[d];
         }
-      for (const MeshElement &element : mesh.cells)
-        {
-          CellData<dim> cell;
-          for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-            cell.vertices[GeometryInfo<dim>::ucd_to_deal[v]] =
-              vertex_of.at(element.nodes[v]);
-          cell.material_id = element.group;
-          coarse.cells.push_back(cell);
-        }
-      for (const MeshElement &element : mesh.boundary)
-        {
-          CellData<dim - 1> face;
-          for (const unsigned int v : GeometryInfo<dim - 1>::vertex_indices())
-            face.vertices[GeometryInfo<dim - 1>::ucd_to_deal[v]] =
-              vertex_of.at(element.nodes[v]);
-          face.boundary_id = element.group;
-          coarse.boundary.push_back(face);
-        }
+      coarse.cells    = cell_data<dim>(mesh.cells, vertex_of);
+      coarse.boundary = cell_data<dim - 1>(mesh.boundary, vertex_of);
       return coarse;
     }
 

@@ -4,6 +4,7 @@
 #include <crevasse/harmonic_balance/complex_moduli.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/lac/full_matrix.h>
 
 namespace Crevasse
 {
@@ -11,46 +12,45 @@ namespace Crevasse
 
   namespace
   {
+    using Complex = std::complex<double>;
+
+
+
+    /** (I + κ K H)⁻¹ K, for two symmetric matrices, positive semidefinite, and
+     * a κ whose real part is not negative: the eigenvalues of the inverted
+     * matrix are 1 + κλ with λ ≥ 0, never near zero. It is symmetric, also
+     * where K has no 33 row. */
     template <int dim>
     ComplexVoigtMatrix<dim>
-    multiple(const std::complex<double> factor, const VoigtMatrix<dim> &matrix)
+    complex_stiffness(const VoigtMatrix<dim> &K,
+                      const VoigtMatrix<dim> &H,
+                      const Complex           kappa)
     {
+      constexpr unsigned int n  = n_stress_components<dim>;
+      const VoigtMatrix<dim> KH = K * H;
+      FullMatrix<Complex>    matrix(n, n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          matrix(i, j) = (i == j ? 1. : 0.) + kappa * KH[i][j];
+      matrix.gauss_jordan();
       ComplexVoigtMatrix<dim> result;
-      for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
-        for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
-          result[i][j] = factor * matrix[i][j];
-      return result;
-    }
-
-
-
-    template <int dim, typename Part>
-    PointValues<VoigtMatrix<dim>>
-    parts(const PointValues<ComplexVoigtMatrix<dim>> &matrices,
-          const std::size_t                           n_points,
-          const Part                                 &part)
-    {
-      return transform(
-        matrices, n_points, [&](const ComplexVoigtMatrix<dim> &matrix) {
-          VoigtMatrix<dim> result;
-          for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
-            for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
-              result[i][j] = part(matrix[i][j]);
-          return result;
-        });
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          result[i] += matrix(i, j) * K[j];
+      return 0.5 * (result + transpose(result));
     }
   } // namespace
 
 
 
   template <int dim>
-  ComplexModuli<dim>::ComplexModuli(const MaterialState<dim>  &material,
-                                    const std::complex<double> kappa,
-                                    const std::size_t          n_points)
+  ComplexModuli<dim>::ComplexModuli(const MaterialState<dim> &material,
+                                    const Complex             kappa,
+                                    const std::size_t         n_points)
     : sum(transform(*material.stiffness,
                     n_points,
                     [&material](const VoigtMatrix<dim> &K) {
-                      return multiple<dim>(material.spring, K);
+                      return Complex(material.spring) * K;
                     }))
   {
     for (unsigned int i = 0; i < material.fluidity.size(); ++i)
@@ -74,14 +74,14 @@ namespace Crevasse
 
 
   template <int dim>
-  std::optional<std::complex<double>>
+  std::optional<Complex>
   common_factor(const ComplexModuli<dim>            &moduli,
                 const PointValues<VoigtMatrix<dim>> &stiffness,
                 const std::size_t                    n_points,
                 const MPI_Comm                       communicator)
   {
-    constexpr double     rounding = 1e-12;
-    std::complex<double> factor   = 0.;
+    constexpr double rounding = 1e-12;
+    Complex          factor   = 0.;
     if (n_points > 0)
       factor = moduli.sum[0][0][0] / stiffness[0][0][0];
     // That of a point of the first rank that has any.
@@ -93,9 +93,8 @@ namespace Crevasse
 
     bool is_common = true;
     for (std::size_t p = 0; p < n_points && is_common; ++p)
-      is_common =
-        (moduli.sum[p] - multiple<dim>(factor, stiffness[p])).norm() <=
-        rounding * stiffness[p].norm() * std::abs(factor);
+      is_common = (moduli.sum[p] - factor * stiffness[p]).norm() <=
+                  rounding * stiffness[p].norm() * std::abs(factor);
     if (Utilities::MPI::min(is_common ? 1 : 0, communicator) == 0)
       return {};
     return factor;
@@ -103,41 +102,13 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  PointValues<VoigtMatrix<dim>>
-  real_parts(const PointValues<ComplexVoigtMatrix<dim>> &matrices,
-             const std::size_t                           n_points)
-  {
-    return parts<dim>(matrices, n_points, [](const std::complex<double> z) {
-      return z.real();
-    });
-  }
-
-
-
-  template <int dim>
-  PointValues<VoigtMatrix<dim>>
-  imaginary_parts(const PointValues<ComplexVoigtMatrix<dim>> &matrices,
-                  const std::size_t                           n_points)
-  {
-    return parts<dim>(matrices, n_points, [](const std::complex<double> z) {
-      return z.imag();
-    });
-  }
-
-
-
-#define INSTANTIATE(dim)                                              \
-  template struct ComplexModuli<dim>;                                 \
-  template std::optional<std::complex<double>> common_factor<dim>(    \
-    const ComplexModuli<dim> &,                                       \
-    const PointValues<VoigtMatrix<dim>> &,                            \
-    const std::size_t,                                                \
-    const MPI_Comm);                                                  \
-  template PointValues<VoigtMatrix<dim>> real_parts<dim>(             \
-    const PointValues<ComplexVoigtMatrix<dim>> &, const std::size_t); \
-  template PointValues<VoigtMatrix<dim>> imaginary_parts<dim>(        \
-    const PointValues<ComplexVoigtMatrix<dim>> &, const std::size_t)
+#define INSTANTIATE(dim)                                           \
+  template struct ComplexModuli<dim>;                              \
+  template std::optional<std::complex<double>> common_factor<dim>( \
+    const ComplexModuli<dim> &,                                    \
+    const PointValues<VoigtMatrix<dim>> &,                         \
+    const std::size_t,                                             \
+    const MPI_Comm)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

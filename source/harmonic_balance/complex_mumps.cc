@@ -5,10 +5,8 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/harmonic_balance/complex_mumps.h>
-#include <crevasse/linear/matrix_product.h>
-#include <crevasse/linear/mumps_instance.h>
+#include <crevasse/linear/matrix_operator.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
@@ -17,197 +15,107 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  namespace
-  {
-    using Complex = std::complex<double>;
-
-    UpperTriangle<Complex>
-    combined(const ComplexMumps::Matrix &real,
-             const ComplexMumps::Matrix &imaginary)
-    {
-      UpperTriangle<double>  A = upper_triangle(real);
-      UpperTriangle<double>  B = upper_triangle(imaginary);
-      UpperTriangle<Complex> sum;
-      AssertThrow(A.values.size() == B.values.size(),
-                  ExcMessage("The two parts differ in their pattern."));
-      for (std::size_t k = 0; k < A.values.size(); ++k)
-        sum.values.emplace_back(A.values[k], B.values[k]);
-      sum.rows    = std::move(A.rows);
-      sum.columns = std::move(A.columns);
-      return sum;
-    }
-
-
-
-    /** MUMPS and LAPACK count the entries of a dense matrix with ints. */
-    void
-    require_countable(const std::size_t n_condensed)
-    {
-      constexpr std::size_t most = 46340; // the root of the largest int
-      if (n_condensed > most)
-        throw NumericalError(
-          "The lip has " + std::to_string(n_condensed) +
-          " nodes; a period is solved directly, harmonic by harmonic, for at "
-          "most " +
-          std::to_string(most) +
-          ". Use [Periodic state] Method = anderson or march, or a coarser "
-          "mesh at the lip.");
-    }
-  } // namespace
-
-
-
-  struct ComplexMumps::Factor : MumpsInstance<Complex>
-  {
-    Factor(const Matrix                               &matrix,
-           const std::vector<types::global_dof_index> &condensed)
-      : MumpsInstance<Complex>(
-          matrix.get_mpi_communicator(),
-          matrix.local_size(),
-          "a complex stiffness",
-          "Lower [Linear solver] Memory for instants, use more ranks, or use "
-          "[Periodic state] Method = march, which needs no complex factors.",
-          "Use [Periodic state] Method = anderson, which needs no complex "
-          "factors.")
-    {
-      for (const auto unknown : condensed)
-        last_unknowns.push_back(unknown + 1);
-    }
-
-    void
-    factorise_and_condense(UpperTriangle<Complex> triangle,
-                           const Ordering        *ordering)
-    {
-      require_countable(last_unknowns.size());
-      std::vector<int>     positions;
-      std::vector<Complex> complement; // on rank 0
-      if (ordering != nullptr)
-        {
-          positions    = *ordering;
-          icntl(7)     = 1; // an ordering that is given
-          data.perm_in = positions.data();
-        }
-      if (!last_unknowns.empty())
-        {
-          icntl(19)          = 1; // Schur complement on rank 0
-          data.size_schur    = last_unknowns.size();
-          data.listvar_schur = last_unknowns.data();
-          if (is_root())
-            complement.resize(last_unknowns.size() * last_unknowns.size());
-          data.schur = for_mumps(complement);
-        }
-      factorise(triangle);
-      data.perm_in = nullptr;
-      data.schur   = nullptr;
-      if (!last_unknowns.empty())
-        invert(complement);
-    }
-
-    /** Makes the compliance of the Schur complement, for all ranks. */
-    void
-    invert(const std::vector<Complex> &complement)
-    {
-      const std::size_t n = last_unknowns.size();
-      inverse.reinit(n, n);
-      collectively(communicator, [&]() {
-        if (!is_root())
-          return;
-        LAPACKFullMatrix<Complex> matrix(n, n);
-        for (std::size_t i = 0; i < n; ++i)
-          for (std::size_t j = 0; j < n; ++j)
-            // MUMPS writes one triangle of a symmetric one.
-            matrix(i, j) = complement[std::max(i, j) * n + std::min(i, j)];
-        try
-          {
-            matrix.compute_lu_factorization();
-            matrix.invert();
-          }
-        catch (const ExceptionBase &)
-          {
-            throw NumericalError(
-              "The compliance of the lip under a harmonic is singular: the "
-              "stiffness is too ill-conditioned. Check the moduli of "
-              "[Material] for extreme contrasts.");
-          }
-        for (std::size_t i = 0; i < n; ++i)
-          for (std::size_t j = 0; j < n; ++j)
-            inverse(i, j) = 0.5 * (matrix(i, j) + matrix(j, i));
-      });
-      // One message for each row: the count of all entries may be no int.
-      for (std::size_t i = 0; i < n && n_ranks > 1; ++i)
-        {
-          const int error = MPI_Bcast(
-            &inverse(i, 0), n, MPI_CXX_DOUBLE_COMPLEX, 0, communicator);
-          AssertThrowMPI(error);
-        }
-    }
-
-    /** Solves for the right-hand side that rank 0 has. */
-    void
-    solve_on_root(std::vector<Complex> &on_root)
-    {
-      if (last_unknowns.empty())
-        {
-          solve(on_root);
-          return;
-        }
-      const unsigned int   n = last_unknowns.size();
-      std::vector<Complex> reduced(n), on_last(n);
-      data.lredrhs = n;
-      data.redrhs  = for_mumps(reduced);
-      icntl(26)    = 1; // as far as the Schur complement
-      solve(on_root, 1, "a condensation");
-      for (unsigned int i = 0; i < n && is_root(); ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          on_last[i] += inverse(i, j) * reduced[j];
-      data.redrhs = for_mumps(on_last);
-      icntl(26)   = 2; // and back
-      solve(on_root);
-    }
-
-    std::vector<int>    last_unknowns; ///< P, counted from 1
-    FullMatrix<Complex> inverse;       ///< on P
-  };
-
-
-
   ComplexMumps::ComplexMumps(
     const Matrix                               &real,
     const Matrix                               &imaginary,
     const std::vector<types::global_dof_index> &condensed,
     std::shared_ptr<const Ordering>             same_pattern)
-    : order(std::move(same_pattern))
-    , factor(std::make_unique<Factor>(real, condensed))
+    : MumpsInstance<Complex>(
+        real.get_mpi_communicator(),
+        real.local_size(),
+        "a complex stiffness",
+        "Lower [Linear solver] Memory for instants, use more ranks, or use "
+        "[Periodic state] Method = march, which needs no complex factors.",
+        "Use [Periodic state] Method = anderson, which needs no complex "
+        "factors.")
+    , ordering(std::move(same_pattern))
   {
-    factor->factorise_and_condense(combined(real, imaginary), order.get());
-    if (order == nullptr)
+    UpperTriangle<double>       A = upper_triangle(real);
+    const UpperTriangle<double> B = upper_triangle(imaginary);
+    UpperTriangle<Complex>      sum{std::move(A.rows),
+                               std::move(A.columns),
+                               {A.values.begin(), A.values.end()}};
+    AssertDimension(A.values.size(), B.values.size());
+    for (std::size_t k = 0; k < sum.values.size(); ++k)
+      sum.values[k].imag(B.values[k]);
+
+    std::vector<int>     positions;
+    std::vector<Complex> complement; // on rank 0
+    if (ordering != nullptr)
       {
-        const int *positions = factor->data.sym_perm;
-        order =
-          factor->is_root()
-            ? std::make_shared<Ordering>(positions, positions + factor->data.n)
-            : std::make_shared<Ordering>();
+        positions    = *ordering;
+        icntl(7)     = 1; // an ordering that is given
+        data.perm_in = positions.data();
       }
+    for (const auto unknown : condensed)
+      last_unknowns.push_back(unknown + 1);
+    if (!last_unknowns.empty())
+      {
+        icntl(19)          = 1; // Schur complement on rank 0
+        data.size_schur    = last_unknowns.size();
+        data.listvar_schur = last_unknowns.data();
+        if (is_root())
+          complement.resize(last_unknowns.size() * last_unknowns.size());
+        data.schur = for_mumps(complement);
+      }
+    factorise(sum);
+    data.perm_in = nullptr;
+    data.schur   = nullptr;
+    if (!last_unknowns.empty())
+      invert(complement);
+    if (ordering == nullptr)
+      ordering = is_root() ? std::make_shared<Ordering>(data.sym_perm,
+                                                        data.sym_perm + data.n)
+                           : std::make_shared<Ordering>();
     check(real, imaginary);
   }
 
 
 
-  ComplexMumps::~ComplexMumps() = default;
+  void
+  ComplexMumps::invert(const std::vector<Complex> &complement)
+  {
+    const std::size_t n = last_unknowns.size();
+    compliance.reinit(n, n);
+    collectively(communicator, [&]() {
+      if (!is_root())
+        return;
+      LAPACKFullMatrix<Complex> matrix(n, n);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          // MUMPS writes one triangle of a symmetric one.
+          matrix(i, j) = complement[std::max(i, j) * n + std::min(i, j)];
+      try
+        {
+          matrix.compute_lu_factorization();
+          matrix.invert();
+        }
+      catch (const ExceptionBase &)
+        {
+          throw NumericalError(
+            "The compliance of the lip under a harmonic is singular: check "
+            "the moduli of [Material] for extreme contrasts.");
+        }
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          compliance(i, j) = 0.5 * (matrix(i, j) + matrix(j, i));
+    });
+    const int error = MPI_Bcast(
+      &compliance(0, 0), n * n, MPI_CXX_DOUBLE_COMPLEX, 0, communicator);
+    AssertThrowMPI(error);
+  }
 
 
 
   void
-  ComplexMumps::check(const Matrix &real, const Matrix &imaginary) const
+  ComplexMumps::check(const Matrix &real, const Matrix &imaginary)
   {
     constexpr double tolerance = 1e-8;
     Vector one(real.locally_owned_range_indices(), real.get_mpi_communicator());
-    Vector zero(one);
+    Vector zero(one), b_real(one), b_imaginary(one);
     one = 1.;
-    Vector b_real(one), b_imaginary(one), x_real, x_imaginary;
     complex_product(real, imaginary, one, zero, b_real, b_imaginary);
-    x_real      = b_real;
-    x_imaginary = b_imaginary;
+    Vector x_real(b_real), x_imaginary(b_imaginary);
     solve(x_real, x_imaginary);
     Vector &y_real = one, &y_imaginary = zero; // no longer needed
     complex_product(real, imaginary, x_real, x_imaginary, y_real, y_imaginary);
@@ -228,36 +136,42 @@ namespace Crevasse
 
 
 
-  const FullMatrix<std::complex<double>> &
-  ComplexMumps::compliance() const
+  void
+  ComplexMumps::solve_on_root(std::vector<Complex> &on_root)
   {
-    return factor->inverse;
+    using Base           = MumpsInstance<Complex>;
+    const unsigned int n = last_unknowns.size();
+    if (n == 0)
+      return Base::solve(on_root);
+    dealii::Vector<Complex> right(n), solution(n);
+    std::vector<Complex>    reduced(n);
+    data.lredrhs = n;
+    data.redrhs  = for_mumps(reduced);
+    icntl(26)    = 1; // as far as the Schur complement
+    Base::solve(on_root, 1, "a condensation");
+    std::copy(reduced.begin(), reduced.end(), right.begin());
+    compliance.vmult(solution, right);
+    std::copy(solution.begin(), solution.end(), reduced.begin());
+    icntl(26) = 2; // and back
+    Base::solve(on_root);
   }
 
 
 
   void
-  ComplexMumps::solve(Vector &real, Vector &imaginary) const
+  ComplexMumps::solve(Vector &real, Vector &imaginary)
   {
     const std::size_t    n = real.locally_owned_size();
     std::vector<Complex> local(n);
     for (std::size_t i = 0; i < n; ++i)
       local[i] = {real.local_element(i), imaginary.local_element(i)};
-    std::vector<Complex> all = factor->gather(local.data());
-    factor->solve_on_root(all);
-    factor->scatter(all, local.data());
+    std::vector<Complex> all = gather(local.data());
+    solve_on_root(all);
+    scatter(all, local.data());
     for (std::size_t i = 0; i < n; ++i)
       {
         real.local_element(i)      = local[i].real();
         imaginary.local_element(i) = local[i].imag();
       }
-  }
-
-
-
-  std::size_t
-  ComplexMumps::memory_consumption() const
-  {
-    return factor->memory_consumption();
   }
 } // namespace Crevasse

@@ -54,55 +54,57 @@ namespace Crevasse
           counts[i] += forces(i) > smallest_force * largest ? 1 : 0;
       return counts;
     }
+
+
+
+    /** Where only real forces and real parts of openings are seen. */
+    void
+    make_real(PeriodicContactProblem::Compliance &compliance)
+    {
+      auto matrix =
+        std::make_shared<FullMatrix<std::complex<double>>>(*compliance.matrix);
+      for (unsigned int i = 0; i < matrix->m(); ++i)
+        for (unsigned int j = 0; j < matrix->n(); ++j)
+          (*matrix)(i, j) = (compliance.factor * (*matrix)(i, j)).real();
+      compliance = {matrix, 1.};
+    }
   } // namespace
 
 
 
   template <int dim>
-  Fourier<dim>::Fourier(const Parts &parts, const Harmonics &harmonics)
-    : parts(parts)
+  Fourier<dim>::Fourier(const Body<dim> &body,
+                        const Harmonics &harmonics,
+                        LinearSolver    &linear_solver)
+    : body(body)
     , harmonics(harmonics)
-    , material(parts.material.at(0.))
-    , lip(parts.space.communicator(),
-          parts.bounds,
-          std::vector<bool>(parts.bounds.dofs.size(), true))
+    , linear_solver(linear_solver)
+    , material(body.material.at(0.))
+    , bounds(unilateral_bounds(body.lip, body.space))
+    , lip(body.space.communicator(),
+          bounds,
+          std::vector<bool>(bounds.dofs.size(), true))
+    , load(harmonics.n_instants)
   {
-    sample_loads();
-    if (parts.material.has_thermal_strain())
-      sample_thermal_strain();
-  }
-
-
-
-  template <int dim>
-  void
-  Fourier<dim>::sample_loads()
-  {
-    load.resize(harmonics.n_instants());
     for (unsigned int j = 0; j < load.size(); ++j)
       {
-        parts.strain_operator.initialize(load[j]);
-        parts.loads.evaluate(harmonics.instant(j), load[j]);
+        body.strain_operator.initialize(load[j]);
+        body.loads.evaluate(harmonics.instant(j), load[j]);
         largest_load = std::max(largest_load, load[j].linfty_norm());
       }
     harmonics.analyse(load);
-  }
 
-
-
-  template <int dim>
-  void
-  Fourier<dim>::sample_thermal_strain()
-  {
-    using Field       = QuadratureField<dim>;
-    const bool varies = parts.material.thermal_strain_varies();
-    thermal_strain.resize(varies ? harmonics.n_instants() : 1);
+    using Field = QuadratureField<dim>;
+    if (!body.material.has_thermal_strain())
+      return;
+    const bool varies = body.material.thermal_strain_varies();
+    thermal_strain.resize(varies ? harmonics.n_instants : 1);
     for (unsigned int j = 0; j < thermal_strain.size(); ++j)
       {
         const auto strain =
-          parts.material.at(harmonics.instant(j)).thermal_strain;
-        parts.points.initialize(thermal_strain[j]);
-        for (std::size_t p = 0; p < parts.points.n_local_points(); ++p)
+          body.material.at(harmonics.instant(j)).thermal_strain;
+        body.points.initialize(thermal_strain[j]);
+        for (std::size_t p = 0; p < body.points.n_local_points(); ++p)
           Field::set(thermal_strain[j], p * Field::n_components, (*strain)[p]);
       }
     if (varies)
@@ -138,21 +140,18 @@ namespace Crevasse
                       const ContactMethod &solve_contact,
                       const double         memory) const
   {
-    const MPI_Comm         communicator = parts.space.communicator();
-    const LipPart          part(communicator,
-                       parts.bounds,
-                       loaded_bounds(flow,
-                                     parts.bounds,
-                                     mean_load().linfty_norm(),
-                                     communicator));
+    const MPI_Comm communicator = body.space.communicator();
+    const LipPart  part(
+      communicator,
+      bounds,
+      loaded_bounds(flow, bounds, mean_load().linfty_norm(), communicator));
     HarmonicResponses<dim> responses(
-      parts.space, parts.points, material, parts.linear_solver, part, memory);
+      body, material, linear_solver, part, memory);
 
     PeriodicMotion motion;
     motion.displacement = load;
-    motion.contact_forces.assign(harmonics.n_instants(),
-                                 part.scatter(
-                                   dealii::Vector<double>(part.n_nodes())));
+    motion.contact_forces.assign(harmonics.n_instants,
+                                 std::vector<double>(bounds.dofs.size()));
     PeriodicContactProblem problem = respond(responses, part, motion);
     dealii::Vector<double> offsets(part.n_nodes());
     if (part.n_nodes() > 0)
@@ -166,7 +165,7 @@ namespace Crevasse
       }
 
     Vector model;
-    parts.points.initialize(model, material.fluidity.size());
+    body.points.initialize(model, material.fluidity.size());
     motion.viscous_strain = harmonics.zero(model);
     for (unsigned int n = 1; n <= harmonics.n_harmonics(); ++n)
       find_viscous_strain(n, motion);
@@ -177,8 +176,18 @@ namespace Crevasse
     find_mean_viscous_strain(flow, motion);
     harmonics.synthesise(motion.displacement);
     harmonics.synthesise(motion.viscous_strain);
-    motion.complex_factorisations = responses.n_factorisations();
+    motion.complex_factorisations = responses.n_factorisations;
     return motion;
+  }
+
+
+
+  template <int dim>
+  std::complex<double>
+  Fourier<dim>::kappa(const unsigned int n) const
+  {
+    return harmonics.integral(n) * material.stiffness_factor /
+           material.viscosity_factor;
   }
 
 
@@ -187,15 +196,175 @@ namespace Crevasse
   ComplexModuli<dim>
   Fourier<dim>::moduli(const unsigned int n) const
   {
-    return ComplexModuli<dim>(material,
-                              harmonics.integral(n) *
-                                material.stiffness_factor /
-                                material.viscosity_factor,
-                              parts.points.n_local_points());
+    return ComplexModuli<dim>(material, kappa(n), body.points.n_local_points());
   }
 
 
 
+  template <int dim>
+  ComplexVoigtVector<dim>
+  Fourier<dim>::thermal_harmonic(const unsigned int n,
+                                 const std::size_t  offset) const
+  {
+    ComplexVoigtVector<dim> strain;
+    if (thermal_strain.size() > 1)
+      for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+        strain[c] = {thermal_strain[2 * n - 1].local_element(offset + c),
+                     thermal_strain[2 * n].local_element(offset + c)};
+    return strain;
+  }
+
+
+
+  template <int dim>
+  void
+  Fourier<dim>::add_thermal_load(const unsigned int        n,
+                                 const ComplexModuli<dim> &moduli,
+                                 std::vector<Vector>      &loads) const
+  {
+    if (thermal_strain.size() <= 1)
+      return;
+    for (const bool imaginary : {false, true})
+      body.strain_operator.add_transpose(
+        loads[imaginary ? 2 * n : 2 * n - 1], [&](const std::size_t offset) {
+          const ComplexVoigtVector<dim> stress =
+            moduli.sum[offset / n_stress_components<dim>] *
+            thermal_harmonic(n, offset);
+          VoigtVector<dim> result;
+          for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+            result[c] = material.stiffness_factor *
+                        (imaginary ? stress[c].imag() : stress[c].real());
+          return result;
+        });
+  }
+
+
+
+  template <int dim>
+  PeriodicContactProblem
+  Fourier<dim>::respond(HarmonicResponses<dim> &responses,
+                        const LipPart          &part,
+                        PeriodicMotion         &motion) const
+  {
+    constexpr double rounding = 1e-13;
+    double           largest  = 0.;
+    for (const Vector &coefficient : load)
+      largest = std::max(largest, coefficient.linfty_norm());
+
+    PeriodicContactProblem problem;
+    auto openings = harmonics.zero(dealii::Vector<double>(part.n_nodes()));
+    for (unsigned int n = 1; n <= harmonics.n_harmonics(); ++n)
+      {
+        const ComplexModuli<dim> K         = moduli(n);
+        Vector                  &real      = motion.displacement[2 * n - 1];
+        Vector                  &imaginary = motion.displacement[2 * n];
+        add_thermal_load(n, K, motion.displacement);
+        const double size =
+          std::max(real.linfty_norm(), imaginary.linfty_norm());
+        largest              = std::max(largest, size);
+        const bool is_loaded = size > rounding * largest;
+        motion.loaded_harmonics += is_loaded ? 1 : 0;
+        if (!is_loaded)
+          {
+            real      = 0.;
+            imaginary = 0.;
+          }
+        if (!is_loaded && part.n_nodes() == 0)
+          continue;
+
+        const HarmonicResponse response = responses.at(n, K);
+        if (is_loaded)
+          {
+            real /= material.stiffness_factor;
+            imaginary /= material.stiffness_factor;
+            response.solve(real, imaginary);
+          }
+        openings[2 * n - 1] = part.restrict_to_lip(real);
+        openings[2 * n]     = part.restrict_to_lip(imaginary);
+        problem.compliances.push_back(response.compliance);
+        problem.compliances.back().factor /= material.stiffness_factor;
+        if (harmonics.is_real(n))
+          make_real(problem.compliances.back());
+      }
+    harmonics.synthesise(openings);
+    problem.openings_without_contact = std::move(openings);
+    return problem;
+  }
+
+
+
+  template <int dim>
+  void
+  Fourier<dim>::add_contact(const PeriodicContactSolution &contact,
+                            HarmonicResponses<dim>        &responses,
+                            const LipPart                 &part,
+                            PeriodicMotion                &motion) const
+  {
+    for (unsigned int j = 0; j < contact.forces.size(); ++j)
+      motion.contact_forces[j] = part.scatter(contact.forces[j]);
+    auto forces = contact.forces;
+    harmonics.analyse(forces);
+    const double factor = 1. / material.stiffness_factor;
+    Vector       real(load[0]), imaginary(load[0]);
+    for (unsigned int n = 1; n <= harmonics.n_harmonics(); ++n)
+      {
+        real      = 0.;
+        imaginary = 0.;
+        part.add_forces(factor, forces[2 * n - 1], real);
+        part.add_forces(factor, forces[2 * n], imaginary);
+        responses.at(n, moduli(n)).solve(real, imaginary);
+        motion.displacement[2 * n - 1] += real;
+        motion.displacement[2 * n] += imaginary;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Fourier<dim>::find_viscous_strain(const unsigned int n,
+                                    PeriodicMotion    &motion) const
+  {
+    using Field                         = QuadratureField<dim>;
+    const unsigned int       n_branches = material.fluidity.size();
+    const ComplexModuli<dim> K          = moduli(n);
+    Vector                  &real       = motion.viscous_strain[2 * n - 1];
+    Vector                  &imaginary  = motion.viscous_strain[2 * n];
+
+    Vector strain_real;
+    body.points.initialize(strain_real);
+    body.strain_operator.for_each_strain(
+      motion.displacement[2 * n - 1],
+      [&](const std::size_t offset, const VoigtVector<dim> &strain) {
+        Field::set(strain_real, offset, strain);
+      });
+    body.strain_operator.for_each_strain(
+      motion.displacement[2 * n],
+      [&](const std::size_t offset, const VoigtVector<dim> &strain_imaginary) {
+        const std::size_t       point  = offset / Field::n_components;
+        ComplexVoigtVector<dim> strain = -thermal_harmonic(n, offset);
+        for (unsigned int c = 0; c < Field::n_components; ++c)
+          strain[c] +=
+            Complex(strain_real.local_element(offset + c), strain_imaginary[c]);
+        for (unsigned int i = 0; i < n_branches; ++i)
+          {
+            const ComplexVoigtVector<dim> r =
+              kappa(n) * ((*material.fluidity[i])[point] *
+                          (K.branches[i][point] * strain));
+            const std::size_t place =
+              offset * n_branches + i * Field::n_components;
+            for (unsigned int c = 0; c < Field::n_components; ++c)
+              {
+                real.local_element(place + c)      = r[c].real();
+                imaginary.local_element(place + c) = r[c].imag();
+              }
+          }
+      });
+  }
+
+
+
+  // fourier_mean.cc has the members that find the mean.
   template class Fourier<2>;
   template class Fourier<3>;
 } // namespace Crevasse

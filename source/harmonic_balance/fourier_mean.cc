@@ -6,61 +6,17 @@
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/model/secular.h>
 
+#include <deal.II/lac/linear_operator.h>
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_cg.h>
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <optional>
 
 namespace Crevasse
 {
   using namespace dealii;
-
-  namespace
-  {
-    /** L A⁻¹ Lᵀ, by a back-solve for each product. */
-    class LipCompliance
-    {
-    public:
-      LipCompliance(const LipPart &lip,
-                    LinearSolver  &linear_solver,
-                    const Vector  &model)
-        : lip(lip)
-        , linear_solver(linear_solver)
-        , loads(model)
-        , solution(model)
-      {
-      }
-
-      /** A⁻¹ Lᵀ g */
-      const Vector &
-      displacement(const dealii::Vector<double> &forces) const
-      {
-        constexpr double accuracy = 1e-12;
-        loads                     = 0.;
-        lip.add_forces(1., forces, loads);
-        solution = 0.;
-        linear_solver.solve(solution, loads, accuracy * forces.l2_norm());
-        return solution;
-      }
-
-      void
-      vmult(dealii::Vector<double>       &on_lip,
-            const dealii::Vector<double> &forces) const
-      {
-        on_lip = lip.restrict_to_lip(displacement(forces));
-      }
-
-    private:
-      const LipPart &lip;
-      LinearSolver  &linear_solver;
-      mutable Vector loads, solution;
-    };
-  } // namespace
-
-
 
   template <int dim>
   dealii::Vector<double>
@@ -73,22 +29,18 @@ namespace Crevasse
       values[k] = lip.restrict_to_lip(motion.displacement[k]);
     harmonics.synthesise(values);
 
-    std::map<types::global_dof_index, double> offset_of;
-    for (unsigned int i = 0; i < part.n_nodes(); ++i)
-      offset_of[part.dofs()[i]] = offsets(i);
-    dealii::Vector<double> mean(lip.n_nodes());
+    dealii::Vector<double> ones(part.n_nodes());
+    ones                  = 1.;
+    const auto is_in_part = lip.gather(part.scatter(ones));
+    auto       mean       = lip.gather(part.scatter(offsets));
     for (unsigned int i = 0; i < mean.size(); ++i)
-      if (const auto found = offset_of.find(lip.dofs()[i]);
-          found != offset_of.end())
-        mean(i) = lip.gaps()[i] + found->second;
-      else
-        {
-          // A node that bears no mean force is never pressed: it just touches.
-          double least = std::numeric_limits<double>::max();
-          for (const dealii::Vector<double> &value : values)
-            least = std::min(least, value(i));
-          mean(i) = lip.gaps()[i] - least;
-        }
+      {
+        // A node that bears no mean force is never pressed: it just touches.
+        double least = std::numeric_limits<double>::max();
+        for (const dealii::Vector<double> &value : values)
+          least = std::min(least, value(i));
+        mean(i) = lip.nodes.gap[i] + (is_in_part(i) > 0. ? mean(i) : -least);
+      }
     return mean;
   }
 
@@ -102,20 +54,35 @@ namespace Crevasse
     mean = 0.;
     if (on_lip.linfty_norm() == 0.)
       return;
-    // The displacement of least energy is that of forces at the lip. A slow
-    // material remembers it for many periods, so that results would show how
-    // rounding ended the iteration.
-    constexpr double       accuracy = 1e-13;
-    const LipCompliance    compliance(lip, parts.linear_solver, mean);
-    dealii::Vector<double> forces(lip.n_nodes());
+    // The displacement of least energy is that of forces at the lip,
+    // A⁻¹ Lᵀ g: a back-solve for each product with L A⁻¹ Lᵀ. A slow material
+    // remembers it for many periods, so that results would show how rounding
+    // ended the iteration.
+    constexpr double accuracy = 1e-13, accuracy_of_product = 1e-12;
+    Vector           loads(mean);
+    const auto       displace = [&](const LipVector &forces) {
+      loads = 0.;
+      mean  = 0.;
+      lip.add_forces(1., forces, loads);
+      linear_solver.solve(mean, loads, accuracy_of_product * forces.l2_norm());
+    };
+    dealii::LinearOperator<LipVector> compliance;
+    compliance.vmult = [&](LipVector &opening, const LipVector &forces) {
+      displace(forces);
+      opening = lip.restrict_to_lip(mean);
+    };
+    LipVector              forces(lip.n_nodes());
     IterationNumberControl control(10 * lip.n_nodes() + 100,
                                    accuracy * on_lip.l2_norm());
-    SolverCG<dealii::Vector<double>>(control).solve(compliance,
-                                                    forces,
-                                                    on_lip,
-                                                    PreconditionIdentity());
-    mean = compliance.displacement(forces);
-    lip.prescribe(on_lip, mean);
+    SolverCG<LipVector>(control).solve(compliance,
+                                       forces,
+                                       on_lip,
+                                       PreconditionIdentity());
+    displace(forces);
+    // Exactly what is given there.
+    LipVector rest(on_lip);
+    rest -= lip.restrict_to_lip(mean);
+    lip.add_forces(1., rest, mean);
   }
 
 
@@ -127,7 +94,7 @@ namespace Crevasse
   {
     using Field                   = QuadratureField<dim>;
     const unsigned int n_branches = material.fluidity.size();
-    const std::size_t  n_points   = parts.points.n_local_points();
+    const std::size_t  n_points   = body.points.n_local_points();
     const double       stress_factor =
       material.viscosity_factor / material.stiffness_factor;
 
@@ -135,15 +102,12 @@ namespace Crevasse
     std::optional<Viscosity<dim>>                viscosity;
     std::optional<PointValues<VoigtMatrix<dim>>> compliance;
     if (flow != nullptr)
-      collectively(parts.space.communicator(), [&]() {
-        viscosity = viscosity_of<dim>(material, n_points);
-        compliance =
-          transform(*material.stiffness,
-                    n_points,
-                    [](const VoigtMatrix<dim> &K) { return inverse<dim>(K); });
+      collectively(body.space.communicator(), [&]() {
+        viscosity  = viscosity_of<dim>(material, n_points);
+        compliance = transform(*material.stiffness, n_points, inverse<dim>);
       });
 
-    parts.strain_operator.for_each_strain(
+    body.strain_operator.for_each_strain(
       motion.displacement[0],
       [&](const std::size_t offset, VoigtVector<dim> strain) {
         const std::size_t point = offset / Field::n_components;

@@ -4,8 +4,7 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/harmonic_balance/fourier_problem.h>
-#include <crevasse/harmonic_balance/periodic_contact.h>
+#include <crevasse/harmonic_balance/fourier.h>
 #include <crevasse/model/secular.h>
 #include <crevasse/model/secular_problem.h>
 
@@ -19,20 +18,6 @@ namespace Crevasse
 
   namespace
   {
-    /** Whether all fluidities of a body have an inverse. */
-    template <int dim>
-    bool
-    flows_everywhere(const Body<dim> &body)
-    {
-      const MPI_Comm communicator = body.space.communicator();
-      bool           flows        = false;
-      collectively(communicator,
-                   [&]() { flows = has_viscosity<dim>(body.material.at(0.)); });
-      return Utilities::MPI::min(flows ? 1 : 0, communicator) == 1;
-    }
-
-
-
     /** What of the material the method cannot do, with what can. */
     template <int dim>
     std::vector<std::string>
@@ -60,7 +45,13 @@ namespace Crevasse
           "the fractions of [Material] Chain have a sum below 1, "
           "and the spring that is left bears the mean load" +
           instead);
-      if (found.empty() && !flows_everywhere(body))
+      if (!found.empty())
+        return found;
+      const MPI_Comm communicator = body.space.communicator();
+      bool           flows        = false; // with an inverse of the fluidity
+      collectively(communicator,
+                   [&]() { flows = has_viscosity<dim>(body.material.at(0.)); });
+      if (Utilities::MPI::min(flows ? 1 : 0, communicator) == 0)
         found.push_back(
           "the fluidity of [Material] is singular: a part of the strain does "
           "not flow; use [Periodic state] Method = march");
@@ -74,7 +65,6 @@ namespace Crevasse
                    const double          step,
                    const double          smallest_relaxation_time)
     {
-      // Opening and closing are reported to the nearest instant.
       constexpr unsigned int   enough = 5;
       std::vector<std::string> warnings;
       if (step > 2. * smallest_relaxation_time)
@@ -112,28 +102,13 @@ namespace Crevasse
       collectively(communicator, [&]() {
         if (Utilities::MPI::this_mpi_process(communicator) != 0)
           return;
-        PeriodicContact contact;
-        try
-          {
-            solution = contact.solve(problem);
-          }
-        catch (const ExceptionBase &error)
-          {
-            throw NumericalError(
-              std::string("The periodic contact problem has no meaning: ") +
-              error.get_exc_name() +
-              ". Look for moduli or relaxation times that differ by many "
-              "orders of magnitude, or use [Periodic state] Method = "
-              "anderson.");
-          }
-        result.contact = contact.statistics().describe() +
-                         ", certificate: " + contact.certificate().describe();
+        solution       = solve_periodic_contact(problem);
+        result.contact = solution.describe();
       });
       const auto report = [communicator](auto &value) {
         value = Utilities::MPI::broadcast(communicator, value, 0);
       };
       report(solution.forces);
-      report(solution.openings);
       report(solution.offsets);
       report(result.contact);
       return solution;
@@ -234,16 +209,10 @@ namespace Crevasse
                     ? TimeRule::exact
                     : TimeRule::trapezoid;
     dealii::TimerOutput &phases = systems.settings().phases;
-    const Harmonics harmonics(steps.period(), steps.n_steps(), result.rule);
-    const UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
-    const Fourier<dim>     fourier({body.space,
-                                    body.points,
-                                    body.strain_operator,
-                                    body.material,
-                                    body.loads,
-                                    bounds,
-                                    systems.system_at(0.).linear_solver()},
-                               harmonics);
+    const Harmonics    harmonics(steps.period(), steps.n_steps(), result.rule);
+    const Fourier<dim> fourier(body,
+                               harmonics,
+                               systems.system_at(0.).linear_solver());
 
     const Vector mean_load = fourier.mean_load();
     if (mean_load.linfty_norm() > fourier.negligible_load())

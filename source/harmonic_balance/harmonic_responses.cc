@@ -1,23 +1,49 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/discretisation/stiffness.h>
+#include <crevasse/harmonic_balance/complex_mumps.h>
 #include <crevasse/harmonic_balance/harmonic_responses.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <algorithm>
 
 namespace Crevasse
 {
   using namespace dealii;
 
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** The part of matrices that a function of complex numbers takes. */
+    template <int dim>
+    PointValues<VoigtMatrix<dim>>
+    part_of(const PointValues<ComplexVoigtMatrix<dim>> &matrices,
+            const std::size_t                           n_points,
+            double (*part)(const Complex &))
+    {
+      return transform(
+        matrices, n_points, [&](const ComplexVoigtMatrix<dim> &matrix) {
+          VoigtMatrix<dim> result;
+          for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+            for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
+              result[i][j] = part(matrix[i][j]);
+          return result;
+        });
+    }
+  } // namespace
+
+
+
   template <int dim>
-  HarmonicResponses<dim>::HarmonicResponses(const Space<dim>           &space,
-                                            const QuadratureField<dim> &points,
+  HarmonicResponses<dim>::HarmonicResponses(const Body<dim>          &body,
                                             const MaterialState<dim> &material,
                                             LinearSolver  &linear_solver,
                                             const LipPart &lip,
                                             const double   memory)
-    : space(space)
-    , points(points)
+    : body(body)
     , material(material)
     , linear_solver(linear_solver)
     , lip(lip)
@@ -28,25 +54,21 @@ namespace Crevasse
 
 
   template <int dim>
-  std::shared_ptr<HarmonicResponse>
+  HarmonicResponse
   HarmonicResponses<dim>::at(const unsigned int        n,
                              const ComplexModuli<dim> &moduli)
   {
     if (const auto found = kept.find(n); found != kept.end())
       return found->second;
-    std::shared_ptr<HarmonicResponse> response;
-    if (const auto factor = common_factor<dim>(moduli,
-                                               *material.stiffness,
-                                               points.n_local_points(),
-                                               space.communicator()))
-      response = std::make_shared<ScaledResponse>(linear_solver,
-                                                  elastic_compliance(),
-                                                  *factor);
-    else
-      response = factorised(moduli);
+    const auto             factor = common_factor<dim>(moduli,
+                                           *material.stiffness,
+                                           body.points.n_local_points(),
+                                           body.space.communicator());
+    const HarmonicResponse response =
+      factor ? scaled(*factor) : factorised(moduli);
     const double needed =
-      Utilities::MPI::sum(double(response->memory_consumption()),
-                          space.communicator());
+      Utilities::MPI::sum(double(response.memory_consumption),
+                          body.space.communicator());
     // Those that were made first are kept: the second time they are asked for
     // in the same order, and dropping the oldest would always drop the next.
     is_full = is_full || used_memory + needed > memory;
@@ -61,43 +83,62 @@ namespace Crevasse
 
 
   template <int dim>
-  std::shared_ptr<const ScaledResponse::Matrix>
-  HarmonicResponses<dim>::elastic_compliance()
+  HarmonicResponse
+  HarmonicResponses<dim>::scaled(const Complex factor)
   {
-    if (compliance != nullptr)
-      return compliance;
-    auto matrix = std::make_shared<ScaledResponse::Matrix>();
-    if (lip.n_nodes() > 0)
+    if (elastic_compliance == nullptr)
       {
-        const Vector model = space.ghosted_vector();
-        *matrix            = lip.compliance(linear_solver, model);
+        auto matrix = std::make_shared<FullMatrix<Complex>>();
+        if (lip.n_nodes() > 0)
+          *matrix = lip.compliance(linear_solver, body.space.ghosted_vector());
+        elastic_compliance = matrix;
       }
-    compliance = matrix;
-    return compliance;
+    const Complex inverse = 1. / factor;
+    const auto    solve   = [this, inverse](Vector &real, Vector &imaginary) {
+      constexpr double accuracy = 1e-12; // of a residual
+      const double     norm = std::max(real.l2_norm(), imaginary.l2_norm());
+      if (norm == 0.)
+        return;
+      std::vector<Vector> both{real, imaginary};
+      linear_solver.solve(both, accuracy * norm);
+      real.equ(inverse.real(), both[0]);
+      real.add(-inverse.imag(), both[1]);
+      imaginary.equ(inverse.real(), both[1]);
+      imaginary.add(inverse.imag(), both[0]);
+    };
+    return {{elastic_compliance, inverse}, solve, 0};
   }
 
 
 
   template <int dim>
-  std::shared_ptr<HarmonicResponse>
+  HarmonicResponse
   HarmonicResponses<dim>::factorised(const ComplexModuli<dim> &moduli)
   {
-    const std::size_t n_points = points.n_local_points();
-    assemble_stiffness(space,
-                       points,
-                       real_parts<dim>(moduli.sum, n_points),
+    const std::size_t n_points = body.points.n_local_points();
+    assemble_stiffness(body.space,
+                       body.points,
+                       part_of<dim>(moduli.sum, n_points, std::real),
                        real);
     if (imaginary.m() == 0)
       imaginary.reinit(real);
-    assemble_stiffness(space,
-                       points,
-                       imaginary_parts<dim>(moduli.sum, n_points),
+    assemble_stiffness(body.space,
+                       body.points,
+                       part_of<dim>(moduli.sum, n_points, std::imag),
                        imaginary);
-    auto response =
-      std::make_shared<FactorisedResponse>(real, imaginary, lip, ordering);
-    ordering = response->ordering();
-    ++factorisations;
-    return response;
+    const auto factor =
+      std::make_shared<ComplexMumps>(real, imaginary, lip.nodes.dofs, ordering);
+    ordering = factor->ordering;
+    ++n_factorisations;
+
+    auto matrix = std::make_shared<FullMatrix<Complex>>(factor->compliance);
+    for (unsigned int i = 0; i < lip.n_nodes(); ++i)
+      for (unsigned int j = 0; j < lip.n_nodes(); ++j)
+        (*matrix)(i, j) *= lip.nodes.sign[i] * lip.nodes.sign[j];
+    const auto solve = [factor](Vector &real, Vector &imaginary) {
+      factor->solve(real, imaginary);
+    };
+    return {{matrix, 1.}, solve, factor->memory_consumption()};
   }
 
 

@@ -13,14 +13,19 @@ namespace Crevasse
 
   namespace
   {
+    /** Appends those chosen, of all ranks. */
     template <typename Number>
-    std::vector<Number>
-    concatenate(const MPI_Comm communicator, const std::vector<Number> &local)
+    void
+    gather_all(const MPI_Comm                   communicator,
+               const std::vector<Number>       &values,
+               const std::vector<unsigned int> &chosen,
+               std::vector<Number>             &all)
     {
-      std::vector<Number> all;
+      std::vector<Number> local;
+      for (const unsigned int k : chosen)
+        local.push_back(values[k]);
       for (const auto &part : Utilities::MPI::all_gather(communicator, local))
         all.insert(all.end(), part.begin(), part.end());
-      return all;
     }
   } // namespace
 
@@ -32,45 +37,18 @@ namespace Crevasse
     : communicator(communicator)
     , n_bounds(all_bounds.dofs.size())
   {
-    UnilateralBounds local;
     for (unsigned int k = 0; k < n_bounds; ++k)
       if (chosen[k])
-        {
-          bounds.push_back(k);
-          local.dofs.push_back(all_bounds.dofs[k]);
-          local.sign.push_back(all_bounds.sign[k]);
-          local.gap.push_back(all_bounds.gap[k]);
-        }
+        bounds.push_back(k);
     const auto counts =
       Utilities::MPI::all_gather(communicator, (unsigned int)(bounds.size()));
     for (unsigned int rank = 0;
          rank < Utilities::MPI::this_mpi_process(communicator);
          ++rank)
       first += counts[rank];
-    node_dofs  = concatenate(communicator, local.dofs);
-    node_signs = concatenate(communicator, local.sign);
-    node_gaps  = concatenate(communicator, local.gap);
-  }
-
-
-
-  template <typename Function>
-  void
-  LipPart::for_each_local(const Function &f) const
-  {
-    for (unsigned int i = 0; i < bounds.size(); ++i)
-      f(first + i, bounds[i]);
-  }
-
-
-
-  dealii::Vector<double>
-  LipPart::of_all_ranks(dealii::Vector<double> &&local) const
-  {
-    // What a rank does not own is zero there: the sum rounds nothing.
-    if (n_nodes() > 0)
-      Utilities::MPI::sum(local, communicator, local);
-    return std::move(local);
+    gather_all(communicator, all_bounds.dofs, bounds, nodes.dofs);
+    gather_all(communicator, all_bounds.sign, bounds, nodes.sign);
+    gather_all(communicator, all_bounds.gap, bounds, nodes.gap);
   }
 
 
@@ -78,11 +56,10 @@ namespace Crevasse
   dealii::Vector<double>
   LipPart::restrict_to_lip(const Vector &v) const
   {
-    dealii::Vector<double> on_lip(n_nodes());
-    for_each_local([&](const unsigned int node, const unsigned int) {
-      on_lip(node) = node_signs[node] * v(node_dofs[node]);
-    });
-    return of_all_ranks(std::move(on_lip));
+    std::vector<double> on_bounds(n_bounds);
+    for (unsigned int i = 0; i < bounds.size(); ++i)
+      on_bounds[bounds[i]] = nodes.sign[first + i] * v(nodes.dofs[first + i]);
+    return gather(on_bounds);
   }
 
 
@@ -91,10 +68,12 @@ namespace Crevasse
   LipPart::gather(const std::vector<double> &on_bounds) const
   {
     dealii::Vector<double> on_lip(n_nodes());
-    for_each_local([&](const unsigned int node, const unsigned int bound) {
-      on_lip(node) = on_bounds[bound];
-    });
-    return of_all_ranks(std::move(on_lip));
+    for (unsigned int i = 0; i < bounds.size(); ++i)
+      on_lip(first + i) = on_bounds[bounds[i]];
+    // What a rank does not own is zero there: the sum rounds nothing.
+    if (n_nodes() > 0)
+      Utilities::MPI::sum(on_lip, communicator, on_lip);
+    return on_lip;
   }
 
 
@@ -103,9 +82,8 @@ namespace Crevasse
   LipPart::scatter(const dealii::Vector<double> &on_lip) const
   {
     std::vector<double> on_bounds(n_bounds, 0.);
-    for_each_local([&](const unsigned int node, const unsigned int bound) {
-      on_bounds[bound] = on_lip(node);
-    });
+    for (unsigned int i = 0; i < bounds.size(); ++i)
+      on_bounds[bounds[i]] = on_lip(first + i);
     return on_bounds;
   }
 
@@ -116,19 +94,8 @@ namespace Crevasse
                       const dealii::Vector<double> &forces,
                       Vector                       &v) const
   {
-    for_each_local([&](const unsigned int node, const unsigned int) {
-      v(node_dofs[node]) += factor * node_signs[node] * forces(node);
-    });
-  }
-
-
-
-  void
-  LipPart::prescribe(const dealii::Vector<double> &on_lip, Vector &v) const
-  {
-    for_each_local([&](const unsigned int node, const unsigned int) {
-      v(node_dofs[node]) = node_signs[node] * on_lip(node);
-    });
+    for (unsigned int i = first; i < first + bounds.size(); ++i)
+      v(nodes.dofs[i]) += factor * nodes.sign[i] * forces(i);
   }
 
 

@@ -2,186 +2,342 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
-#include <crevasse/harmonic_balance/periodic_contact.h>
-#include <crevasse/harmonic_balance/periodic_interior_point.h>
-
-#include <deal.II/base/exceptions.h>
+#include <crevasse/harmonic_balance/periodic_state.h>
+#include <crevasse/harmonic_balance/periodic_system.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
 #include <sstream>
 
 namespace Crevasse
 {
   using namespace dealii;
 
-  PeriodicContact::PeriodicContact(const Options &options)
-    : options(options)
-  {
-  }
-
-
-
-  PeriodicContact::PeriodicContact()
-    : PeriodicContact(Options())
-  {
-  }
-
-
-
-  std::string
-  PeriodicContact::Statistics::describe() const
-  {
-    if (n_linear_solves == 0)
-      return "one instant";
-    return std::string(n_interior_point_steps > 0
-                         ? "active set after interior point"
-                         : "active set") +
-           (n_gmres_iterations > 0 ? ", GMRES" : ", factored");
-  }
-
-
-
-  PeriodicContactSolution
-  PeriodicContact::solve(const PeriodicContactProblem &problem)
-  {
-    return solve_from(problem, nullptr);
-  }
-
-
-
-  PeriodicContactSolution
-  PeriodicContact::solve(const PeriodicContactProblem  &problem,
-                         const PeriodicContactSolution &start)
-  {
-    return solve_from(problem, &start);
-  }
-
-
-
-  PeriodicContactSolution
-  PeriodicContact::solve_from(const PeriodicContactProblem  &given,
-                              const PeriodicContactSolution *start)
-  {
-    last_statistics  = {};
-    last_certificate = {};
-    AssertThrow(given.mean_forces.size() > 0 &&
-                  !given.openings_without_contact.empty(),
-                ExcMessage("A contact problem without nodes or instants."));
-    const PeriodicConvolution convolution(
-      given.compliances,
-      given.mean_forces.size(),
-      given.openings_without_contact.size());
-    const PeriodicComplementarity problem(given, convolution);
-
-    PeriodicState state;
-    if (convolution.n_instants() == 1)
-      {
-        // Nothing varies: the mean itself, and closed.
-        state.forces = problem.mean_forces;
-        state.openings.reinit(convolution.n_nodes());
-        state.offsets.reinit(convolution.n_nodes());
-      }
-    else
-      solve_with(problem, start, state);
-
-    last_certificate = certify(problem, state);
-    if (last_certificate.worst() > options.tolerance)
-      {
-        std::ostringstream message;
-        message << "The contact problem of the periodic motion was not solved "
-                   "to "
-                << options.tolerance << ": " << last_certificate.describe()
-                << ". Check the moduli of [Material] for extreme contrasts, or "
-                   "try [Periodic state] Method = anderson.";
-        throw NumericalError(message.str());
-      }
-    return problem.solution(state);
-  }
-
-
-
   namespace
   {
-    /** Its forces and openings as vectors, without offsets. */
-    PeriodicState
-    as_state(const PeriodicContactSolution &solution,
-             const PeriodicConvolution     &convolution)
+    /** Of p nodes at N instants, all nodes of the first instant first: for each
+     * entry, whether it is closed. */
+    using Set = std::vector<bool>;
+
+
+
+    /** The set of the solution in which every node is by itself and elastic:
+     * g_i = max(0, −(w⁰_i + c_i)) / S_ii with the mean asked for. */
+    Set
+    first_set(const PeriodicState &state)
     {
-      const unsigned int p = convolution.n_nodes();
-      const unsigned int N = convolution.n_instants();
-      AssertDimension(solution.forces.size(), N);
-      AssertDimension(solution.openings.size(), N);
-      PeriodicState state;
-      state.forces.reinit(p * N);
-      state.openings.reinit(p * N);
-      for (unsigned int k = 0; k < p * N; ++k)
+      const unsigned int  p = state.convolution.n_nodes;
+      const unsigned int  N = state.convolution.n_instants;
+      const LipVector    &w = state.without_contact;
+      Set                 set(p * N, false);
+      std::vector<double> sorted(N);
+      for (unsigned int i = 0; i < p; ++i)
         {
-          state.forces(k)   = solution.forces[k / p](k % p);
-          state.openings(k) = solution.openings[k / p](k % p);
+          for (unsigned int j = 0; j < N; ++j)
+            sorted[j] = w(j * p + i);
+          std::sort(sorted.begin(), sorted.end());
+
+          // Closing the m lowest instants to a level takes the sum of what
+          // they are below it.
+          const double to_close = N * state.mean_forces(i) *
+                                  state.convolution.elastic_compliance(i, i);
+          double       taken  = 0.;
+          unsigned int lowest = 1;
+          for (; lowest < N; ++lowest)
+            {
+              taken += lowest * (sorted[lowest] - sorted[lowest - 1]);
+              if (taken > to_close)
+                break;
+            }
+          for (unsigned int k = i; k < p * N; k += p)
+            set[k] = w(k) <= sorted[lowest - 1];
         }
-      return state;
+      return set;
+    }
+
+
+
+    /** Adds the solution for what a state leaves of the equations on the
+     * system's set, to an accuracy relative to the scale of openings. */
+    void
+    correct(PeriodicState &state, PeriodicSystem &system, const double accuracy)
+    {
+      LipVector right(state.openings), x, offsets;
+      right *= -1.;
+      system.solve(right,
+                   state.missing_means(),
+                   accuracy * state.opening_scale(),
+                   x,
+                   offsets);
+      state.forces += x;
+      state.offsets += offsets;
+      state.compute_openings();
+    }
+
+
+
+    /** Solves on a set, starting from the state. */
+    void
+    solve_on(const Set &set, PeriodicSystem &system, PeriodicState &state)
+    {
+      constexpr double accuracy = 1e-8;
+      for (unsigned int k = 0; k < set.size(); ++k)
+        if (!set[k])
+          state.forces(k) = 0.;
+      state.compute_openings();
+      system.reinit(set, state.shift);
+      correct(state, system, accuracy);
+    }
+
+
+
+    /** One step of iterative refinement. */
+    void
+    refine(PeriodicSystem &system, PeriodicState &state)
+    {
+      constexpr double accuracy = 1e-14;
+      correct(state, system, accuracy);
+    }
+
+
+
+    /** The tension of a closed entry or the penetration of an open one,
+     * relative to the scales. */
+    LipVector
+    violations(const Set &set, const PeriodicState &state)
+    {
+      const double force = state.force_scale(), length = state.opening_scale();
+      LipVector    all(set.size());
+      for (unsigned int k = 0; k < set.size(); ++k)
+        all(k) =
+          set[k] ? -state.forces(k) / force : -state.openings(k) / length;
+      return all;
+    }
+
+
+
+    /** Gives each node without an instant the one that prefers contact most. */
+    void
+    keep_one_instant(Set &set, const PeriodicState &state)
+    {
+      const double force = state.force_scale(), length = state.opening_scale();
+      const auto   preference = [&](const unsigned int k) {
+        return state.forces(k) / force - state.openings(k) / length;
+      };
+      const unsigned int p = state.convolution.n_nodes;
+      for (unsigned int i = 0; i < p; ++i)
+        {
+          unsigned int preferred = i;
+          bool         closes    = false;
+          for (unsigned int k = i; k < set.size(); k += p)
+            {
+              closes = closes || set[k];
+              if (preference(k) > preference(preferred))
+                preferred = k;
+            }
+          if (!closes)
+            set[preferred] = true;
+        }
+    }
+
+
+
+    /** The set that a state calls for; less than the margin calls for
+     * nothing. */
+    Set
+    next_set(const Set &set, const PeriodicState &state, const double margin)
+    {
+      const LipVector wrong = violations(set, state);
+      Set             next(set);
+      for (unsigned int k = 0; k < set.size(); ++k)
+        if (wrong(k) > margin)
+          next[k] = !set[k];
+      keep_one_instant(next, state);
+      return next;
+    }
+
+
+
+    double
+    largest(const LipVector &values)
+    {
+      return *std::max_element(values.begin(), values.end());
+    }
+
+
+
+    /** Primal–dual active sets, from the one given. @return whether the last
+     * one is the solution's. */
+    bool
+    find_set(const unsigned int most_sets,
+             const double       tolerance,
+             PeriodicSystem    &system,
+             PeriodicState     &state,
+             Set               &set,
+             unsigned int      &n_sets)
+    {
+      // Most sets are not the last: they are solved on less accurately.
+      constexpr double rough_margin = 1e-7, margin = 1e-12;
+      std::set<Set>    seen;
+      Set              best;
+      double           least = std::numeric_limits<double>::infinity();
+      for (unsigned int n = 0; n < most_sets; ++n)
+        {
+          ++n_sets;
+          solve_on(set, system, state);
+          Set next = next_set(set, state, rough_margin);
+          if (next == set)
+            {
+              refine(system, state);
+              next = next_set(set, state, margin);
+              if (next == set)
+                return true;
+            }
+          const double violated = largest(violations(set, state));
+          if (violated < least)
+            {
+              least = violated;
+              best  = set;
+            }
+          if (!seen.insert(set).second)
+            break;
+          set = std::move(next);
+        }
+      if (best.empty())
+        return false;
+      set = std::move(best);
+      solve_on(set, system, state);
+      refine(system, state);
+      return largest(violations(set, state)) <= tolerance;
+    }
+
+
+
+    /** Proximal points g_k, where w = w⁰ + S ∗ g + c + D (g − g_{k−1}) with a
+     * number D that falls, or rises where sets come back for it too: their sets
+     * lead to that of the solution. */
+    void
+    approach(const double             tolerance,
+             PeriodicSystem          &system,
+             PeriodicState           &state,
+             PeriodicContactSolution &statistics)
+    {
+      constexpr double       first_shift = 0.1, factor = 0.1;
+      constexpr unsigned int most_steps = 100, most_sets = 15, most_at_end = 5;
+      double shift = first_shift * state.convolution.largest_compliance;
+      Set    set   = first_set(state);
+      for (unsigned int k = 0; k < state.forces.size(); ++k)
+        state.centre(k) = state.mean_forces(k % state.offsets.size());
+      const auto solves = [&](const double       with,
+                              const unsigned int sets,
+                              Set               &set) {
+        state.shift = with;
+        return find_set(sets, tolerance, system, state, set, statistics.n_sets);
+      };
+      while (statistics.n_proximal_steps < most_steps)
+        {
+          ++statistics.n_proximal_steps;
+          Set next = set;
+          if (solves(shift, most_sets, next))
+            {
+              state.centre = state.forces;
+              shift *= factor;
+              set = next;
+            }
+          else
+            {
+              shift /= factor;
+              next = set;
+            }
+          if (solves(0., most_at_end, next))
+            return;
+          state.forces = state.centre;
+        }
+    }
+
+
+
+    /** @throw NumericalError */
+    void
+    require_finite(const PeriodicContactProblem &problem)
+    {
+      double sum = 0.;
+      for (const auto &[matrix, factor] : problem.compliances)
+        sum += std::abs(factor) * matrix->frobenius_norm();
+      for (const LipVector &opening : problem.openings_without_contact)
+        sum += opening.l1_norm();
+      if (!std::isfinite(sum))
+        throw NumericalError(
+          "The openings and compliances of the crack lip under harmonics are "
+          "not finite. Look for moduli or relaxation times that differ by many "
+          "orders of magnitude, or use [Periodic state] Method = anderson.");
     }
   } // namespace
 
 
 
-  void
-  PeriodicContact::solve_with(const PeriodicComplementarity &problem,
-                              const PeriodicContactSolution *start,
-                              PeriodicState                 &state)
+  std::string
+  PeriodicContactSolution::describe() const
   {
-    PeriodicSystem    system(problem.convolution, options.largest_dense_system);
-    PeriodicActiveSet active_set(problem, system, options.tolerance);
-    const auto        first =
-      start == nullptr
-               ? active_set.first_set()
-               : active_set.set_of(as_state(*start, problem.convolution));
-
-    const bool solved =
-      active_set.solve(first, options.most_active_sets, state) ||
-      solve_by_interior_point(problem, system, active_set, state);
-    last_statistics.n_active_sets      = active_set.n_sets();
-    last_statistics.n_linear_solves    = system.n_solves();
-    last_statistics.n_gmres_iterations = system.n_iterations();
-    last_statistics.largest_system     = system.largest_system();
-    if (!solved)
-      throw NumericalError(
-        "The contact problem of the periodic motion was not solved by " +
-        std::to_string(last_statistics.n_active_sets) + " active sets and " +
-        std::to_string(last_statistics.n_interior_point_steps) +
-        " steps of the interior point method. Check the moduli of [Material] "
-        "for extreme contrasts, or try [Periodic state] Method = anderson.");
+    return std::string(n_sets == 0 ? "one instant" : "active set") +
+           (n_proximal_steps > 0 ? " after proximal points" : "") +
+           (n_sets == 0              ? ""
+            : n_gmres_iterations > 0 ? ", GMRES"
+                                     : ", factored") +
+           ", " + certificate.describe();
   }
 
 
 
-  bool
-  PeriodicContact::solve_by_interior_point(
-    const PeriodicComplementarity &problem,
-    PeriodicSystem                &system,
-    PeriodicActiveSet             &active_set,
-    PeriodicState                 &state)
+  PeriodicContactSolution
+  solve_periodic_contact(const PeriodicContactProblem &problem,
+                         const PeriodicContactOptions &options)
   {
-    // The sets are tried when the gap has fallen by so much again. At the last
-    // gap rounding is all that is left.
-    constexpr double       first_gap = 1e-4, factor = 1e-2, last_gap = 1e-15;
-    constexpr unsigned int most_steps = 100, sets_at_a_time = 5;
-
-    PeriodicInteriorPoint interior_point(problem, system);
-    double                next_gap = first_gap;
-    while (interior_point.gap() > last_gap &&
-           interior_point.n_steps() < most_steps)
+    require_finite(problem);
+    const unsigned int        p = problem.mean_forces.size();
+    const unsigned int        N = problem.openings_without_contact.size();
+    const PeriodicConvolution convolution(problem.compliances, p, N);
+    PeriodicSystem            system(convolution, options);
+    PeriodicState             state(problem, convolution);
+    PeriodicContactSolution   solution;
+    if (N == 1)
       {
-        interior_point.step();
-        last_statistics.n_interior_point_steps = interior_point.n_steps();
-        if (interior_point.gap() > next_gap)
-          continue;
-        state = interior_point.state();
-        if (active_set.solve(active_set.set_of(state), sets_at_a_time, state))
-          return true;
-        next_gap = std::min(next_gap, interior_point.gap()) * factor;
+        // Nothing varies: the mean itself, and closed.
+        state.forces = problem.mean_forces;
+        state.offsets -= state.without_contact;
+        state.compute_openings();
       }
-    state = interior_point.state();
-    return active_set.solve(active_set.set_of(state), sets_at_a_time, state);
+    else
+      {
+        constexpr unsigned int most_sets = 15;
+        Set                    set       = first_set(state);
+        if (!find_set(most_sets,
+                      options.tolerance,
+                      system,
+                      state,
+                      set,
+                      solution.n_sets))
+          approach(options.tolerance, system, state, solution);
+      }
+    solution.n_gmres_iterations = system.n_iterations;
+    solution.certificate        = state.certify();
+    if (solution.certificate.worst() > options.tolerance)
+      {
+        std::ostringstream message;
+        message << "The contact problem of the periodic motion was not solved "
+                   "to "
+                << options.tolerance << " by " << solution.n_sets
+                << " active sets: " << solution.certificate.describe()
+                << ". Check the moduli of [Material] for extreme contrasts, or "
+                   "try [Periodic state] Method = anderson.";
+        throw NumericalError(message.str());
+      }
+    solution.forces.resize(N, LipVector(p));
+    for (unsigned int j = 0; j < N; ++j)
+      std::copy_n(state.forces.begin() + j * p, p, solution.forces[j].begin());
+    solution.offsets = state.offsets;
+    return solution;
   }
 } // namespace Crevasse

@@ -5,13 +5,11 @@
 #include <crevasse/harmonic_balance/periodic_system.h>
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace Crevasse
 {
@@ -32,41 +30,39 @@ namespace Crevasse
 
 
 
-  PeriodicSystem::PeriodicSystem(const PeriodicConvolution &convolution,
-                                 const unsigned int largest_dense_system,
-                                 const unsigned int most_steps)
+  PeriodicSystem::PeriodicSystem(const PeriodicConvolution    &convolution,
+                                 const PeriodicContactOptions &options)
     : convolution(convolution)
-    , largest_dense_system(largest_dense_system)
-    , most_steps(most_steps)
-    , preconditioner(convolution)
+    , options(options)
+    , preconditioner{*this, {}, LAPACKFullMatrix<double>()}
   {
   }
 
 
 
   void
-  PeriodicSystem::reinit(const std::vector<bool>      &active,
-                         const dealii::Vector<double> &new_diagonal)
+  PeriodicSystem::reinit(const std::vector<bool> &active,
+                         const double             new_shift)
   {
-    const unsigned int p = convolution.n_nodes();
-    AssertDimension(active.size(), p * convolution.n_instants());
-    AssertDimension(new_diagonal.size(), active.size());
-    diagonal = new_diagonal;
+    shift                = new_shift;
+    const unsigned int p = convolution.n_nodes;
     unknowns.clear();
+    begins.clear();
     for (unsigned int k = 0; k < active.size(); ++k)
-      if (active[k])
-        unknowns.push_back(k);
-    const unsigned int size = unknowns.size() + p;
-    largest                 = std::max(largest, size);
+      {
+        if (k % p == 0)
+          begins.push_back(unknowns.size());
+        if (active[k])
+          unknowns.push_back(k);
+      }
+    begins.push_back(unknowns.size());
+    matrix.reinit(0);
     try
       {
-        if (size <= largest_dense_system)
+        if (unknowns.size() + p <= options.largest_dense_system)
           factor();
         else
-          {
-            matrix.reinit(0);
-            preconditioner.reinit(active, diagonal);
-          }
+          prepare_preconditioner();
       }
     catch (const ExceptionBase &)
       {
@@ -79,27 +75,19 @@ namespace Crevasse
   void
   PeriodicSystem::factor()
   {
-    const unsigned int p = convolution.n_nodes();
-    const unsigned int N = convolution.n_instants();
+    const unsigned int p = convolution.n_nodes, N = convolution.n_instants;
     const unsigned int m = unknowns.size();
     if (kernel.empty())
-      kernel = convolution.definite_kernel();
+      kernel = convolution.kernel();
 
-    // With ones on the diagonal, the pivots are comparable whatever the units
-    // and however much D varies.
+    // With ones on the diagonal, the pivots are comparable whatever the units.
     scaling.reinit(m + p);
     for (unsigned int a = 0; a < m; ++a)
       {
-        const unsigned int i     = unknowns[a] % p;
-        const double       entry = diagonal(unknowns[a]) + kernel[0](i, i);
-        if (!(entry > 0.))
-          throw singular(m);
-        scaling(a)     = 1. / std::sqrt(entry);
-        scaling(m + i) = std::max(scaling(m + i), scaling(a));
+        const unsigned int i = unknowns[a] % p;
+        scaling(a)           = 1. / std::sqrt(shift + kernel[0](i, i));
+        scaling(m + i)       = 1. / scaling(a);
       }
-    for (unsigned int i = 0; i < p; ++i)
-      scaling(m + i) = 1. / scaling(m + i);
-
     matrix.reinit(m + p);
     matrix = 0.;
     for (unsigned int b = 0; b < m; ++b)
@@ -108,12 +96,12 @@ namespace Crevasse
         for (unsigned int a = 0; a < m; ++a)
           {
             const unsigned int i = unknowns[a] % p, t_j = unknowns[a] / p;
-            const double       entry = kernel[(N + t_j - t_k) % N](i, l);
-            matrix(a, b)             = scaling(a) * scaling(b) * entry;
+            matrix(a, b) =
+              scaling(a) * scaling(b) * kernel[(N + t_j - t_k) % N](i, l);
           }
-        matrix(b, b) += scaling(b) * scaling(b) * diagonal(unknowns[b]);
-        matrix(b, m + l) = scaling(b) * scaling(m + l);
-        matrix(m + l, b) = matrix(b, m + l);
+        matrix(b, b) += scaling(b) * scaling(b) * shift;
+        matrix(b, m + l) = 1.; // scaled
+        matrix(m + l, b) = 1.;
       }
     matrix.compute_lu_factorization();
   }
@@ -121,173 +109,167 @@ namespace Crevasse
 
 
   void
-  PeriodicSystem::solve(const dealii::Vector<double> &right,
-                        const dealii::Vector<double> &means,
-                        const double                  accuracy,
-                        dealii::Vector<double>       &x,
-                        dealii::Vector<double>       &offsets)
+  PeriodicSystem::prepare_preconditioner()
   {
-    ++solves;
-    const bool iteratively =
-      matrix.m() == 0 && solve_iteratively(right, means, accuracy, x, offsets);
-    if (!iteratively)
+    const unsigned int        p       = convolution.n_nodes;
+    const FullMatrix<double> &elastic = convolution.elastic_compliance;
+    LAPACKFullMatrix<double> &border  = preconditioner.border;
+    border.reinit(p);
+    border.set_property(LAPACKSupport::symmetric);
+    border = 0.;
+    preconditioner.inverses.resize(convolution.n_instants);
+    for (unsigned int j = 0; j < convolution.n_instants; ++j)
       {
-        if (matrix.m() == 0)
-          factor_after_all();
-        solve_dense(right, means, x, offsets);
+        const auto node = [&](const unsigned int a) {
+          return unknowns[begins[j] + a] % p;
+        };
+        const unsigned int m = begins[j + 1] - begins[j];
+        if (m == 0)
+          continue;
+        LAPACKFullMatrix<double> &inverse = preconditioner.inverses[j];
+        inverse.reinit(m);
+        inverse.set_property(LAPACKSupport::symmetric);
+        for (unsigned int b = 0; b < m; ++b)
+          for (unsigned int a = 0; a < m; ++a)
+            inverse(a, b) = elastic(node(a), node(b)) + (a == b ? shift : 0.);
+        inverse.compute_cholesky_factorization();
+        inverse.invert();
+        // What eliminates x leaves for c: Σ over the instants.
+        for (unsigned int b = 0; b < m; ++b)
+          for (unsigned int a = 0; a < m; ++a)
+            border(node(a), node(b)) += inverse(a, b);
       }
-    for (const double entry : x)
-      if (!std::isfinite(entry))
-        throw singular(unknowns.size());
+    border.compute_cholesky_factorization();
   }
 
 
 
   void
-  PeriodicSystem::factor_after_all()
+  PeriodicSystem::Preconditioner::vmult(LipVector       &x_and_c,
+                                        const LipVector &right) const
   {
-    // About 300 MB, and ten seconds.
-    constexpr unsigned int largest_factor = 6000;
-    if (unknowns.size() > largest_factor)
-      throw NumericalError(
-        "The equations of " + std::to_string(unknowns.size()) +
-        " closed nodes and instants did not converge by GMRES: the "
-        "relaxation times and the period are too far apart. Try fewer "
-        "instants, or [Periodic state] Method = anderson.");
-    try
+    const unsigned int p = system.convolution.n_nodes;
+    const unsigned int m = system.unknowns.size();
+    // First without offsets; what the mean then lacks asks for them.
+    LipVector offsets(p), before, after;
+    for (unsigned int i = 0; i < p; ++i)
+      offsets(i) = -right(m + i);
+    x_and_c = 0.;
+    for (const bool with_offsets : {false, true})
       {
-        factor();
+        for (unsigned int j = 0; j < inverses.size(); ++j)
+          if (const unsigned int begin = system.begins[j],
+              n                        = system.begins[j + 1] - begin;
+              n > 0)
+            {
+              before.reinit(n, true);
+              after.reinit(n, true);
+              for (unsigned int a = 0; a < n; ++a)
+                before(a) = with_offsets
+                              ? -offsets(system.unknowns[begin + a] % p)
+                              : right(begin + a);
+              inverses[j].vmult(after, before);
+              for (unsigned int a = 0; a < n; ++a)
+                x_and_c(begin + a) += after(a);
+            }
+        if (with_offsets)
+          break;
+        for (unsigned int a = 0; a < m; ++a)
+          offsets(system.unknowns[a] % p) += x_and_c(a);
+        border.solve(offsets);
       }
-    catch (const ExceptionBase &)
-      {
-        throw singular(unknowns.size());
-      }
+    std::copy(offsets.begin(), offsets.end(), x_and_c.begin() + m);
   }
 
 
 
   void
-  PeriodicSystem::solve_dense(const dealii::Vector<double> &right,
-                              const dealii::Vector<double> &means,
-                              dealii::Vector<double>       &x,
-                              dealii::Vector<double>       &offsets) const
+  PeriodicSystem::vmult(LipVector &result, const LipVector &x_and_c) const
   {
-    const unsigned int     p = convolution.n_nodes();
-    const unsigned int     m = unknowns.size();
-    dealii::Vector<double> solution(m + p);
+    const unsigned int p = convolution.n_nodes, m = unknowns.size();
+    LipVector          x(p * convolution.n_instants), Sx;
     for (unsigned int a = 0; a < m; ++a)
-      solution(a) = right(unknowns[a]);
-    for (unsigned int i = 0; i < p; ++i)
-      solution(m + i) = convolution.n_instants() * means(i);
-    solution.scale(scaling);
-    matrix.solve(solution);
-    solution.scale(scaling);
-
-    x.reinit(right.size());
+      x(unknowns[a]) = x_and_c(a);
+    convolution.vmult(Sx, x);
+    result = 0.;
     for (unsigned int a = 0; a < m; ++a)
-      x(unknowns[a]) = solution(a);
-    // The kernel's harmonic 0, which the convolution does not have, has added
-    // a constant.
-    offsets.reinit(p);
-    convolution.elastic_compliance().vmult(offsets, means);
-    for (unsigned int i = 0; i < p; ++i)
-      offsets(i) += solution(m + i);
+      result(a) =
+        Sx(unknowns[a]) + shift * x_and_c(a) + x_and_c(m + unknowns[a] % p);
   }
-
-
-
-  namespace
-  {
-    /** The system with its preconditioner on the right and nothing left of the
-     * border: the unknown is the right-hand side of the preconditioner. */
-    struct Preconditioned
-    {
-      Preconditioned(const PeriodicConvolution           &convolution,
-                     const PeriodicElasticPreconditioner &preconditioner,
-                     const std::vector<unsigned int>     &unknowns,
-                     const dealii::Vector<double>        &diagonal)
-        : convolution(convolution)
-        , preconditioner(preconditioner)
-        , unknowns(unknowns)
-        , diagonal(diagonal)
-        , no_means(convolution.n_nodes())
-        , right(diagonal.size())
-      {
-      }
-
-      void
-      vmult(dealii::Vector<double>       &result,
-            const dealii::Vector<double> &y) const
-      {
-        const unsigned int p = convolution.n_nodes();
-        for (unsigned int a = 0; a < unknowns.size(); ++a)
-          right(unknowns[a]) = y(a);
-        preconditioner.solve(right, no_means, x, offsets);
-        convolution.vmult(Sx, x);
-        for (unsigned int a = 0; a < unknowns.size(); ++a)
-          {
-            const unsigned int k = unknowns[a];
-            result(a)            = diagonal(k) * x(k) + Sx(k) + offsets(k % p);
-          }
-      }
-
-      const PeriodicConvolution           &convolution;
-      const PeriodicElasticPreconditioner &preconditioner;
-      const std::vector<unsigned int>     &unknowns;
-      const dealii::Vector<double>        &diagonal;
-
-      const dealii::Vector<double>   no_means;
-      mutable dealii::Vector<double> right, x, Sx, offsets;
-    };
-  } // namespace
 
 
 
   bool
-  PeriodicSystem::solve_iteratively(const dealii::Vector<double> &right,
-                                    const dealii::Vector<double> &means,
-                                    const double                  accuracy,
-                                    dealii::Vector<double>       &x,
-                                    dealii::Vector<double>       &offsets)
+  PeriodicSystem::solve_iteratively(const LipVector &right,
+                                    const double     accuracy,
+                                    LipVector       &x_and_c)
   {
-    const unsigned int p = convolution.n_nodes();
     const unsigned int m = unknowns.size();
-
-    // A first approximation has the right mean; the rest has none.
-    preconditioner.solve(right, means, x, offsets);
-    dealii::Vector<double> Sx(right.size()), rest(m), y(m);
-    convolution.vmult(Sx, x);
-    for (unsigned int a = 0; a < m; ++a)
-      {
-        const unsigned int k = unknowns[a];
-        rest(a) = right(k) - diagonal(k) * x(k) - Sx(k) - offsets(k % p);
-      }
+    LipVector          equations(right);
+    std::fill(equations.begin() + m, equations.end(), 0.);
+    preconditioner.vmult(x_and_c, right);
     constexpr unsigned int most_vectors = 500;
-    SolverControl          control(most_steps, accuracy * std::sqrt(m));
-    SolverGMRES<dealii::Vector<double>> gmres(
-      control,
-      SolverGMRES<dealii::Vector<double>>::AdditionalData(most_vectors));
-    const Preconditioned system(convolution,
-                                preconditioner,
-                                unknowns,
-                                diagonal);
+    SolverControl control(options.most_gmres_steps, accuracy * std::sqrt(m));
+    SolverGMRES<LipVector> gmres(
+      control, SolverGMRES<LipVector>::AdditionalData(most_vectors, true));
+    bool converged = true;
     try
       {
-        gmres.solve(system, y, rest, PreconditionIdentity());
+        gmres.solve(*this, x_and_c, equations, preconditioner);
       }
     catch (const SolverControl::NoConvergence &)
       {
-        iterations += control.last_step();
-        return false;
+        converged = false;
       }
-    iterations += control.last_step();
+    n_iterations += control.last_step();
+    return converged;
+  }
 
-    dealii::Vector<double> all(right.size()), x_rest, offsets_rest;
+
+
+  void
+  PeriodicSystem::solve(const LipVector &right,
+                        const LipVector &means,
+                        const double     accuracy,
+                        LipVector       &x,
+                        LipVector       &offsets)
+  {
+    const unsigned int p = convolution.n_nodes, m = unknowns.size();
+    LipVector          b(m + p), solution(m + p);
     for (unsigned int a = 0; a < m; ++a)
-      all(unknowns[a]) = y(a);
-    preconditioner.solve(all, system.no_means, x_rest, offsets_rest);
-    x += x_rest;
-    offsets += offsets_rest;
-    return true;
+      b(a) = right(unknowns[a]);
+    for (unsigned int i = 0; i < p; ++i)
+      b(m + i) = convolution.n_instants * means(i);
+    if (matrix.m() > 0 || !solve_iteratively(b, accuracy, solution))
+      {
+        // About 300 MB, and ten seconds.
+        constexpr unsigned int largest_factor = 6000;
+        if (m > largest_factor)
+          throw NumericalError(
+            "The equations of " + std::to_string(m) +
+            " closed nodes and instants did not converge by GMRES: the "
+            "relaxation times and the period are too far apart. Try fewer "
+            "instants, or [Periodic state] Method = anderson.");
+        try
+          {
+            if (matrix.m() == 0)
+              factor();
+            solution = b;
+            solution.scale(scaling);
+            matrix.solve(solution);
+            solution.scale(scaling);
+          }
+        catch (const ExceptionBase &)
+          {
+            throw singular(m);
+          }
+      }
+    if (!std::isfinite(solution.l1_norm()))
+      throw singular(m);
+    x.reinit(right.size());
+    for (unsigned int a = 0; a < m; ++a)
+      x(unknowns[a]) = solution(a);
+    offsets.reinit(p);
+    std::copy(solution.begin() + m, solution.end(), offsets.begin());
   }
 } // namespace Crevasse

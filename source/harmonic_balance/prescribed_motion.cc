@@ -6,10 +6,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace Crevasse
 {
   PrescribedMotion::PrescribedMotion(const PeriodicMotion &motion,
@@ -17,28 +13,14 @@ namespace Crevasse
                                      const double          step,
                                      const double          diameter,
                                      const double          largest_load)
-    : motion(motion)
+    : Integrator(
+        {"harmonic balance", no_stability_limit, {{0., 1.}, {0.5, 0.5}}})
+    , motion(motion)
     , rule(rule)
     , step(step)
     , diameter(diameter)
   {
     force.size = largest_load;
-  }
-
-
-
-  unsigned int
-  PrescribedMotion::number(const double t) const
-  {
-    return static_cast<unsigned int>(std::lround(t / step));
-  }
-
-
-
-  void
-  PrescribedMotion::restart()
-  {
-    is_continuing = false;
   }
 
 
@@ -78,27 +60,13 @@ namespace Crevasse
 
 
   void
-  PrescribedMotion::advance(RateEquation &,
-                            const double t,
-                            const double,
-                            const Vector &,
-                            Vector &r,
-                            Vector *)
+  PrescribedMotion::advance(const TimeStep &step)
   {
     is_continuing           = true;
-    const unsigned int next = number(t) + 1;
-    r = motion.viscous_strain[next % motion.viscous_strain.size()];
+    const unsigned int next = number(step.t) + 1;
+    step.r = motion.viscous_strain[next % motion.viscous_strain.size()];
     if (next == motion.viscous_strain.size())
-      compare_step(next, r, first_rate);
-  }
-
-
-
-  void
-  PrescribedMotion::Difference::add(const double a, const double b)
-  {
-    largest = std::max(largest, std::abs(a - b));
-    size    = std::max(size, std::abs(a));
+      compare_step(next, step.r, first_rate);
   }
 
 
@@ -122,30 +90,6 @@ namespace Crevasse
       force.size = std::max(force.size, std::abs(b));
     for (unsigned int k = 0; k < sample.state.contact_forces.size(); ++k)
       force.add(sample.state.contact_forces[k], motion.contact_forces[j][k]);
-  }
-
-
-
-  double
-  PrescribedMotion::stability_limit() const
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-
-
-
-  TimeQuadrature
-  PrescribedMotion::quadrature() const
-  {
-    return {{0., 1.}, {0.5, 0.5}};
-  }
-
-
-
-  std::string
-  PrescribedMotion::description() const
-  {
-    return "harmonic balance";
   }
 
 

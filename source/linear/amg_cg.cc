@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/linear/amg_cg.h>
-#include <crevasse/linear/matrix_product.h>
 
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
@@ -42,35 +41,4 @@ namespace Crevasse
     multigrid.initialize(matrix, parameters);
   }
 
-
-
-  std::size_t
-  AmgCg::memory_consumption() const
-  {
-    return multigrid.memory_consumption();
-  }
-
-
-
-  std::string
-  AmgCg::preconditioner_description() const
-  {
-    return "smoothed aggregation (ML)";
-  }
-
-
-
-  void
-  AmgCg::precondition(Vector &solution, const Vector &right_hand_side)
-  {
-    multigrid.vmult(solution, right_hand_side);
-  }
-
-
-
-  void
-  AmgCg::multiply(Vector &result, const Vector &v) const
-  {
-    Crevasse::multiply(matrix, result, v);
-  }
 } // namespace Crevasse

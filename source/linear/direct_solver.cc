@@ -7,25 +7,6 @@
 
 namespace Crevasse
 {
-  void
-  DirectSolver::precondition(Vector &solution, const Vector &right_hand_side)
-  {
-    back_solve(solution.begin(), right_hand_side.begin(), 1);
-  }
-
-
-
-  unsigned int
-  DirectSolver::apply_inverse(Vector       &solution,
-                              const Vector &right_hand_side,
-                              const double)
-  {
-    precondition(solution, right_hand_side);
-    return 0;
-  }
-
-
-
   unsigned int
   DirectSolver::apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
                                      const double)

@@ -3,12 +3,10 @@
 
 #include <crevasse/linear/level_transfer.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/matrix_free/fe_evaluation.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace Crevasse
 {
@@ -77,49 +75,32 @@ namespace Crevasse
   std::vector<typename LevelTransfer<dim>::Dofs>
   LevelTransfer<dim>::unknowns_of(const Cells &cells) const
   {
-    const MPI_Comm communicator = finer.communicator();
-    const IndexSet owned        = finer.mesh()
+    const unsigned int n     = finer.finite_element().n_dofs_per_cell();
+    const IndexSet     owned = finer.mesh()
                              .global_active_cell_index_partitioner()
                              .lock()
                              ->locally_owned_range();
-    std::vector<Dofs> of_own(owned.n_elements(),
-                             Dofs(finer.finite_element().n_dofs_per_cell()));
+    std::vector<Dofs> of_own(owned.n_elements(), Dofs(n));
     for (const auto &cell : finer.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         cell->get_dof_indices(
           of_own[owned.index_within_set(cell->global_active_cell_index())]);
 
-    // Ranks own contiguous ranges of cells.
-    const auto ends = Utilities::MPI::all_gather(communicator,
-                                                 owned.n_elements() == 0
-                                                   ? types::global_cell_index(0)
-                                                   : owned.nth_index_in_set(0) +
-                                                       owned.n_elements());
-    std::map<unsigned int, Cells> requests;
-    for (const auto cell : cells)
-      if (!owned.is_element(cell))
-        {
-          unsigned int rank = 0;
-          while (ends[rank] <= cell)
-            ++rank;
-          requests[rank].push_back(cell);
-        }
-    std::map<unsigned int, std::vector<Dofs>> answers;
-    for (const auto &[rank, asked] :
-         Utilities::MPI::some_to_some(communicator, requests))
-      for (const auto cell : asked)
-        answers[rank].push_back(of_own[owned.index_within_set(cell)]);
-    const auto answered = Utilities::MPI::some_to_some(communicator, answers);
-    std::map<types::global_cell_index, const Dofs *> of_others;
-    for (const auto &[rank, of_cells] : answered)
-      for (std::size_t k = 0; k < of_cells.size(); ++k)
-        of_others[requests.at(rank)[k]] = &of_cells[k];
-
-    std::vector<Dofs> found;
-    for (const auto cell : cells)
-      found.push_back(owned.is_element(cell)
-                        ? of_own[owned.index_within_set(cell)]
-                        : *of_others.at(cell));
+    Cells ascending(cells);
+    std::sort(ascending.begin(), ascending.end());
+    IndexSet needed(owned.size());
+    needed.add_indices(ascending.begin(), ascending.end());
+    Vector            of_cells(owned, needed, finer.communicator());
+    std::vector<Dofs> found(cells.size(), Dofs(n));
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        for (std::size_t k = 0; k < of_own.size(); ++k)
+          of_cells.local_element(k) = of_own[k][i];
+        of_cells.update_ghost_values();
+        for (std::size_t k = 0; k < cells.size(); ++k)
+          found[k][i] = of_cells(cells[k]);
+        of_cells.zero_out_ghost_values();
+      }
     return found;
   }
 
@@ -196,15 +177,7 @@ namespace Crevasse
     });
     for (std::size_t k = 1; k < starts.size(); ++k) // empty lanes
       starts[k] = std::max(starts[k], starts[k - 1]);
-    share_unknowns();
-  }
 
-
-
-  template <int dim>
-  void
-  LevelTransfer<dim>::share_unknowns()
-  {
     for (const unsigned int unknown : unknowns)
       work.local_element(unknown) = 1.;
     work.compress(VectorOperation::add);

@@ -44,18 +44,4 @@ namespace Crevasse
     return n;
   }
 
-
-
-  void
-  LinearSolver::hold(const std::vector<dealii::types::global_dof_index> &)
-  {
-  }
-
-
-
-  std::string
-  LinearSolver::preconditioner_description() const
-  {
-    return description();
-  }
 } // namespace Crevasse

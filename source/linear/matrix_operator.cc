@@ -2,12 +2,15 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/linear/matrix_operator.h>
-#include <crevasse/linear/matrix_product.h>
 
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_MultiVector.h>
 #include <algorithm>
 
 namespace Crevasse
 {
+  using namespace dealii;
+
   MatrixOperator::MatrixOperator(const Matrix &matrix)
     : sparse_matrix(matrix)
     , matrix_diagonal(matrix.locally_owned_range_indices(),
@@ -43,25 +46,52 @@ namespace Crevasse
 
 
 
-  MPI_Comm
-  MatrixOperator::get_mpi_communicator() const
+  void
+  multiply(const LinearOperator::Matrix &matrix,
+           LinearOperator::Vector       &result,
+           const LinearOperator::Vector &v)
   {
-    return sparse_matrix.get_mpi_communicator();
+    const Epetra_CrsMatrix &A      = matrix.trilinos_matrix();
+    const int               n_rows = result.locally_owned_size(),
+              n_columns            = v.locally_owned_size();
+    AssertDimension(n_rows, A.RangeMap().NumMyElements());
+    AssertDimension(n_columns, A.DomainMap().NumMyElements());
+    // Both are looked at where they are; Epetra does not know constant entries.
+    const Epetra_MultiVector seen_v(
+      View, A.DomainMap(), const_cast<double *>(v.begin()), n_columns, 1);
+    Epetra_MultiVector seen_result(
+      View, A.RangeMap(), result.begin(), n_rows, 1);
+    const int error = A.Multiply(false, seen_v, seen_result);
+    AssertThrow(error == 0,
+                TrilinosWrappers::SparseMatrix::ExcTrilinosError(error));
   }
 
 
 
-  const MatrixOperator::Matrix *
-  MatrixOperator::matrix() const
+  void
+  complex_product(const LinearOperator::Matrix &real,
+                  const LinearOperator::Matrix &imaginary,
+                  const LinearOperator::Vector &x_real,
+                  const LinearOperator::Vector &x_imaginary,
+                  LinearOperator::Vector       &y_real,
+                  LinearOperator::Vector       &y_imaginary)
   {
-    return &sparse_matrix;
+    LinearOperator::Vector product(y_real);
+    multiply(real, y_real, x_real);
+    multiply(imaginary, product, x_imaginary);
+    y_real -= product;
+    multiply(real, y_imaginary, x_imaginary);
+    multiply(imaginary, product, x_real);
+    y_imaginary += product;
   }
 
 
 
-  std::size_t
-  MatrixOperator::memory_consumption() const
+  MatrixRows::MatrixRows(const LinearOperator::Matrix &matrix)
+    : n(matrix.local_size())
   {
-    return matrix_diagonal.memory_consumption();
+    const int error =
+      matrix.trilinos_matrix().ExtractCrsDataPointers(starts, columns, values);
+    AssertThrow(error == 0, ExcTrilinosError(error));
   }
 } // namespace Crevasse

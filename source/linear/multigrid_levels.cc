@@ -46,42 +46,6 @@ namespace Crevasse
 
 
   template <int dim>
-  unsigned int
-  MultigridLevels<dim>::n_levels() const
-  {
-    return meshes.size() + 1;
-  }
-
-
-
-  template <int dim>
-  const Space<dim> &
-  MultigridLevels<dim>::space(const unsigned int level) const
-  {
-    return level < spaces.size() ? *spaces[level] : finest;
-  }
-
-
-
-  template <int dim>
-  const QuadratureField<dim> &
-  MultigridLevels<dim>::points(const unsigned int level) const
-  {
-    return level < spaces.size() ? *coarse_points[level] : finest_points;
-  }
-
-
-
-  template <int dim>
-  const LevelTransfer<dim> &
-  MultigridLevels<dim>::transfer(const unsigned int level) const
-  {
-    return *transfers[level - 1];
-  }
-
-
-
-  template <int dim>
   std::vector<PointValues<VoigtMatrix<dim>>>
   MultigridLevels<dim>::on_coarser_levels(
     const PointValues<VoigtMatrix<dim>> &stiffness) const
@@ -121,15 +85,13 @@ namespace Crevasse
   MultigridLevels<dim>::memory_consumption() const
   {
     std::size_t bytes = 0;
-    for (unsigned int level = 0; level < spaces.size(); ++level)
-      {
-        bytes += space(level).mesh().memory_consumption() +
-                 space(level).dof_handler().memory_consumption() +
-                 space(level).constraints().memory_consumption();
-        bytes += space(level).matrix_free()->memory_consumption();
-      }
-    for (unsigned int level = 1; level < n_levels(); ++level)
-      bytes += transfer(level).memory_consumption();
+    for (const auto &space : spaces)
+      bytes += space->mesh().memory_consumption() +
+               space->dof_handler().memory_consumption() +
+               space->constraints().memory_consumption() +
+               space->matrix_free()->memory_consumption();
+    for (const auto &transfer : transfers)
+      bytes += transfer->memory_consumption();
     return bytes;
   }
 

@@ -2,13 +2,14 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
-#include <crevasse/linear/abandoned_factors.h>
 #include <crevasse/linear/mumps_instance.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <Epetra_CrsMatrix.h>
 #include <exception>
+#include <functional>
+#include <utility>
 
 namespace Crevasse
 {
@@ -18,39 +19,10 @@ namespace Crevasse
     static_assert(sizeof(Complex) == sizeof(ZMUMPS_COMPLEX),
                   "MUMPS has the complex numbers of the language");
 
-    void
-    run_mumps(DMUMPS_STRUC_C &data)
-    {
-      dmumps_c(&data);
-    }
-
-
-
-    void
-    run_mumps(ZMUMPS_STRUC_C &data)
-    {
-      zmumps_c(&data);
-    }
-
-
-
     constexpr int free_everything = -2; // job
 
-
-
-    MPI_Datatype
-    mpi_type(const double *)
-    {
-      return MPI_DOUBLE;
-    }
-
-
-
-    MPI_Datatype
-    mpi_type(const Complex *)
-    {
-      return MPI_CXX_DOUBLE_COMPLEX;
-    }
+    /** In the order in which they went, which is the same on all ranks. */
+    std::vector<std::function<void()>> abandoned;
 
 
 
@@ -65,15 +37,20 @@ namespace Crevasse
 
 
 
+  void
+  end_abandoned_factors()
+  {
+    for (const std::function<void()> &end : std::exchange(abandoned, {}))
+      end();
+  }
+
+
+
   UpperTriangle<double>
   upper_triangle(const dealii::TrilinosWrappers::SparseMatrix &matrix)
   {
     const Epetra_CrsMatrix &A = matrix.trilinos_matrix();
     UpperTriangle<double>   upper;
-    const std::size_t       n_about = (A.NumMyNonzeros() + A.NumMyRows()) / 2;
-    upper.rows.reserve(n_about);
-    upper.columns.reserve(n_about);
-    upper.values.reserve(n_about);
     for (int row = 0; row < A.NumMyRows(); ++row)
       {
         int     n, *local_columns;
@@ -114,7 +91,7 @@ namespace Crevasse
     data.par          = 1; // rank 0 works too
     data.sym          = 2; // symmetric
     data.comm_fortran = MPI_Comm_c2f(communicator);
-    call(-1);
+    call(data, -1);
     data.n = dealii::Utilities::MPI::sum(n_local, communicator);
     for (const int output : {1, 2, 3, 4})
       icntl(output) = 0;
@@ -132,31 +109,23 @@ namespace Crevasse
   MumpsInstance<Number>::~MumpsInstance()
   {
     if (n_ranks == 1 || std::uncaught_exceptions() == 0)
-      call(free_everything);
+      call(data, free_everything);
     else
-      abandon_factor([left = data]() mutable {
-        left.job = free_everything;
-        run_mumps(left);
-      });
-  }
-
-
-
-  template <typename Number>
-  int &
-  MumpsInstance<Number>::icntl(const unsigned int number)
-  {
-    return data.icntl[number - 1];
+      abandoned.emplace_back(
+        [left = data]() mutable { call(left, free_everything); });
   }
 
 
 
   template <typename Number>
   void
-  MumpsInstance<Number>::call(const int job)
+  MumpsInstance<Number>::call(Data &data, const int job)
   {
     data.job = job;
-    run_mumps(data);
+    if constexpr (std::is_same<Number, double>::value)
+      dmumps_c(&data);
+    else
+      zmumps_c(&data);
   }
 
 
@@ -169,15 +138,16 @@ namespace Crevasse
     data.irn_loc = triangle.rows.data();
     data.jcn_loc = triangle.columns.data();
     data.a_loc   = for_mumps(triangle.values);
-    run(1, "the analysis");
+    call(data, 1);
+    require("the analysis");
     // MUMPS predicts the memory; where it falls short, it wants more.
     constexpr int largest_relaxation = 400; // per cent
-    call(2);
+    call(data, 2);
     while (needs_larger_buffers(data.infog[0]) &&
            icntl(14) < largest_relaxation)
       {
         icntl(14) = 2 * icntl(14) + 10;
-        call(2);
+        call(data, 2);
       }
     require("the factorisation");
     // INFO(16): what the factorisation was given on this rank, in 10⁶ bytes,
@@ -199,16 +169,7 @@ namespace Crevasse
     data.nrhs = n_columns;
     data.lrhs = data.n;
     data.rhs  = for_mumps(on_root);
-    run(3, what);
-  }
-
-
-
-  template <typename Number>
-  void
-  MumpsInstance<Number>::run(const int job, const char *what)
-  {
-    call(job);
+    call(data, 3);
     require(what);
   }
 
@@ -223,15 +184,12 @@ namespace Crevasse
       return;
     const bool is_memory = needs_larger_buffers(status) || status == -7 ||
                            status == -13 || status == -19;
-    const bool is_singular = status == -6 || status == -10;
-    throw NumericalError(
-      std::string("MUMPS failed in ") + what + " of " + matrix_name +
-      " with INFOG(1) = " + std::to_string(status) +
-      ", INFOG(2) = " + std::to_string(data.infog[1]) +
-      (is_memory     ? ": memory is short. " + if_memory_is_short
-       : is_singular ? ". It is singular: check the moduli of [Material] and "
-                       "the supports of [Boundary]."
-                     : ". " + otherwise));
+    throw NumericalError(std::string("MUMPS failed in ") + what + " of " +
+                         matrix_name +
+                         " with INFOG(1) = " + std::to_string(status) +
+                         ", INFOG(2) = " + std::to_string(data.infog[1]) +
+                         (is_memory ? ": memory is short. " + if_memory_is_short
+                                    : ". " + otherwise));
   }
 
 
@@ -241,20 +199,19 @@ namespace Crevasse
   MumpsInstance<Number>::gather(const Number      *columns,
                                 const unsigned int n_columns) const
   {
-    if (n_ranks == 1)
-      return std::vector<Number>(columns,
-                                 columns + std::size_t(n_local) * n_columns);
+    const MPI_Datatype type =
+      dealii::Utilities::MPI::mpi_type_id_for_type<Number>;
     const std::size_t   n = data.n;
     std::vector<Number> all(is_root() ? n * n_columns : 0);
     for (unsigned int k = 0; k < n_columns; ++k)
       {
         const int error = MPI_Gatherv(columns + std::size_t(n_local) * k,
                                       n_local,
-                                      mpi_type(columns),
+                                      type,
                                       all.data() + (is_root() ? n * k : 0),
                                       counts.data(),
                                       starts.data(),
-                                      mpi_type(columns),
+                                      type,
                                       0,
                                       communicator);
         AssertThrowMPI(error);
@@ -270,6 +227,8 @@ namespace Crevasse
                                  Number                    *columns,
                                  const unsigned int         n_columns) const
   {
+    const MPI_Datatype type =
+      dealii::Utilities::MPI::mpi_type_id_for_type<Number>;
     for (unsigned int k = 0; k < n_columns; ++k)
       {
         const int error =
@@ -277,48 +236,14 @@ namespace Crevasse
                          (is_root() ? std::size_t(data.n) * k : 0),
                        counts.data(),
                        starts.data(),
-                       mpi_type(columns),
+                       type,
                        columns + std::size_t(n_local) * k,
                        n_local,
-                       mpi_type(columns),
+                       type,
                        0,
                        communicator);
         AssertThrowMPI(error);
       }
-  }
-
-
-
-  template <typename Number>
-  bool
-  MumpsInstance<Number>::is_root() const
-  {
-    return !counts.empty();
-  }
-
-
-
-  template <typename Number>
-  std::size_t
-  MumpsInstance<Number>::memory_consumption() const
-  {
-    return bytes;
-  }
-
-
-
-  double *
-  for_mumps(std::vector<double> &values)
-  {
-    return values.data();
-  }
-
-
-
-  ZMUMPS_COMPLEX *
-  for_mumps(std::vector<std::complex<double>> &values)
-  {
-    return reinterpret_cast<ZMUMPS_COMPLEX *>(values.data());
   }
 
 

@@ -6,68 +6,11 @@
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/linear/operator_check.h>
 
-#include <deal.II/base/function.h>
-#include <deal.II/grid/grid_tools.h>
-#include <deal.II/numerics/vector_tools_interpolate.h>
-
-#include <array>
 #include <cmath>
 
 namespace Crevasse
 {
   using namespace dealii;
-
-  namespace
-  {
-    /** Between −1 and 1; neighbouring nodes have nothing in common. */
-    template <int dim>
-    class Noise : public Function<dim>
-    {
-    public:
-      /** @param length of the smallest cells. */
-      explicit Noise(const double length)
-        : Function<dim>(dim)
-        , length(length)
-      {
-      }
-
-      double
-      value(const Point<dim> &x, const unsigned int component) const override
-      {
-        constexpr std::array<double, 3> factors = {{12.9898, 78.233, 37.719}};
-        double                          phase   = 1. + component;
-        for (unsigned int d = 0; d < dim; ++d)
-          phase += factors[d] * x[d] / length;
-        return std::sin(1e4 * std::sin(phase));
-      }
-
-    private:
-      const double length;
-    };
-
-
-
-    /** Zero where constrained, in the layout of both operators. */
-    template <int dim>
-    Vector
-    noise(const StrainOperator<dim> &D, const Space<dim> &space)
-    {
-      Vector everywhere = space.nodal_vector();
-      VectorTools::interpolate(space.mapping(),
-                               space.dof_handler(),
-                               Noise<dim>(GridTools::minimal_cell_diameter(
-                                 space.mesh(), space.mapping())),
-                               everywhere);
-      Vector v;
-      D.initialize(v);
-      for (const auto i : v.locally_owned_elements())
-        if (!space.constraints().is_constrained(i))
-          v(i) = everywhere(i);
-      return v;
-    }
-  } // namespace
-
-
 
   template <int dim>
   void
@@ -78,11 +21,13 @@ namespace Crevasse
   {
     constexpr double          tolerance = 1e-10;
     const StrainOperator<dim> D(space, points);
-    const Vector              v = noise(D, space);
-    Vector                    product(v), force(v), stress;
+    Vector                    v, product, force, stress;
+    for (Vector *vector : {&v, &product, &force})
+      D.initialize(*vector);
+    for (const auto i : v.locally_owned_elements())
+      if (!space.constraints().is_constrained(i))
+        v(i) = std::sin(1e4 * std::sin(1. + i));
     A.vmult(product, v);
-
-    force = 0.;
     points.initialize(stress);
     D.for_each_strain(
       v, [&](const std::size_t offset, const VoigtVector<dim> &strain) {

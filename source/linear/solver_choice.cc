@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/linear/amg_cg.h>
+#include <crevasse/linear/mumps.h>
 #include <crevasse/linear/solver_choice.h>
 
 namespace Crevasse
 {
-  std::string
-  LinearSolverChoice::describe() const
-  {
-    return name_of(type) + " (" + why + ')';
-  }
-
-
-
-  std::string
-  ContactSolverChoice::describe() const
-  {
-    return name_of(type) + " (" + why + ')';
-  }
-
-
-
   std::size_t
   largest_factorised(const unsigned int dimension)
   {
@@ -42,6 +29,27 @@ namespace Crevasse
     if (n_ranks == 1)
       return {Type::cholesky, "automatic: one process, at most " + limit};
     return {Type::mumps, "automatic: several processes, at most " + limit};
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<LinearSolver>
+  make_matrix_solver(const LinearSolverType                   type,
+                     const Space<dim>                        &space,
+                     const LinearSolver::Matrix              &matrix,
+                     std::shared_ptr<const Cholesky::Factor> &analysis)
+  {
+    if (type == LinearSolverType::amg)
+      return std::make_unique<AmgCg>(matrix,
+                                     rigid_modes(space),
+                                     dim,
+                                     space.finite_element().degree > 1);
+    if (type == LinearSolverType::mumps)
+      return std::make_unique<Mumps>(matrix);
+    auto cholesky = std::make_unique<Cholesky>(matrix, analysis);
+    analysis      = cholesky->analysis();
+    return cholesky;
   }
 
 
@@ -68,28 +76,14 @@ namespace Crevasse
 
 
 
-  ContactSolverChoice
-  choose_contact_solver(const ContactParameters  &parameters,
-                        const LinearSolverChoice &linear_solver,
-                        const std::size_t         n_bounds)
-  {
-    if (parameters.solver != ContactSolverType::automatic)
-      return {parameters.solver,
-              "[Contact] Solver = " + name_of(parameters.solver)};
-
-    // The dense matrices of the condensed problem grow with the square of the
-    // lip, the work on them with its cube.
-    constexpr std::size_t largest_lip = 3000;
-    if (linear_solver.is_multigrid())
-      return {ContactSolverType::active_set,
-              "automatic: without a factor there are no cheap "
-              "columns of the compliance"};
-    if (n_bounds > largest_lip)
-      return {ContactSolverType::active_set,
-              "automatic: the lip has more than " +
-                std::to_string(largest_lip) + " nodes"};
-    return {ContactSolverType::condensed_active_set,
-            "automatic: a factor, and a lip of at most " +
-              std::to_string(largest_lip) + " nodes"};
-  }
+  template std::unique_ptr<LinearSolver>
+  make_matrix_solver(const LinearSolverType,
+                     const Space<2> &,
+                     const LinearSolver::Matrix &,
+                     std::shared_ptr<const Cholesky::Factor> &);
+  template std::unique_ptr<LinearSolver>
+  make_matrix_solver(const LinearSolverType,
+                     const Space<3> &,
+                     const LinearSolver::Matrix &,
+                     std::shared_ptr<const Cholesky::Factor> &);
 } // namespace Crevasse

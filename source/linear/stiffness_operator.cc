@@ -65,15 +65,6 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  StiffnessOperator<dim>::initialize_dof_vector(Vector &vector) const
-  {
-    loops->initialize_dof_vector(vector);
-  }
-
-
-
-  template <int dim>
   template <typename PointModuli>
   void
   StiffnessOperator<dim>::multiply(
@@ -108,72 +99,63 @@ namespace Crevasse
 
 
   template <int dim>
-  template <int degree, bool mean_volume, typename PointModuli>
+  template <bool mean_volume, typename PointModuli, typename Evaluation>
   void
-  StiffnessOperator<dim>::apply_to_cells(
-    const PointValues<PointModuli>              &moduli,
-    const Loops                                 &loops,
-    Vector                                      &result,
-    const Vector                                &v,
-    const std::pair<unsigned int, unsigned int> &cells) const
+  StiffnessOperator<dim>::multiply_at_points(
+    const PointValues<PointModuli> &moduli,
+    const unsigned int              batch,
+    Evaluation                     &evaluation) const
   {
-    FEEvaluation<dim, degree, degree + 1, dim, double> evaluation(loops);
-    constexpr unsigned int           n_points = Utilities::pow(degree + 1, dim);
+    constexpr unsigned int           n_points = Evaluation::static_n_q_points;
     std::array<Number, n_components> strain{}, stress{};
     std::array<SymmetricTensor<2, dim, Number>, n_points> stresses;
-    for (unsigned int batch = cells.first; batch < cells.second; ++batch)
+    Number volume(0.), dilatation(0.), pressure(0.);
+    if constexpr (mean_volume)
       {
-        evaluation.reinit(batch);
-        evaluation.gather_evaluate(v, EvaluationFlags::gradients);
-        Number volume(0.), dilatation(0.), pressure(0.);
-        if constexpr (mean_volume)
-          {
-            for (unsigned int q = 0; q < n_points; ++q)
-              {
-                dilatation += evaluation.get_divergence(q) * evaluation.JxW(q);
-                volume += evaluation.JxW(q);
-              }
-            dilatation /= volume;
-          }
         for (unsigned int q = 0; q < n_points; ++q)
           {
-            const auto gradient = evaluation.get_symmetric_gradient(q);
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int j = i; j < dim; ++j)
-                strain[voigt_index<dim>(i, j)] =
-                  (i == j ? 1. : 2.) * gradient[i][j];
-            if constexpr (mean_volume)
-              {
-                const Number added = (dilatation - trace(gradient)) / 3.;
-                for (unsigned int i = 0; i < dim; ++i)
-                  strain[i] += added;
-                if constexpr (dim == 2)
-                  strain[2] = added;
-              }
-            multiply(moduli, batch, q, strain, stress);
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int j = i; j < dim; ++j)
-                stresses[q][i][j] = stress[voigt_index<dim>(i, j)];
-            if constexpr (mean_volume)
-              {
-                // The mean over the cell follows when it is known.
-                const Number own = (stress[0] + stress[1] + stress[2]) / 3.;
-                pressure += own * evaluation.JxW(q);
-                for (unsigned int i = 0; i < dim; ++i)
-                  stresses[q][i][i] -= own;
-              }
-            else
-              evaluation.submit_symmetric_gradient(stresses[q], q);
+            dilatation += evaluation.get_divergence(q) * evaluation.JxW(q);
+            volume += evaluation.JxW(q);
           }
-        if constexpr (mean_volume)
-          for (unsigned int q = 0; q < n_points; ++q)
-            {
-              for (unsigned int i = 0; i < dim; ++i)
-                stresses[q][i][i] += pressure / volume;
-              evaluation.submit_symmetric_gradient(stresses[q], q);
-            }
-        evaluation.integrate_scatter(EvaluationFlags::gradients, result);
+        dilatation /= volume;
       }
+    for (unsigned int q = 0; q < n_points; ++q)
+      {
+        const auto gradient = evaluation.get_symmetric_gradient(q);
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = i; j < dim; ++j)
+            strain[voigt_index<dim>(i, j)] =
+              (i == j ? 1. : 2.) * gradient[i][j];
+        if constexpr (mean_volume)
+          {
+            const Number added = (dilatation - trace(gradient)) / 3.;
+            for (unsigned int i = 0; i < dim; ++i)
+              strain[i] += added;
+            if constexpr (dim == 2)
+              strain[2] = added;
+          }
+        multiply(moduli, batch, q, strain, stress);
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = i; j < dim; ++j)
+            stresses[q][i][j] = stress[voigt_index<dim>(i, j)];
+        if constexpr (mean_volume)
+          {
+            // The mean over the cell follows when it is known.
+            const Number own = (stress[0] + stress[1] + stress[2]) / 3.;
+            pressure += own * evaluation.JxW(q);
+            for (unsigned int i = 0; i < dim; ++i)
+              stresses[q][i][i] -= own;
+          }
+        else
+          evaluation.submit_symmetric_gradient(stresses[q], q);
+      }
+    if constexpr (mean_volume)
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          for (unsigned int i = 0; i < dim; ++i)
+            stresses[q][i][i] += pressure / volume;
+          evaluation.submit_symmetric_gradient(stresses[q], q);
+        }
   }
 
 
@@ -187,9 +169,18 @@ namespace Crevasse
     const Vector                                &v,
     const std::pair<unsigned int, unsigned int> &cells) const
   {
+    FEEvaluation<dim, degree, degree + 1, dim, double> evaluation(loops);
     std::visit(
       [&](const auto &of_points) {
-        apply_to_cells<degree, mean_volume>(of_points, loops, result, v, cells);
+        for (unsigned int batch = cells.first; batch < cells.second; ++batch)
+          {
+            evaluation.reinit(batch);
+            evaluation.gather_evaluate(v, EvaluationFlags::gradients);
+            this->template multiply_at_points<mean_volume>(of_points,
+                                                           batch,
+                                                           evaluation);
+            evaluation.integrate_scatter(EvaluationFlags::gradients, result);
+          }
       },
       moduli);
   }
@@ -205,11 +196,12 @@ namespace Crevasse
   {
     const auto identity_then_after = [&](const unsigned int begin,
                                          const unsigned int end) {
-      for (const auto *rows : {&constrained_rows, &held_rows})
-        for (auto row = std::lower_bound(rows->begin(), rows->end(), begin);
-             row != rows->end() && *row < end;
-             ++row)
-          result.local_element(*row) = v.local_element(*row);
+      for (const auto *rows : {&constrained_rows, held_rows})
+        if (rows != nullptr)
+          for (auto row = std::lower_bound(rows->begin(), rows->end(), begin);
+               row != rows->end() && *row < end;
+               ++row)
+            result.local_element(*row) = v.local_element(*row);
       if (after)
         after(begin, end);
     };
@@ -222,6 +214,73 @@ namespace Crevasse
       loop(&StiffnessOperator::apply<1, true>);
     else
       loop(&StiffnessOperator::apply<1, false>);
+  }
+
+
+
+  template <int dim>
+  template <int degree, bool mean_volume>
+  void
+  StiffnessOperator<dim>::add_cell_diagonals()
+  {
+    FEEvaluation<dim, degree, degree + 1, dim, double> evaluation(*loops);
+    const unsigned int  n = space.finite_element().n_dofs_per_cell();
+    std::vector<Number> entries(n);
+    std::vector<types::global_dof_index> dofs(n);
+    const auto &numbering = loops->get_shape_info().lexicographic_numbering;
+    for (unsigned int batch = 0; batch < loops->n_cell_batches(); ++batch)
+      {
+        evaluation.reinit(batch);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            Number *const values = evaluation.begin_dof_values();
+            std::fill_n(values, n, Number(0.));
+            values[i] = 1.;
+            evaluation.evaluate(EvaluationFlags::gradients);
+            std::visit(
+              [&](const auto &of_points) {
+                this->template multiply_at_points<mean_volume>(of_points,
+                                                               batch,
+                                                               evaluation);
+              },
+              moduli);
+            evaluation.integrate(EvaluationFlags::gradients);
+            entries[i] = values[i];
+          }
+        for (unsigned int lane = 0;
+             lane < loops->n_active_entries_per_cell_batch(batch);
+             ++lane)
+          {
+            loops->get_cell_iterator(batch, lane)->get_dof_indices(dofs);
+            for (unsigned int i = 0; i < n; ++i)
+              if (const auto *masters =
+                    space.constraints().get_constraint_entries(
+                      dofs[numbering[i]]))
+                for (const auto &[master, factor] : *masters)
+                  operator_diagonal(master) +=
+                    factor * factor * entries[i][lane];
+              else
+                operator_diagonal(dofs[numbering[i]]) += entries[i][lane];
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  StiffnessOperator<dim>::compute_diagonal()
+  {
+    initialize_dof_vector(operator_diagonal);
+    if (space.finite_element().degree == 2)
+      add_cell_diagonals<2, false>();
+    else if (space.volumetric_strain() == VolumetricStrain::mean)
+      add_cell_diagonals<1, true>();
+    else
+      add_cell_diagonals<1, false>();
+    operator_diagonal.compress(VectorOperation::add);
+    for (const unsigned int row : constrained_rows)
+      operator_diagonal.local_element(row) = 1.;
   }
 
 
@@ -248,24 +307,6 @@ namespace Crevasse
             std::fill(result.begin() + begin, result.begin() + end, 0.);
           },
           {});
-  }
-
-
-
-  template <int dim>
-  void
-  StiffnessOperator<dim>::hold(std::vector<unsigned int> rows)
-  {
-    held_rows = std::move(rows);
-  }
-
-
-
-  template <int dim>
-  void
-  StiffnessOperator<dim>::swap_held(std::vector<unsigned int> &rows) noexcept
-  {
-    held_rows.swap(rows);
   }
 
 
@@ -311,36 +352,6 @@ namespace Crevasse
 
 
   template <int dim>
-  MPI_Comm
-  StiffnessOperator<dim>::get_mpi_communicator() const
-  {
-    return space.communicator();
-  }
-
-
-
-  template <int dim>
-  types::global_dof_index
-  StiffnessOperator<dim>::m() const
-  {
-    return space.n_unknowns();
-  }
-
-
-
-  template <int dim>
-  double
-  StiffnessOperator<dim>::el(
-    const types::global_dof_index                  row,
-    [[maybe_unused]] const types::global_dof_index column) const
-  {
-    Assert(row == column, ExcNotImplemented());
-    return operator_diagonal(row);
-  }
-
-
-
-  template <int dim>
   std::size_t
   StiffnessOperator<dim>::memory_consumption() const
   {
@@ -350,7 +361,7 @@ namespace Crevasse
              },
              moduli) +
            first_points.size() * sizeof(first_points[0]) +
-           (constrained_rows.size() + held_rows.size()) * sizeof(unsigned int) +
+           constrained_rows.size() * sizeof(unsigned int) +
            operator_diagonal.memory_consumption() +
            copy_of_v.memory_consumption() + copy_of_result.memory_consumption();
   }

@@ -2,12 +2,272 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/material/maxwell_law.h>
-#include <crevasse/material/properties.h>
+#include <crevasse/material/voigt_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace Crevasse
 {
   namespace
   {
+    using Values = std::vector<double>;
+
+    template <int dim>
+    bool
+    is_plane_stress(const MaterialParameters &parameters)
+    {
+      return dim == 2 && parameters.plane_state == PlaneState::plane_stress;
+    }
+
+
+
+    /** "[Material] Poisson ratio = 0.3". */
+    std::string
+    describe(const Expression &formula)
+    {
+      return formula.parameter() + " = " + formula.formula();
+    }
+
+
+
+    /** A formula whose value, number @p i of all, must lie in a range. */
+    template <typename Value>
+    void
+    add_formula(Property<Value>  &property,
+                const Expression &formula,
+                const Range      &range)
+    {
+      const std::size_t i = property.formulas.size();
+      property.formulas.push_back(formula);
+      property.requirements.push_back(
+        {describe(formula),
+         "is",
+         [i](const Values &values) { return values[i]; },
+         range});
+    }
+
+
+
+    /** Where the rows of a matrix of the scene are among the components. */
+    template <int dim>
+    std::vector<unsigned int>
+    places_of_rows(const std::size_t n_rows, const bool plane_stress)
+    {
+      if (dim == 2 && n_rows == 3 && plane_stress)
+        return {0, 1, 3};
+      std::vector<unsigned int> all(n_stress_components<dim>);
+      for (unsigned int i = 0; i < all.size(); ++i)
+        all[i] = i;
+      return n_rows == all.size() ? all : std::vector<unsigned int>();
+    }
+
+
+
+    /** @p values may be longer than the matrix. */
+    template <int dim>
+    VoigtMatrix<dim>
+    matrix_of(const Values &values, const std::vector<unsigned int> &places)
+    {
+      VoigtMatrix<dim>  matrix;
+      const std::size_t n = places.size();
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          matrix[places[i]][places[j]] = values[i * n + j];
+      return matrix;
+    }
+
+
+
+    template <int dim>
+    void
+    require_symmetric_positive_definite(Property<VoigtMatrix<dim>> &property,
+                                        const std::string          &what,
+                                        const std::vector<unsigned int> &places)
+    {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      const auto       require =
+        [&](const char *shown, const auto &actual, const Range &range) {
+          property.requirements.push_back({what, shown, actual, range});
+        };
+      require(
+        "has the largest entry",
+        [n = places.size()](const Values &values) {
+          double magnitude = 0.;
+          for (std::size_t i = 0; i < n * n; ++i)
+            magnitude = std::max(magnitude, std::abs(values[i]));
+          return magnitude;
+        },
+        Ranges::size);
+      require("has the relative asymmetry",
+              [places](const Values &values) {
+                const auto   matrix = matrix_of<dim>(values, places);
+                const double size   = matrix.norm();
+                return size > 0. ? (matrix - transpose(matrix)).norm() / size
+                                 : 0.;
+              },
+              {-infinity, 1e-10, "must be symmetric"});
+      require("has the relative eigenvalue",
+              [places](const Values &values) {
+                const auto matrix = matrix_of<dim>(values, places);
+                return least_relative_eigenvalue<dim>(
+                  0.5 * (matrix + transpose(matrix)),
+                  places.size() < n_stress_components<dim>);
+              },
+              {1e-14, infinity, "must be positive definite"});
+    }
+
+
+
+    /** K, isotropic or from its matrix. */
+    template <int dim>
+    Property<VoigtMatrix<dim>>
+    stiffness_property(const MaterialParameters &parameters)
+    {
+      Property<VoigtMatrix<dim>> property;
+      const bool plane_stress = is_plane_stress<dim>(parameters);
+      if (parameters.stiffness_matrix.text().empty())
+        {
+          add_formula(property, *parameters.young_modulus, Ranges::positive);
+          add_formula(property,
+                      *parameters.poisson_ratio,
+                      Ranges::elastic_ratio);
+          property.from_values = [plane_stress](const Values &values) {
+            return isotropic_stiffness<dim>(values[0], values[1], plane_stress);
+          };
+          return property;
+        }
+
+      const FormulaMatrix &K = parameters.stiffness_matrix;
+      require_size(K, dim, plane_stress);
+      property.formulas        = entries(K);
+      const std::size_t n      = K->size();
+      const auto        places = places_of_rows<dim>(n, plane_stress);
+      const bool condensed     = plane_stress && n == n_stress_components<dim>;
+      property.from_values     = [places, condensed](const Values &values) {
+        const VoigtMatrix<dim> matrix = matrix_of<dim>(values, places);
+        return condensed ? condense_thickness<dim>(matrix) : matrix;
+      };
+      require_symmetric_positive_definite<dim>(
+        property, "[Material] Stiffness matrix = " + K.text(), places);
+      return property;
+    }
+
+
+
+    /** The formulas of K, and the function of their values that gives its
+     * inverse as H of unit viscosity has it: with the 33 row of the whole
+     * body, which creeps in thickness too. */
+    template <int dim>
+    std::function<VoigtMatrix<dim>(const Values &)>
+    add_compliance(const MaterialParameters   &parameters,
+                   Property<VoigtMatrix<dim>> &property)
+    {
+      Property<VoigtMatrix<dim>> K = stiffness_property<dim>(parameters);
+      property.formulas            = std::move(K.formulas);
+      if (parameters.stiffness_matrix.text().empty())
+        return [](const Values &values) {
+          return isotropic_compliance<dim>(values[0], values[1]);
+        };
+      const auto places =
+        places_of_rows<dim>(parameters.stiffness_matrix->size(),
+                            is_plane_stress<dim>(parameters));
+      return [places](const Values &values) {
+        return inverse<dim>(matrix_of<dim>(values, places));
+      };
+    }
+
+
+
+    /** H = (τK)⁻¹ / fraction. */
+    template <int dim>
+    Property<VoigtMatrix<dim>>
+    proportional_fluidity(const MaterialParameters &parameters,
+                          const Expression         &relaxation_time,
+                          const double              fraction)
+    {
+      Property<VoigtMatrix<dim>> property;
+      const auto compliance = add_compliance<dim>(parameters, property);
+      add_formula(property, relaxation_time, Ranges::positive);
+      property.from_values = [=](const Values &values) {
+        return compliance(values) / (fraction * values.back());
+      };
+      return property;
+    }
+
+
+
+    /** H of Viscous modulus and Viscous Poisson ratio. */
+    template <int dim>
+    Property<VoigtMatrix<dim>>
+    isotropic_fluidity(const MaterialParameters &parameters)
+    {
+      Property<VoigtMatrix<dim>> property;
+      add_formula(property, *parameters.viscous_modulus, Ranges::positive);
+      add_formula(property,
+                  *parameters.viscous_poisson_ratio,
+                  Ranges::viscous_ratio);
+      property.from_values = [](const Values &values) {
+        return isotropic_compliance<dim>(values[0], values[1]);
+      };
+      return property;
+    }
+
+
+
+    /** H = η⁻¹ of Viscosity matrix. */
+    template <int dim>
+    Property<VoigtMatrix<dim>>
+    fluidity_of_matrix(const MaterialParameters &parameters)
+    {
+      Property<VoigtMatrix<dim>> property;
+      const bool           plane_stress = is_plane_stress<dim>(parameters);
+      const FormulaMatrix &eta          = parameters.viscosity_matrix;
+      require_size(eta, dim, plane_stress);
+      property.formulas    = entries(eta);
+      const auto places    = places_of_rows<dim>(eta->size(), plane_stress);
+      property.from_values = [places](const Values &values) {
+        return inverse<dim>(matrix_of<dim>(values, places));
+      };
+      require_symmetric_positive_definite<dim>(
+        property, "[Material] Viscosity matrix = " + eta.text(), places);
+      return property;
+    }
+
+
+
+    /** A strain, with engineering shears, of a scalar or a tensor. */
+    template <int dim>
+    Property<VoigtVector<dim>>
+    strain_property(const Formulas &components)
+    {
+      Property<VoigtVector<dim>> property;
+      require_size(components, dim);
+      property.formulas   = *components;
+      const std::size_t n = property.formulas.size();
+      if (n == 1)
+        property.from_values = [](const Values &values) {
+          VoigtVector<dim> strain;
+          for (unsigned int i = 0; i < 3; ++i)
+            strain[i] = values[0];
+          return strain;
+        };
+      else
+        property.from_values = [n](const Values &values) {
+          VoigtVector<dim> strain;
+          strain[0] = values[0];
+          strain[1] = values[1];
+          strain[2] = n == 3 ? values[0] : values[2];
+          for (unsigned int i = 3; i < n_stress_components<dim>; ++i)
+            strain[i] = 2. * values[n == 3 ? 2 : i];
+          return strain;
+        };
+      return property;
+    }
+
+
+
     template <int dim>
     std::vector<typename MaxwellLaw<dim>::Branch>
     make_branches(const MaterialParameters &parameters)
@@ -66,19 +326,6 @@ namespace Crevasse
                              eta_0.value(Place<dim>()) != 1.;
     if (!has_factors && tau.is_constant())
       uniform_tau = tau.value(Place<dim>());
-  }
-
-
-
-  template <int dim>
-  bool
-  MaxwellLaw<dim>::has_spring() const
-  {
-    double creeping = 0.;
-    for (const Branch &branch : maxwell_branches)
-      creeping += branch.fraction;
-    constexpr double rounding = 1e-12;
-    return creeping < 1. - rounding;
   }
 
 

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
-#include <crevasse/material/isotropic.h>
 #include <crevasse/material/voigt_matrix.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -44,6 +43,51 @@ namespace Crevasse
 
 
 
+    template <int dim>
+    LAPACKFullMatrix<double>
+    to_lapack(const VoigtMatrix<dim>          &matrix,
+              const std::vector<unsigned int> &places)
+    {
+      LAPACKFullMatrix<double> full(places.size());
+      for (unsigned int i = 0; i < places.size(); ++i)
+        for (unsigned int j = 0; j < places.size(); ++j)
+          full(i, j) = matrix[places[i]][places[j]];
+      return full;
+    }
+
+
+
+    /** The symmetric part of a matrix that LAPACK returns. */
+    template <int dim>
+    VoigtMatrix<dim>
+    symmetric_part(const LAPACKFullMatrix<double>  &full,
+                   const std::vector<unsigned int> &places)
+    {
+      VoigtMatrix<dim> result;
+      for (unsigned int i = 0; i < places.size(); ++i)
+        for (unsigned int j = 0; j < places.size(); ++j)
+          result[places[i]][places[j]] = 0.5 * (full(i, j) + full(j, i));
+      return result;
+    }
+
+
+
+    /** Real ones. */
+    template <int dim>
+    std::vector<double>
+    eigenvalues(const VoigtMatrix<dim> &matrix, const bool in_plane_only)
+    {
+      LAPACKFullMatrix<double> full =
+        to_lapack<dim>(matrix, components<dim>(in_plane_only));
+      full.compute_eigenvalues();
+      std::vector<double> values;
+      for (unsigned int i = 0; i < full.m(); ++i)
+        values.push_back(full.eigenvalue(i).real());
+      return values;
+    }
+
+
+
     /** What is rounding of the largest rate is none. */
     RelaxationRates
     extremes(const std::vector<double> &rates)
@@ -69,12 +113,8 @@ namespace Crevasse
   inverse(const VoigtMatrix<dim> &matrix)
   {
     const auto               places = components<dim>(is_in_plane<dim>(matrix));
-    const unsigned int       n      = places.size();
-    LAPACKFullMatrix<double> full(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        full(i, j) =
-          0.5 * (matrix[places[i]][places[j]] + matrix[places[j]][places[i]]);
+    LAPACKFullMatrix<double> full =
+      to_lapack<dim>(0.5 * (matrix + transpose(matrix)), places);
     try
       {
         // Unlike roots, pivots round nothing in a diagonal matrix.
@@ -85,11 +125,7 @@ namespace Crevasse
       {
         throw NumericalError("A matrix of [Material] is singular.");
       }
-    VoigtMatrix<dim> result;
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        result[places[i]][places[j]] = 0.5 * (full(i, j) + full(j, i));
-    return result;
+    return symmetric_part<dim>(full, places);
   }
 
 
@@ -98,15 +134,12 @@ namespace Crevasse
   VoigtMatrix<dim>
   relaxed_stiffness(const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H)
   {
-    constexpr unsigned int   n  = n_stress_components<dim>;
-    const VoigtMatrix<dim>   KH = K * H;
-    LAPACKFullMatrix<double> matrix(n, n), columns(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        {
-          matrix(i, j)  = (i == j ? 1. : 0.) + KH[i][j];
-          columns(i, j) = K[i][j];
-        }
+    const auto       places     = components<dim>(false);
+    VoigtMatrix<dim> relaxation = K * H;
+    for (const unsigned int i : places)
+      relaxation[i][i] += 1.;
+    LAPACKFullMatrix<double> matrix  = to_lapack<dim>(relaxation, places);
+    LAPACKFullMatrix<double> columns = to_lapack<dim>(K, places);
     try
       {
         matrix.compute_lu_factorization();
@@ -119,11 +152,7 @@ namespace Crevasse
           "rounding: a step is too many relaxation times long. Take shorter "
           "steps or slower flow.");
       }
-    VoigtMatrix<dim> result;
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        result[i][j] = columns(i, j);
-    return 0.5 * (result + transpose(result));
+    return symmetric_part<dim>(columns, places);
   }
 
 
@@ -161,23 +190,15 @@ namespace Crevasse
   least_relative_eigenvalue(const VoigtMatrix<dim> &matrix,
                             const bool              in_plane_only)
   {
-    const auto               places  = components<dim>(in_plane_only);
-    const unsigned int       n       = places.size();
-    double                   largest = 0.;
-    LAPACKFullMatrix<double> full(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        {
-          full(i, j) = matrix[places[i]][places[j]];
-          largest    = std::max(largest, std::abs(full(i, j)));
-        }
+    const auto places  = components<dim>(in_plane_only);
+    double     largest = 0.;
+    for (const unsigned int i : places)
+      for (const unsigned int j : places)
+        largest = std::max(largest, std::abs(matrix[i][j]));
     if (!(largest > 0.))
       return 0.;
-    full.compute_eigenvalues();
-    double least = full.eigenvalue(0).real();
-    for (unsigned int i = 1; i < n; ++i)
-      least = std::min(least, full.eigenvalue(i).real());
-    return least / largest;
+    const std::vector<double> values = eigenvalues<dim>(matrix, in_plane_only);
+    return *std::min_element(values.begin(), values.end()) / largest;
   }
 
 
@@ -199,18 +220,111 @@ namespace Crevasse
       }
     // HK is similar to the symmetric √H K √H: its eigenvalues are real, and
     // small enough for the general eigenvalue solver of LAPACK.
-    const auto               places = components<dim>(is_in_plane<dim>(K));
-    const unsigned int       n      = places.size();
-    const VoigtMatrix<dim>   HK     = H * K;
-    LAPACKFullMatrix<double> matrix(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        matrix(i, j) = HK[places[i]][places[j]];
-    matrix.compute_eigenvalues();
-    std::vector<double> rates;
-    for (unsigned int i = 0; i < n; ++i)
-      rates.push_back(matrix.eigenvalue(i).real());
-    return extremes(rates);
+    return extremes(eigenvalues<dim>(H * K, is_in_plane<dim>(K)));
+  }
+
+
+
+  template <int dim>
+  VoigtMatrix<dim>
+  isotropic_stiffness(const double young_modulus,
+                      const double poisson_ratio,
+                      const bool   plane_stress)
+  {
+    const double E = young_modulus, nu = poisson_ratio;
+    const double mu = E / (2. * (1. + nu));
+    const double lambda =
+      plane_stress ? E * nu / (1. - nu * nu) : 2. * mu * nu / (1. - 2. * nu);
+
+    VoigtMatrix<dim>   K;
+    const unsigned int n_normal = plane_stress ? 2 : 3;
+    for (unsigned int i = 0; i < n_normal; ++i)
+      for (unsigned int j = 0; j < n_normal; ++j)
+        K[i][j] = lambda + (i == j ? 2. * mu : 0.);
+    for (unsigned int i = 3; i < n_stress_components<dim>; ++i)
+      K[i][i] = mu;
+    return K;
+  }
+
+
+
+  template <int dim>
+  VoigtMatrix<dim>
+  isotropic_compliance(const double young_modulus, const double poisson_ratio)
+  {
+    VoigtMatrix<dim> compliance;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        compliance[i][j] = (i == j ? 1. : -poisson_ratio) / young_modulus;
+    for (unsigned int i = 3; i < n_stress_components<dim>; ++i)
+      compliance[i][i] = 2. * (1. + poisson_ratio) / young_modulus;
+    return compliance;
+  }
+
+
+
+  template <int dim>
+  bool
+  is_isotropic(const VoigtMatrix<dim> &matrix)
+  {
+    const double rounding = 1e-14 * std::abs(matrix[0][0]);
+    const auto   equal    = [rounding](const double a, const double b) {
+      return std::abs(a - b) <= rounding;
+    };
+    const bool is_plane_stress  = dim == 2 && matrix[2].norm_square() == 0.;
+    const unsigned int n_normal = is_plane_stress ? 2 : 3;
+    const double       shear    = matrix[3][3];
+    for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+      for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
+        {
+          const bool   normal = i < n_normal && j < n_normal;
+          const bool   absent = is_plane_stress && (i == 2 || j == 2);
+          const double expected =
+            absent ? 0.
+                   : (normal ? (i == j ? matrix[0][0] : matrix[0][1])
+                             : (i == j ? shear : 0.));
+          if (!equal(matrix[i][j], expected))
+            return false;
+        }
+    return true;
+  }
+
+
+
+  template <int dim>
+  PhiFunctions<dim>
+  decay_functions(const VoigtMatrix<dim> &rate)
+  {
+    const double size = rate.norm();
+    if (!std::isfinite(size))
+      throw NumericalError(
+        "The relaxation of a material over a step is not finite: a step is "
+        "too many relaxation times long. Take shorter steps or slower flow.");
+    // Below ½ the series has all its digits after 14 terms.
+    int doublings = 0;
+    if (size > 0.5)
+      doublings = std::ilogb(size) + 2;
+    const VoigtMatrix<dim> z = -std::ldexp(1., -doublings) * rate;
+
+    VoigtMatrix<dim> identity;
+    for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+      identity[i][i] = 1.;
+
+    // φ₂ = Σ zⁿ/(n+2)!, by Horner's rule.
+    constexpr unsigned int terms = 14;
+    PhiFunctions<dim>      phi;
+    for (unsigned int n = terms; n > 0; --n)
+      phi.second = (identity + z * phi.second) / (n + 1.);
+    phi.first                    = identity + z * phi.second;
+    VoigtMatrix<dim> exponential = identity + z * phi.first;
+
+    for (int n = 0; n < doublings; ++n)
+      {
+        phi.second = 0.25 * (exponential * phi.second + phi.first + phi.second);
+        phi.first  = 0.5 * (exponential * phi.first + phi.first);
+        exponential = exponential * exponential;
+      }
+    return phi;
   }
 
 
@@ -223,8 +337,15 @@ namespace Crevasse
   template VoigtMatrix<dim> in_plane<dim>(const VoigtMatrix<dim> &);           \
   template double least_relative_eigenvalue<dim>(const VoigtMatrix<dim> &,     \
                                                  const bool);                  \
-  template RelaxationRates relaxation_rates<dim>(const VoigtMatrix<dim> &,     \
-                                                 const VoigtMatrix<dim> &)
+  template RelaxationRates   relaxation_rates<dim>(const VoigtMatrix<dim> &,   \
+                                                 const VoigtMatrix<dim> &);  \
+  template VoigtMatrix<dim>  isotropic_stiffness<dim>(const double,            \
+                                                     const double,            \
+                                                     const bool);             \
+  template VoigtMatrix<dim>  isotropic_compliance<dim>(const double,           \
+                                                      const double);          \
+  template bool              is_isotropic<dim>(const VoigtMatrix<dim> &);      \
+  template PhiFunctions<dim> decay_functions<dim>(const VoigtMatrix<dim> &)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -5,14 +5,16 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/refinement.h>
-#include <crevasse/discretisation/rigid_motions.h>
+#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/model/body.h>
-#include <crevasse/model/solver_memory.h>
-#include <crevasse/model/tip_functions.h>
+#include <crevasse/model/linear_choice.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
-#include <array>
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -33,68 +35,6 @@ namespace Crevasse
 
 
 
-    /** The parameters that name boundary ids, each with its own name. */
-    std::array<std::pair<const char *, const std::string *>, 3>
-    roles_besides_loaded(const BoundaryParameters &parameters)
-    {
-      return {{{"Clamped", &parameters.clamped},
-               {"Symmetry", &parameters.symmetry},
-               {"Contact", &parameters.contact}}};
-    }
-
-
-
-    /** Which parameter took the loaded boundary of the built-in shape for
-     * itself, as a sentence, or nothing if none did. */
-    std::string
-    who_took_the_loaded_boundary(const Scene &scene)
-    {
-      if (parse_boundary_ids(scene.boundary.loaded))
-        return "";
-      for (const auto id : built_in_roles(scene.geometry).loaded)
-        for (const auto &[name, value] : roles_besides_loaded(scene.boundary))
-          {
-            const auto ids = parse_boundary_ids(*value);
-            if (ids && ids->count(id) > 0)
-              return " The loaded boundary of this shape is the boundary id " +
-                     std::to_string(id) + ", which [Boundary] " + name + " = " +
-                     *value + " takes away from it.";
-          }
-      return "";
-    }
-
-
-
-    std::string
-    list_ids(const char *role, const std::set<types::boundary_id> &ids)
-    {
-      std::vector<std::string> numbers;
-      for (const types::boundary_id id : ids)
-        numbers.push_back(std::to_string(id));
-      return role + (" " + Text::join(numbers, ", "));
-    }
-
-
-
-    /** As in a scene: components follow a colon unless all are fixed. */
-    template <int dim>
-    std::string
-    describe_fixed_point(const FixedPoint<dim> &fixed_point)
-    {
-      std::vector<std::string> components;
-      for (unsigned int d = 0; d < dim; ++d)
-        if (fixed_point.components[d])
-          components.push_back(std::to_string(d + 1));
-      return "fixed " + Text::from_point(fixed_point.point) +
-             (components.size() < dim ? ": " + Text::join(components, ", ")
-                                      : "");
-    }
-  } // namespace
-
-
-
-  namespace
-  {
     /** A file may be there for some of the processes only. */
     template <int dim>
     Temperature<dim>
@@ -102,9 +42,55 @@ namespace Crevasse
     {
       std::optional<Temperature<dim>> temperature;
       collectively(communicator, [&]() {
-        temperature.emplace(loads.temperature.text(), loads.period);
+        temperature.emplace(*loads.temperature,
+                            loads.temperature.text(),
+                            loads.period);
       });
       return std::move(*temperature);
+    }
+
+
+
+    /** The size of the smallest cell at the tip, over all ranks. */
+    double
+    cell_size_at(const CrackTip &tip, const Mesh<2> &mesh)
+    {
+      double size = std::numeric_limits<double>::max();
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int v : cell->vertex_indices())
+            if (cell->vertex(v).distance(tip.position) <
+                1e-8 * cell->diameter())
+              size = std::min(size, cell->minimum_vertex_distance());
+      return Utilities::MPI::min(size, mesh.get_communicator());
+    }
+
+
+
+    /** The singular functions of [Discretisation]; without fields if there are
+     * none. Collective. @throw SceneError as elasticity_at(). */
+    template <int dim>
+    SingularFunctions
+    tip_functions(const Scene            &scene,
+                  const Mesh<dim>        &mesh,
+                  const MaxwellLaw<dim>  &law,
+                  const Temperature<dim> &temperature)
+    {
+      const unsigned int n = scene.discretisation.singular_functions;
+      if constexpr (dim == 2)
+        if (n > 0)
+          {
+            const std::string wanted_by =
+              "[Discretisation] Singular functions = " + std::to_string(n);
+            const CrackTip tip =
+              only_crack_tip(mesh, boundary_roles(scene), wanted_by);
+            return make_singular_functions(
+              n,
+              tip,
+              elasticity_at(tip, mesh, law, temperature, 0., wanted_by),
+              cell_size_at(tip, mesh));
+          }
+      return {};
     }
   } // namespace
 
@@ -116,10 +102,18 @@ namespace Crevasse
     const BoundaryRoles roles =
       resolve_roles(scene.boundary, built_in_roles(scene.geometry));
     if (roles.loaded.empty() && !are_zero(*scene.loads.traction))
-      throw SceneError("[Loads] Traction = " + scene.loads.traction.text() +
-                       ": no boundary has the role Loaded that could bear "
-                       "it; set [Boundary] Loaded, or the traction to 0." +
-                       who_took_the_loaded_boundary(scene));
+      {
+        const auto built_in = built_in_roles(scene.geometry).loaded;
+        const bool is_taken =
+          !built_in.empty() && scene.boundary.loaded->is_automatic;
+        throw SceneError("[Loads] Traction = " + scene.loads.traction.text() +
+                         ": no boundary has the role Loaded that could bear "
+                         "it; set [Boundary] Loaded, or the traction to 0." +
+                         (is_taken ? " That of this shape is the boundary id " +
+                                       std::to_string(*built_in.begin()) +
+                                       ", which has another role."
+                                   : ""));
+      }
     return roles;
   }
 
@@ -129,9 +123,9 @@ namespace Crevasse
   std::vector<FixedPoint<dim>>
   fixed_points(const Scene &scene)
   {
-    return scene.boundary.fixed_points == "automatic"
+    return scene.boundary.fixed_points->is_automatic
              ? built_in_fixed_points<dim>(scene.geometry, boundary_roles(scene))
-             : parse_fixed_points<dim>(scene.boundary.fixed_points);
+             : to_fixed_points<dim>(*scene.boundary.fixed_points);
   }
 
 
@@ -143,15 +137,27 @@ namespace Crevasse
     const BoundaryRoles      roles = boundary_roles(scene);
     std::vector<std::string> parts;
     const auto               add = [&parts](const char *role, const auto &ids) {
+      std::vector<std::string> numbers;
+      for (const auto id : ids)
+        numbers.push_back(std::to_string(id));
       if (!ids.empty())
-        parts.push_back(list_ids(role, ids));
+        parts.push_back(role + (" " + Text::join(numbers, ", ")));
     };
     add("clamped", roles.clamped);
     add("symmetry", roles.symmetry);
     add("loaded", roles.loaded);
     add("contact", roles.contact);
-    for (const FixedPoint<dim> &fixed_point : fixed_points<dim>(scene))
-      parts.push_back(describe_fixed_point(fixed_point));
+    // As in a scene: components follow a colon unless all are fixed.
+    for (const FixedPoint<dim> &fixed : fixed_points<dim>(scene))
+      {
+        std::vector<std::string> components;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (fixed.components[d])
+            components.push_back(std::to_string(d + 1));
+        parts.push_back(
+          "fixed " + Text::from_point(fixed.point) +
+          (components.size() < dim ? ": " + Text::join(components, ", ") : ""));
+      }
     return Text::join(parts, "; ");
   }
 
@@ -179,25 +185,16 @@ namespace Crevasse
 
 
   template <int dim>
-  Body<dim>::Body(const Scene &scene, const MPI_Comm communicator)
-    : Body(scene, make_scene_mesh<dim>(scene, communicator))
-  {
-  }
-
-
-
-  template <int dim>
   Body<dim>::Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh)
     : temperature(read_temperature<dim>(scene.loads, mesh->get_communicator()))
     , effects(scene, boundary_roles(scene), temperature.depends_on_time())
     , law(scene.material)
-    , space(
-        mesh,
-        scene.discretisation.degree,
-        boundary_roles(scene),
-        fixed_points<dim>(scene),
-        scene.discretisation.volumetric_strain,
-        tip_functions(scene, *mesh, boundary_roles(scene), law, temperature))
+    , space(mesh,
+            scene.discretisation.degree,
+            boundary_roles(scene),
+            fixed_points<dim>(scene),
+            scene.discretisation.volumetric_strain,
+            tip_functions(scene, *mesh, law, temperature))
     , points(held(space))
     , material(space, points, law, temperature)
     , strain_operator(space, points)
@@ -211,6 +208,44 @@ namespace Crevasse
            ExcInternalError());
     Assert(effects.varying_viscosity.on || !material.fluidity_varies(),
            ExcInternalError());
+  }
+
+
+
+  PlaneElasticity
+  elasticity_at(const CrackTip         &tip,
+                const Triangulation<2> &mesh,
+                const MaxwellLaw<2>    &law,
+                const Temperature<2>   &temperature,
+                const double            t,
+                const std::string      &wanted_by)
+  {
+    const std::string where = wanted_by + ": the stiffness at the crack tip " +
+                              Text::from_point(tip.position);
+    std::optional<VoigtMatrix<2>> stiffness;
+    for (const auto &cell : mesh.cell_iterators_on_level(0))
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          if (cell->vertex(v).distance(tip.position) > 1e-8 * cell->diameter())
+            continue;
+          const VoigtMatrix<2> here =
+            law.stiffness().at(Place<2>{tip.position,
+                                        t,
+                                        temperature.value(tip.position, t),
+                                        cell->material_id()});
+          if (stiffness && (here - *stiffness).norm() > 1e-8 * here.norm())
+            throw SceneError(where +
+                             " is not the same on all sides of it: the fields "
+                             "of a crack between two materials are others.");
+          stiffness = here;
+        }
+    AssertThrow(stiffness, ExcInternalError());
+    if (!PlaneElasticity::is_isotropic(*stiffness))
+      throw SceneError(where +
+                       " is not isotropic, but the fields around a tip "
+                       "are known to this program for isotropic "
+                       "bodies only.");
+    return PlaneElasticity(*stiffness);
   }
 
 
@@ -239,22 +274,17 @@ namespace Crevasse
 
 
 
-  template struct Body<2>;
-  template struct Body<3>;
-  template UnilateralBounds
-  unilateral_bounds<2>(const ContactBoundary<2> &, const Space<2> &);
-  template UnilateralBounds
-  unilateral_bounds<3>(const ContactBoundary<3> &, const Space<3> &);
-  template std::shared_ptr<Mesh<2>>
-  make_scene_mesh<2>(const Scene &, const MPI_Comm);
-  template std::shared_ptr<Mesh<3>>
-  make_scene_mesh<3>(const Scene &, const MPI_Comm);
-  template std::vector<FixedPoint<2>>
-  fixed_points<2>(const Scene &);
-  template std::vector<FixedPoint<3>>
-  fixed_points<3>(const Scene &);
-  template std::string
-  describe_boundaries<2>(const Scene &);
-  template std::string
-  describe_boundaries<3>(const Scene &);
+#define INSTANTIATE(dim)                                                    \
+  template struct Body<dim>;                                                \
+  template UnilateralBounds unilateral_bounds(const ContactBoundary<dim> &, \
+                                              const Space<dim> &);          \
+  template std::shared_ptr<Mesh<dim>>   make_scene_mesh(const Scene &,      \
+                                                        const MPI_Comm);    \
+  template std::vector<FixedPoint<dim>> fixed_points(const Scene &);        \
+  template std::string                  describe_boundaries<dim>(const Scene &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
 } // namespace Crevasse

@@ -4,12 +4,8 @@
 #include <crevasse/contact/active_set.h>
 #include <crevasse/contact/condensed_active_set.h>
 #include <crevasse/contact/projected_sor.h>
-#include <crevasse/contact/unconstrained.h>
-#include <crevasse/discretisation/rigid_modes.h>
-#include <crevasse/linear/amg_cg.h>
 #include <crevasse/linear/gmg_cg.h>
 #include <crevasse/linear/matrix_operator.h>
-#include <crevasse/linear/mumps.h>
 #include <crevasse/linear/operator_check.h>
 #include <crevasse/model/contact_system.h>
 
@@ -32,52 +28,38 @@ namespace Crevasse
     , analysis(similar != nullptr ? similar->analysis : nullptr)
     , levels(similar != nullptr ? similar->levels : nullptr)
   {
-    if (settings.linear_choice.type == LinearSolverType::gmg)
-      set_up_multigrid(points, stiffness);
+    const bool matrix_free =
+      settings.linear_choice.type == LinearSolverType::gmg;
+    TimerOutput::Scope phase(settings.phases,
+                             matrix_free ? "multigrid set-up" : "assembly");
+    if (matrix_free)
+      {
+        if (levels == nullptr)
+          {
+            levels =
+              std::make_shared<const MultigridLevels<dim>>(space, points);
+            bytes_of_levels = levels->memory_consumption();
+          }
+        auto A =
+          std::make_unique<StiffnessOperator<dim>>(space, points, stiffness);
+        require_same_product(*A, space, points, stiffness);
+        open_solver     = std::make_unique<GmgCg<dim>>(levels, *A, stiffness);
+        linear_operator = std::move(A);
+        ++setups.multigrid_setups;
+      }
     else
-      assemble(points, stiffness, similar);
+      {
+        if (similar != nullptr)
+          matrix.reinit(similar->matrix);
+        assemble_stiffness(space, points, stiffness, matrix);
+        linear_operator = std::make_unique<MatrixOperator>(matrix);
+        ++setups.assemblies;
+      }
+    phase.stop();
     signorini_problem =
       std::make_unique<SignoriniProblem>(*linear_operator, bounds);
     contact = make_contact_solver();
     contact->set_force_scale(settings.largest_load);
-  }
-
-
-
-  template <int dim>
-  void
-  ContactSystem<dim>::assemble(const QuadratureField<dim>          &points,
-                               const PointValues<VoigtMatrix<dim>> &stiffness,
-                               const ContactSystem                 *similar)
-  {
-    TimerOutput::Scope phase(settings.phases, "assembly");
-    if (similar != nullptr)
-      matrix.reinit(similar->matrix);
-    assemble_stiffness(space, points, stiffness, matrix);
-    linear_operator = std::make_unique<MatrixOperator>(matrix);
-    ++setups.assemblies;
-  }
-
-
-
-  template <int dim>
-  void
-  ContactSystem<dim>::set_up_multigrid(
-    const QuadratureField<dim>          &points,
-    const PointValues<VoigtMatrix<dim>> &stiffness)
-  {
-    TimerOutput::Scope phase(settings.phases, "multigrid set-up");
-    if (levels == nullptr)
-      {
-        levels = std::make_shared<const MultigridLevels<dim>>(space, points);
-        bytes_of_levels = levels->memory_consumption();
-      }
-    auto matrix_free =
-      std::make_unique<StiffnessOperator<dim>>(space, points, stiffness);
-    require_same_product(*matrix_free, space, points, stiffness);
-    open_solver = std::make_unique<GmgCg<dim>>(levels, *matrix_free, stiffness);
-    linear_operator = std::move(matrix_free);
-    ++setups.multigrid_setups;
   }
 
 
@@ -88,11 +70,8 @@ namespace Crevasse
   {
     const ContactParameters &parameters = settings.contact;
     const SignoriniProblem  &problem    = *signorini_problem;
-    if (problem.n_bounds() == 0)
-      return std::make_unique<Unconstrained>(problem,
-                                             linear_solver(),
-                                             parameters.tolerance);
-    switch (settings.contact_choice.type)
+    switch (problem.n_bounds() > 0 ? settings.contact_choice.type
+                                   : ContactSolverType::condensed_active_set)
       {
         case ContactSolverType::projected_sor:
           return std::make_unique<ProjectedSor>(problem,
@@ -120,63 +99,20 @@ namespace Crevasse
 
 
   template <int dim>
-  std::unique_ptr<LinearSolver>
-  ContactSystem<dim>::make_linear_solver()
-  {
-    if (settings.linear_choice.type == LinearSolverType::amg)
-      {
-        TimerOutput::Scope phase(settings.phases, "multigrid set-up");
-        ++setups.multigrid_setups;
-        return std::make_unique<AmgCg>(matrix,
-                                       rigid_modes(space),
-                                       dim,
-                                       space.finite_element().degree > 1);
-      }
-    TimerOutput::Scope phase(settings.phases, "factorisation");
-    ++setups.factorisations;
-    if (settings.linear_choice.type == LinearSolverType::mumps)
-      return std::make_unique<Mumps>(matrix);
-    auto cholesky = std::make_unique<Cholesky>(matrix, analysis);
-    analysis      = cholesky->analysis();
-    return cholesky;
-  }
-
-
-
-  template <int dim>
   LinearSolver &
   ContactSystem<dim>::linear_solver()
   {
     if (open_solver == nullptr)
-      open_solver = make_linear_solver();
+      {
+        const LinearSolverType type         = settings.linear_choice.type;
+        const bool             is_multigrid = traits(type).is_multigrid;
+        TimerOutput::Scope     phase(settings.phases,
+                                 is_multigrid ? "multigrid set-up"
+                                                  : "factorisation");
+        ++(is_multigrid ? setups.multigrid_setups : setups.factorisations);
+        open_solver = make_matrix_solver(type, space, matrix, analysis);
+      }
     return *open_solver;
-  }
-
-
-
-  template <int dim>
-  const LinearOperator &
-  ContactSystem<dim>::stiffness() const
-  {
-    return *linear_operator;
-  }
-
-
-
-  template <int dim>
-  const SignoriniProblem &
-  ContactSystem<dim>::problem() const
-  {
-    return *signorini_problem;
-  }
-
-
-
-  template <int dim>
-  ContactSolver &
-  ContactSystem<dim>::contact_solver()
-  {
-    return *contact;
   }
 
 
@@ -202,10 +138,25 @@ namespace Crevasse
   SolverStatistics
   ContactSystem<dim>::statistics() const
   {
-    SolverStatistics all = setups;
-    all.add(*contact);
+    SolverStatistics all  = setups;
+    all.linear_solves     = contact->n_linear_solves();
+    all.linear_iterations = contact->n_linear_iterations();
+    all.certified         = contact->n_solves();
+    all.certificate       = contact->worst_certificate();
+    all.accuracy          = contact->accuracy();
+    if (problem().n_bounds() > 0)
+      {
+        all.vi_solves     = contact->n_solves();
+        all.vi_iterations = contact->n_iterations();
+        all.vi_time       = contact->seconds();
+      }
     if (open_solver != nullptr)
-      all.add(*open_solver);
+      {
+        all.linear_solves += open_solver->n_solves();
+        all.linear_iterations += open_solver->n_iterations();
+        all.back_solves     = open_solver->n_solves();
+        all.back_solve_time = open_solver->seconds();
+      }
     return all;
   }
 

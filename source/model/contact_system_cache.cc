@@ -4,7 +4,7 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
-#include <crevasse/contact/relaxation_factor.h>
+#include <crevasse/contact/sweep.h>
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/linear_choice.h>
@@ -19,23 +19,6 @@ namespace Crevasse
 
   namespace
   {
-    template <int dim>
-    SolverSettings
-    make_settings(const Scene         &scene,
-                  const Body<dim>     &body,
-                  const SolverChoice  &choice,
-                  dealii::TimerOutput &phases)
-    {
-      return {scene.contact,
-              scene.linear_solver,
-              choice.linear,
-              choice.contact,
-              phases,
-              {}};
-    }
-
-
-
     /** See AlgorithmicModuli. */
     template <int dim>
     double
@@ -78,38 +61,35 @@ namespace Crevasse
     , body(body)
     , log(log)
     , bounds(unilateral_bounds(body.lip, body.space))
-    , solver_settings(make_settings(scene, body, choice, phases))
+    , solver_settings{scene.contact,
+                      scene.linear_solver,
+                      choice.linear,
+                      choice.contact,
+                      phases,
+                      {},
+                      largest_load}
     , memory(body.space.communicator(),
              1024. * 1024. * scene.linear_solver.memory_for_instants,
              log)
     , materials(memory,
+                {},
                 [&body](const MaterialState<dim> &state) {
                   return body.material.memory_of_variation(state);
                 })
-    , moduli(memory,
-             [](const AlgorithmicModuli<dim> &values) {
-               return values.memory_consumption();
-             })
-    , relaxation(memory,
-                 [](const RelaxationFunctions<dim> &functions) {
-                   return functions.memory_consumption();
-                 })
-    , systems(
-        memory,
-        [](const ContactSystem<dim> &system) {
-          return system.memory_consumption();
-        },
-        [this](const ContactSystem<dim> &system) { add(system.statistics()); })
+    , moduli(memory)
+    , relaxation(memory)
+    , systems(memory, [this](const ContactSystem<dim> &system) {
+      add(system.statistics());
+      // What is not kept was the last one before the new one.
+      requests.erase(requests.end() - 2);
+    })
   {
     solver_settings.relaxation_factor = [this, &steps](const SparseMatrix &A) {
       if (!sor_factor)
         sor_factor = relaxation_factor(
-          A,
-          loads_at(this->body,
-                   steps.instant(step_of_largest_load(this->body, steps))));
+          A, loads_at(this->body, instant_of_largest_load(this->body, steps)));
       return *sor_factor;
     };
-    solver_settings.largest_load = largest_load;
     if (!body.material.stiffness_varies())
       only_system = make_system(*body.material.at(0.).stiffness);
     log.line("  solver: " + system_at(0.).contact_solver().description());
@@ -160,8 +140,9 @@ namespace Crevasse
     last_request = {false, t, 0.};
     last_system =
       only_system != nullptr ? only_system : systems.at({t, 0.}, [&]() {
-        remember(last_request);
-        return make_system(*material_at(t).stiffness);
+        auto system = make_system(*material_at(t).stiffness);
+        requests.push_back(last_request);
+        return system;
       });
     return *last_system;
   }
@@ -211,41 +192,12 @@ namespace Crevasse
     ImplicitInstant<dim> instant = implicit_material_at(t, c);
     last_request                 = {true, t, c};
     last_system = systems.at(step_key(t, c, instant.material), [&]() {
-      remember(last_request);
-      return make_system(instant.moduli.sum);
+      auto system = make_system(instant.moduli.sum);
+      requests.push_back(last_request);
+      return system;
     });
     instant.contact_solver = &last_system->contact_solver();
     return instant;
-  }
-
-
-
-  template <int dim>
-  void
-  ContactSystemCache<dim>::remember(const Request &request)
-  {
-    requests.erase(std::remove_if(requests.begin(),
-                                  requests.end(),
-                                  [&](const Request &other) {
-                                    return other.is_implicit ==
-                                             request.is_implicit &&
-                                           other.t == request.t &&
-                                           other.c == request.c;
-                                  }),
-                   requests.end());
-    requests.push_back(request);
-  }
-
-
-
-  template <int dim>
-  bool
-  ContactSystemCache<dim>::is_kept(const Request &request)
-  {
-    return systems.has(
-      request.is_implicit
-        ? step_key(request.t, request.c, material_at(request.t))
-        : std::pair<double, double>(request.t, 0.));
   }
 
 
@@ -271,10 +223,7 @@ namespace Crevasse
     Request              last    = last_request;
     std::vector<Request> kept;
     if (!archive.is_loading())
-      std::copy_if(requests.begin(),
-                   requests.end(),
-                   std::back_inserter(kept),
-                   [this](const Request &request) { return is_kept(request); });
+      kept = requests;
     archive.common(is_used);
     archive.common(last);
     archive.common_list(kept);
@@ -302,24 +251,6 @@ namespace Crevasse
 
 
   template <int dim>
-  const ContactSystem<dim> &
-  ContactSystemCache<dim>::most_recent() const
-  {
-    return *last_system;
-  }
-
-
-
-  template <int dim>
-  const SolverSettings &
-  ContactSystemCache<dim>::settings() const
-  {
-    return solver_settings;
-  }
-
-
-
-  template <int dim>
   double
   ContactSystemCache<dim>::relaxation_factor(const SparseMatrix &matrix,
                                              const Vector       &loads) const
@@ -342,11 +273,8 @@ namespace Crevasse
     TimerOutput::Scope     phase(solver_settings.phases, "relaxation factor");
     const UnilateralBounds none;
     const SignoriniProblem unconstrained(matrix, none);
-    return find_relaxation_factor(unconstrained,
-                                  Sweep(unconstrained),
-                                  forces,
-                                  1e-8 * norm,
-                                  scene.contact.maximum_iterations);
+    return Sweep(unconstrained)
+      .best_factor(forces, 1e-8 * norm, scene.contact.maximum_iterations);
   }
 
 
@@ -368,19 +296,9 @@ namespace Crevasse
 
   template <int dim>
   void
-  ContactSystemCache<dim>::add(const SolverStatistics &other)
-  {
-    of_the_past.add(other);
-  }
-
-
-
-  template <int dim>
-  void
   ContactSystemCache<dim>::summarise(Summary &summary) const
   {
-    if (last_system != nullptr)
-      last_system->describe(summary);
+    last_system->describe(summary);
     statistics().add_to(summary);
   }
 

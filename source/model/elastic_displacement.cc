@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/contact/unconstrained.h>
+#include <crevasse/contact/condensed_active_set.h>
 #include <crevasse/model/elastic_displacement.h>
+#include <crevasse/time/evolution.h>
 
 namespace Crevasse
 {
@@ -10,22 +11,13 @@ namespace Crevasse
 
   namespace
   {
-    template <int dim>
     Vector
-    open_displacement(const Scene             &scene,
-                      ContactSystemCache<dim> &systems,
-                      const Vector            &loads)
+    solution(ContactSolver &solver, const Vector &loads)
     {
-      const UnilateralBounds none;
-      ContactSystem<dim>    &system = systems.system_at(0.);
-      const SignoriniProblem unconstrained(system.stiffness(), none);
-      std::vector<double>    no_forces;
-      Vector                 displacement;
+      std::vector<double> no_forces;
+      Vector              displacement;
       displacement.reinit(loads);
-      Unconstrained(unconstrained,
-                    system.linear_solver(),
-                    scene.contact.tolerance)
-        .solve(loads, displacement, no_forces);
+      solver.solve(loads, displacement, no_forces);
       return displacement;
     }
   } // namespace
@@ -40,8 +32,16 @@ namespace Crevasse
                        const Vector            &loads,
                        const bool               lip_closed)
   {
+    const UnilateralBounds none;
     if (!lip_closed)
-      return open_displacement(scene, systems, loads);
+      {
+        ContactSystem<dim>    &system = systems.system_at(0.);
+        const SignoriniProblem unconstrained(system.problem().stiffness, none);
+        CondensedActiveSet     solver(unconstrained,
+                                  system.linear_solver(),
+                                  scene.contact.tolerance);
+        return solution(solver, loads);
+      }
 
     // A closed lip is a symmetry plane. The other space's constraints agree
     // with this one's but for the lip, where the loads then do not count.
@@ -56,7 +56,6 @@ namespace Crevasse
                                   body.space.volumetric_strain(),
                                   shapes != nullptr ? shapes->functions()
                                                                : SingularFunctions());
-    const UnilateralBounds      none;
     ContactSystem<dim>          closed(systems.settings(),
                               closed_space,
                               body.points,
@@ -64,23 +63,47 @@ namespace Crevasse
                               none);
     Vector                      closed_loads(loads);
     closed_space.constraints().set_zero(closed_loads);
-    Vector              displacement;
-    std::vector<double> no_forces;
-    displacement.reinit(loads);
-    closed.contact_solver().solve(closed_loads, displacement, no_forces);
-
+    const Vector displacement = solution(closed.contact_solver(), closed_loads);
     systems.add(closed.statistics());
     return displacement;
   }
 
 
 
-#define INSTANTIATE(dim)                                               \
-  template Vector elastic_displacement<dim>(const Scene &,             \
-                                            const Body<dim> &,         \
-                                            ContactSystemCache<dim> &, \
-                                            const Vector &,            \
-                                            const bool)
+  template <int dim>
+  void
+  look_at_elastic_states(const Body<dim>           &body,
+                         ContactSystemCache<dim>   &systems,
+                         const std::vector<double> &instants,
+                         StressEstimator<dim>      &estimator)
+  {
+    Evolution<dim> evolution(body.strain_operator,
+                             body.points,
+                             body.loads,
+                             systems);
+    for (const double t : instants)
+      {
+        evolution.elastic_state(t);
+        estimator.look_at(t,
+                          evolution.state().stress,
+                          evolution.state().contact_forces,
+                          systems.at(t).material,
+                          &evolution.state().displacement);
+      }
+  }
+
+
+
+#define INSTANTIATE(dim)                                                   \
+  template Vector elastic_displacement<dim>(const Scene &,                 \
+                                            const Body<dim> &,             \
+                                            ContactSystemCache<dim> &,     \
+                                            const Vector &,                \
+                                            const bool);                   \
+  template void   look_at_elastic_states<dim>(const Body<dim> &,           \
+                                            ContactSystemCache<dim> &,   \
+                                            const std::vector<double> &, \
+                                            StressEstimator<dim> &)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

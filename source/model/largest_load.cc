@@ -5,8 +5,12 @@
 #include <crevasse/base/range.h>
 #include <crevasse/base/text.h>
 #include <crevasse/model/largest_load.h>
+#include <crevasse/parameters/effects.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace Crevasse
@@ -47,38 +51,30 @@ namespace Crevasse
 
   namespace
   {
-    /** Which of these instants has the largest load vector, the first of
+    /** The one of these instants with the largest load vector, the first of
      * several. */
     template <int dim>
-    unsigned int
-    number_of_largest_load(const Body<dim>           &body,
-                           const std::vector<double> &instants)
+    double
+    of_largest_load(const Body<dim> &body, const std::vector<double> &instants)
     {
-      unsigned int largest = 0;
-      double       norm    = -1.;
-      for (unsigned int i = 0; i < instants.size(); ++i)
-        {
-          const double here = loads_at(body, instants[i]).l2_norm();
-          if (here > norm)
-            {
-              norm    = here;
-              largest = i;
-            }
-        }
-      return largest;
+      std::vector<double> norms;
+      for (const double t : instants)
+        norms.push_back(loads_at(body, t).l2_norm());
+      return instants[std::max_element(norms.begin(), norms.end()) -
+                      norms.begin()];
     }
   } // namespace
 
 
 
   template <int dim>
-  unsigned int
-  step_of_largest_load(const Body<dim> &body, const StepList &steps)
+  double
+  instant_of_largest_load(const Body<dim> &body, const StepList &steps)
   {
     std::vector<double> begins;
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
       begins.push_back(steps.instant(k));
-    return number_of_largest_load(body, begins);
+    return of_largest_load(body, begins);
   }
 
 
@@ -87,10 +83,10 @@ namespace Crevasse
   std::vector<double>
   instants_of_extreme_loads(const Body<dim> &body, const StepList &steps)
   {
-    const double     largest = steps.instant(step_of_largest_load(body, steps));
-    const Vector     loads   = loads_at(body, largest);
-    constexpr double rounding    = 1e-6;
-    double           least       = -rounding * (loads * loads);
+    const double        largest  = instant_of_largest_load(body, steps);
+    const Vector        loads    = loads_at(body, largest);
+    constexpr double    rounding = 1e-6;
+    double              least    = -rounding * (loads * loads);
     std::vector<double> extremes = {largest};
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
       if (const double product = loads_at(body, steps.instant(k)) * loads;
@@ -127,7 +123,7 @@ namespace Crevasse
     if (largest != 0. && !Ranges::size.contains(largest))
       throw SceneError(
         "[Loads]: the largest force on a node over a period is " +
-        Text::from_number(largest) + "; it " + Ranges::size.text +
+        Text::from_number(largest) + "; it " + Ranges::size.text() +
         ". Choose other units.");
     return largest;
   }
@@ -171,24 +167,108 @@ namespace Crevasse
     for (unsigned int i = 1; i <= n_sampled; ++i)
       sampled.push_back(steps.within_period(steps.period() * golden * i));
     std::vector<double> chosen(sampled.begin(), sampled.begin() + n_chosen);
-    chosen.push_back(sampled[number_of_largest_load(body, sampled)]);
-    chosen.push_back(steps.instant(step_of_largest_load(body, steps)));
+    chosen.push_back(of_largest_load(body, sampled));
+    chosen.push_back(instant_of_largest_load(body, steps));
     return chosen;
   }
 
 
 
-#define INSTANTIATE(dim)                                                       \
-  template Vector              loads_at<dim>(const Body<dim> &, const double); \
-  template unsigned int        step_of_largest_load<dim>(const Body<dim> &,    \
-                                                  const StepList &);    \
-  template std::vector<double> instants_of_extreme_loads<dim>(                 \
-    const Body<dim> &, const StepList &);                                      \
-  template double largest_load<dim>(const Body<dim> &, const StepList &);      \
-  template double load_missed_by_steps<dim>(const Body<dim> &,                 \
-                                            const StepList &);                 \
-  template std::vector<double> instants_of_scale<dim>(const Body<dim> &,       \
-                                                      const StepList &)
+  namespace
+  {
+    // What is continuous changes by about 1e-10 of itself within the period;
+    // from its end to its begin by more, where a formula has a rounded π.
+    constexpr double negligible_within    = 1e-6;
+    constexpr double negligible_at_border = 1e-4;
+
+
+
+    template <int dim>
+    bool
+    materials_differ(const Body<dim> &body,
+                     const double     t,
+                     const double     before,
+                     const double     thermal_strain,
+                     const double     negligible)
+    {
+      const MaterialState<dim> a = body.material.at(t);
+      const MaterialState<dim> b = body.material.at(before);
+      const auto factors_differ  = [&](const double x, const double y) {
+        return std::abs(x - y) >
+               negligible * std::max(std::abs(x), std::abs(y));
+      };
+      if (factors_differ(a.stiffness_factor, b.stiffness_factor) ||
+          factors_differ(a.viscosity_factor, b.viscosity_factor))
+        return true;
+      // At any of the points of this rank; what has a scale may vanish for an
+      // instant.
+      const auto differ =
+        [&](const auto &x, const auto &y, const double scale) {
+          for (std::size_t p = 0; p < body.points.n_local_points(); ++p)
+            if ((x[p] - y[p]).norm() >
+                negligible * std::max({x[p].norm(), y[p].norm(), scale}))
+              return true;
+          return false;
+        };
+      bool jumps =
+        (body.material.stiffness_varies() &&
+         differ(*a.stiffness, *b.stiffness, 0.)) ||
+        (body.material.thermal_strain_varies() &&
+         differ(*a.thermal_strain, *b.thermal_strain, thermal_strain));
+      if (body.material.fluidity_varies())
+        for (std::size_t i = 0; i < a.fluidity.size(); ++i)
+          jumps = jumps || differ(*a.fluidity[i], *b.fluidity[i], 0.);
+      return dealii::Utilities::MPI::max(jumps ? 1 : 0,
+                                         body.space.communicator()) == 1;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<double>
+  find_jumps(const Scene     &scene,
+             const Body<dim> &body,
+             const StepList  &steps,
+             const double     largest_load)
+  {
+    std::vector<double> jumps;
+    const double        thermal_strain =
+      body.material.largest_thermal_strain(steps.survey_instants({}));
+    // A period ends where t begins anew: any formula can jump there.
+    const bool within = formulas_can_jump(scene);
+    for (unsigned int k = within ? 1 : steps.n_steps(); k <= steps.n_steps();
+         ++k)
+      {
+        const double end    = steps.instant(k);
+        const double t      = steps.within_period(end);
+        const double before = steps.just_before(end);
+        const double least  = within ? negligible_within : negligible_at_border;
+        Vector       change = loads_at(body, t);
+        change -= loads_at(body, before);
+        if (change.linfty_norm() > least * largest_load ||
+            materials_differ(body, t, before, thermal_strain, least))
+          jumps.push_back(end);
+      }
+    return jumps;
+  }
+
+
+
+#define INSTANTIATE(dim)                                                     \
+  template Vector              loads_at(const Body<dim> &, const double);    \
+  template double              instant_of_largest_load(const Body<dim> &,    \
+                                                       const StepList &);    \
+  template std::vector<double> instants_of_extreme_loads(const Body<dim> &,  \
+                                                         const StepList &);  \
+  template double largest_load(const Body<dim> &, const StepList &);         \
+  template double load_missed_by_steps(const Body<dim> &, const StepList &); \
+  template std::vector<double> instants_of_scale(const Body<dim> &,          \
+                                                 const StepList &);          \
+  template std::vector<double> find_jumps(const Scene &,                     \
+                                          const Body<dim> &,                 \
+                                          const StepList &,                  \
+                                          const double)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -1,18 +1,67 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/machine_memory.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/model/linear_choice.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Crevasse
 {
   using namespace dealii;
+
+  namespace
+  {
+    /** Entries of so many rows of a stiffness: on average 3 (degree 1) or 4
+     * (degree 2) nodes along each direction share a cell with a node, each with
+     * dim components. */
+    template <int dim>
+    double
+    n_matrix_entries(const double n_rows, const unsigned int degree)
+    {
+      return n_rows * dim * Utilities::fixed_power<dim>(degree + 2.);
+    }
+
+
+
+    /** ML counts with 32 bits: where a process had 0.9e9 entries it wrote
+     * beyond its arrays (Trilinos 13.2), with 0.5e9 it worked. */
+    constexpr double most_entries_of_ml = 0.5e9;
+
+
+
+    template <int dim>
+    void
+    require_work_for_ml(const double       n_own_unknowns,
+                        const double       n_unknowns,
+                        const unsigned int degree,
+                        const unsigned int n_ranks)
+    {
+      const double entries = n_matrix_entries<dim>(n_own_unknowns, degree);
+      if (entries <= most_entries_of_ml)
+        return;
+      throw SceneError(
+        "[Linear solver] Type: amg is at its end with about " +
+        std::to_string(std::lround(1e-6 * entries)) +
+        " million entries of the stiffness on a process (at most " +
+        std::to_string(std::lround(1e-6 * most_entries_of_ml)) +
+        " million; the mesh has " + Text::from_number(n_unknowns) +
+        " unknowns). Take Type = gmg with fewer [Geometry] Subdivisions and "
+        "more Refinements, or at least " +
+        std::to_string(
+          std::lround(std::ceil(n_ranks * entries / most_entries_of_ml))) +
+        " processes.");
+    }
+  } // namespace
+
+
 
   template <int dim>
   double
@@ -21,49 +70,6 @@ namespace Crevasse
     return double(dim) *
            Utilities::pow(body.space.finite_element().degree, dim) *
            body.space.mesh().n_cells(0);
-  }
-
-
-
-  template <int dim>
-  double
-  n_matrix_entries(const double n_rows, const unsigned int degree)
-  {
-    return n_rows * dim * Utilities::fixed_power<dim>(degree + 2.);
-  }
-
-
-
-  namespace
-  {
-    /** ML counts with 32 bits: where a process had 0.9e9 entries it wrote
-     * beyond its arrays (Trilinos 13.2), with 0.5e9 it worked. */
-    constexpr double most_entries_of_ml = 0.5e9;
-  } // namespace
-
-
-
-  template <int dim>
-  void
-  require_work_for_ml(const double       n_own_unknowns,
-                      const double       n_unknowns,
-                      const unsigned int degree,
-                      const unsigned int n_ranks)
-  {
-    const double entries = n_matrix_entries<dim>(n_own_unknowns, degree);
-    if (entries <= most_entries_of_ml)
-      return;
-    throw SceneError(
-      "[Linear solver] Type: amg is at its end with about " +
-      std::to_string(std::lround(1e-6 * entries)) +
-      " million entries of the stiffness on a process (at most " +
-      std::to_string(std::lround(1e-6 * most_entries_of_ml)) +
-      " million; the mesh has " + Text::from_number(n_unknowns) +
-      " unknowns). Take Type = gmg with fewer [Geometry] Subdivisions and "
-      "more Refinements, or at least " +
-      std::to_string(
-        std::lround(std::ceil(n_ranks * entries / most_entries_of_ml))) +
-      " processes.");
   }
 
 
@@ -81,53 +87,86 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  LinearSolverChoice
-  choose_linear_solver(const Scene &scene, const Body<dim> &body)
+  namespace
   {
-    const MPI_Comm           communicator = body.space.communicator();
-    const LinearSolverChoice choice =
-      choose_linear_solver(scene.linear_solver,
-                           dim,
-                           scene.discretisation.degree,
-                           body.space.n_unknowns(),
-                           Utilities::MPI::n_mpi_processes(communicator),
-                           may_use_gmg(scene, body));
-    if (choice.type == LinearSolverType::cholesky)
-      Cholesky::require_one_process(communicator);
-    if (choice.type == LinearSolverType::amg)
-      require_work_for_ml<dim>(
-        Utilities::MPI::max(double(
-                              body.space.locally_owned_unknowns().n_elements()),
-                            communicator),
-        body.space.n_unknowns(),
-        body.space.finite_element().degree,
-        Utilities::MPI::n_mpi_processes(communicator));
-    if (choice.is_multigrid() && body.space.singular_shapes() != nullptr)
-      throw SceneError(
-        "[Discretisation] Singular functions: must be 0 on a mesh that is too "
-        "large for a direct solver (" +
-        std::to_string(body.space.n_unknowns()) +
-        " unknowns), or set [Linear solver] Type = cholesky or mumps.");
-    return choice;
-  }
+    template <int dim>
+    LinearSolverChoice
+    choose_linear(const Scene &scene, const Body<dim> &body)
+    {
+      const MPI_Comm     communicator = body.space.communicator();
+      const auto         n_unknowns   = body.space.n_unknowns();
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(communicator);
+      const LinearSolverChoice choice =
+        choose_linear_solver(scene.linear_solver,
+                             dim,
+                             scene.discretisation.degree,
+                             n_unknowns,
+                             n_ranks,
+                             may_use_gmg(scene, body));
+      if (choice.type == LinearSolverType::cholesky)
+        Cholesky::require_one_process(communicator);
+      if (choice.type == LinearSolverType::amg)
+        require_work_for_ml<dim>(
+          Utilities::MPI::max(
+            double(body.space.locally_owned_unknowns().n_elements()),
+            communicator),
+          n_unknowns,
+          scene.discretisation.degree,
+          n_ranks);
+      if (traits(choice.type).is_multigrid &&
+          body.space.singular_shapes() != nullptr)
+        throw SceneError(
+          "[Discretisation] Singular functions: must be 0 on a mesh that is "
+          "too large for a direct solver (" +
+          std::to_string(n_unknowns) +
+          " unknowns), or set [Linear solver] Type = cholesky or mumps.");
+      return choice;
+    }
+
+
+
+    ContactSolverChoice
+    choose_contact(const ContactParameters &parameters,
+                   const LinearSolverType   linear_solver,
+                   const std::size_t        n_bounds)
+    {
+      using Type = ContactSolverType;
+      if (parameters.solver != Type::automatic)
+        return {parameters.solver,
+                "[Contact] Solver = " + name_of(parameters.solver)};
+
+      // The dense matrices of the condensed problem grow with the square of the
+      // lip, the work on them with its cube.
+      constexpr std::size_t largest_lip = 3000;
+      const std::string     n           = std::to_string(largest_lip);
+      if (traits(linear_solver).is_multigrid)
+        return {Type::active_set,
+                "automatic: without a factor there are no cheap "
+                "columns of the compliance"};
+      if (n_bounds > largest_lip)
+        return {Type::active_set,
+                "automatic: the lip has more than " + n + " nodes"};
+      return {Type::condensed_active_set,
+              "automatic: a factor, and a lip of at most " + n + " nodes"};
+    }
+  } // namespace
 
 
 
   template <int dim>
-  ContactSolverChoice
-  choose_contact_solver(const Scene              &scene,
-                        const Body<dim>          &body,
-                        const LinearSolverChoice &linear_solver)
+  SolverChoice
+  choose_solvers(const Scene &scene, const Body<dim> &body)
   {
     const MPI_Comm    communicator = body.space.communicator();
     const std::size_t n_bounds =
       Utilities::MPI::sum(body.lip.nodes().size(), communicator);
-    const ContactSolverChoice choice =
-      choose_contact_solver(scene.contact, linear_solver, n_bounds);
+    const LinearSolverChoice  linear = choose_linear(scene, body);
+    const ContactSolverChoice contact =
+      choose_contact(scene.contact, linear.type, n_bounds);
     if (Utilities::MPI::n_mpi_processes(communicator) > 1)
       {
-        if (choice.type == ContactSolverType::projected_sor && n_bounds > 0)
+        if (contact.type == ContactSolverType::projected_sor && n_bounds > 0)
           throw SceneError(
             "[Contact] Solver = projected sor works on one process only, from "
             "unknown to unknown. Set Solver = automatic, or start the program "
@@ -138,38 +177,101 @@ namespace Crevasse
             "counts, works on one process only. Leave the table empty, or "
             "start the program without mpirun.");
       }
-    return choice;
+    return {linear, contact};
   }
 
 
 
   template <int dim>
-  SolverChoice
-  choose_solvers(const Scene &scene, const Body<dim> &body)
+  double
+  bytes_of_solver(const LinearSolverType type,
+                  const double           n_unknowns,
+                  const double           n_coarsest,
+                  const unsigned int     degree,
+                  const unsigned int     n_ranks)
   {
-    const LinearSolverChoice linear = choose_linear_solver(scene, body);
-    return {linear, choose_contact_solver(scene, body, linear)};
+    using Choice = LinearSolverType;
+    if (type == Choice::gmg)
+      return sizeof(double) * (degree == 1 ? 60. : 25.) * n_unknowns +
+             bytes_of_solver<dim>(
+               choose_matrix_solver(dim, n_coarsest, n_ranks).type,
+               n_coarsest,
+               0.,
+               degree,
+               n_ranks);
+
+    // An entry is a value and a column.
+    const double matrix = (sizeof(double) + sizeof(int)) *
+                          n_matrix_entries<dim>(n_unknowns, degree);
+    if (type == Choice::amg)
+      return 2. * matrix;
+    const double factor =
+      dim == 2 ? 127. * n_unknowns * std::log2(std::max(n_unknowns, 2.))
+               : 190. * std::pow(n_unknowns, 4. / 3.);
+    const double of_mumps = dim == 2 ? 1.3 : 2.1;
+    return matrix + (type == Choice::mumps ? of_mumps : 1.) * factor;
   }
 
 
 
-#define INSTANTIATE(dim)                                                     \
-  template double n_unknowns_of_first_mesh<dim>(const Body<dim> &);          \
-  template double n_matrix_entries<dim>(const double, const unsigned int);   \
-  template void   require_work_for_ml<dim>(const double,                     \
-                                         const double,                     \
-                                         const unsigned int,               \
-                                         const unsigned int);              \
-  template bool   may_use_gmg<dim>(const Scene &, const Body<dim> &);        \
-  template LinearSolverChoice  choose_linear_solver<dim>(const Scene &,      \
-                                                        const Body<dim> &); \
-  template ContactSolverChoice choose_contact_solver<dim>(                   \
-    const Scene &, const Body<dim> &, const LinearSolverChoice &)
+  template <int dim>
+  void
+  require_room(const Scene      &scene,
+               const CellCounts &cells,
+               const MPI_Comm    communicator)
+  {
+    const unsigned int n_ranks  = Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int degree   = scene.discretisation.degree;
+    const double       per_cell = dim * std::pow(degree, dim);
+    const double       unknowns = per_cell * cells.all;
+    const double       coarsest = per_cell * cells.first;
+    const bool         has_coarser = scene.geometry.refinements > 0 &&
+                             scene.discretisation.singular_functions == 0 &&
+                             coarsest <= largest_factorised(dim);
+    const LinearSolverChoice solver = choose_linear_solver(
+      scene.linear_solver, dim, degree, unknowns, n_ranks, has_coarser);
+    if (solver.type == LinearSolverType::amg)
+      require_work_for_ml<dim>(unknowns / n_ranks, unknowns, degree, n_ranks);
 
-  template SolverChoice
-  choose_solvers<2>(const Scene &, const Body<2> &);
-  template SolverChoice
-  choose_solvers<3>(const Scene &, const Body<3> &);
+    // Less than any mesh that was measured; each rank has all of the first one.
+    constexpr double bytes_per_cell = dim == 2 ? 250. : 400.;
+    const double     needed =
+      bytes_per_cell * cells.first +
+      (bytes_per_cell * cells.all +
+       bytes_of_solver<dim>(solver.type, unknowns, coarsest, degree, n_ranks)) /
+        n_ranks;
+    const double all   = sum_on_machine(needed, communicator);
+    const double there = available_memory(communicator);
+    if (Utilities::MPI::max(all / there, communicator) <= memory_uncertainty)
+      return;
+    throw SceneError(
+      "[Geometry]: a mesh of about " + Text::from_number(cells.all) +
+      " cells (" + Text::from_number(unknowns) + " unknowns) needs at least " +
+      gigabytes(Utilities::MPI::max(all, communicator)) +
+      " of memory with the linear solver " + solver.describe() +
+      ", on a machine that has " +
+      gigabytes(Utilities::MPI::min(there, communicator)) +
+      " left. Take fewer Subdivisions or Refinements, in space fewer of the "
+      "one "
+      "and more of the other with [Linear solver] Type = gmg, or processes on "
+      "more machines.");
+  }
+
+
+
+#define INSTANTIATE(dim)                                                  \
+  template double       n_unknowns_of_first_mesh(const Body<dim> &);      \
+  template bool         may_use_gmg(const Scene &, const Body<dim> &);    \
+  template SolverChoice choose_solvers(const Scene &, const Body<dim> &); \
+  template double       bytes_of_solver<dim>(const LinearSolverType,      \
+                                       const double,                \
+                                       const double,                \
+                                       const unsigned int,          \
+                                       const unsigned int);         \
+  template void         require_room<dim>(const Scene &,                  \
+                                  const CellCounts &,             \
+                                  const MPI_Comm)
+
   INSTANTIATE(2);
   INSTANTIATE(3);
 

@@ -9,6 +9,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -52,7 +53,7 @@ namespace Crevasse
                        const StepList   &steps,
                        const Integrator &integrator)
     {
-      TimeQuadrature rule = integrator.quadrature();
+      TimeQuadrature rule = integrator.properties.quadrature;
       if (rule.weights.empty())
         rule = {{0., 1.}, {0.5, 0.5}};
       Vector mean, loads;
@@ -76,53 +77,46 @@ namespace Crevasse
 
 
 
-    /** What is to be said if the steps miss a part of the mean load; nothing
-     * if they do not. */
-    template <int dim>
+    constexpr const char *advice_on_steps =
+      "Something changes within less than a step. Take more steps, or [Time "
+      "integration] Step control = list with instants where it changes.";
+
+
+
+    /** What is to be said if the steps see another mean load than there is;
+     * nothing if they do not.
+     *
+     * @param missed_load by how much it differs.
+     * @param seen the one that they see. */
     std::string
-    missed_by_steps(const Body<dim> &body,
-                    const Vector    &mean_load,
-                    const double     missed_load,
-                    const double     largest_load)
+    warning_of_steps(const Vector &mean_load,
+                     const Vector &seen,
+                     const double  missed_load,
+                     const double  largest_load,
+                     const bool    flows)
     {
-      constexpr double tolerable  = 0.1; // Euler's error of coarse steps
       constexpr double hardly_any = 1e-3;
-      const double     mean       = mean_load.linfty_norm();
-      const double     part       = missed_load / mean;
-      if (part <= tolerable)
+      if (!flows)
+        return seen.linfty_norm() <= 0.01 * largest_load
+                 ? ""
+                 : "the mean load vanishes, but the time steps see one: the "
+                   "body "
+                   "flows by an error of the steps. " +
+                     std::string(advice_on_steps);
+      const double mean = mean_load.linfty_norm();
+      const double part = missed_load / mean;
+      if (part <= 0.1) // Euler's error of coarse steps
         return "";
       std::ostringstream text;
-      text << "the mean load over the period";
-      if (!body.law.viscosity_factor().is_constant())
-        text << ", weighted by 1 / [Material] Viscosity time factor,";
-      text
-        << " is not the one that the time steps see: they differ by "
-        << 100. * part
-        << " %, and so do beta and what is marched. Something changes within "
-           "less than a step. Take more steps, or [Time integration] Step "
-           "control = list with instants where it changes.";
+      text << "the mean load over the period is not the one that the time "
+              "steps see: they differ by "
+           << 100. * part << " %, and so do beta and what is marched. "
+           << advice_on_steps;
       if (mean <= hardly_any * largest_load)
         text
           << " Or is it meant to vanish? It is " << mean / largest_load
           << " of the largest load: a pi written with few digits leaves one.";
       return text.str();
-    }
-
-
-
-    /** What is to be said if the steps see a mean load that there is not;
-     * nothing if they do not. */
-    std::string
-    seen_by_steps(const Vector &seen, const double largest_load)
-    {
-      constexpr double tolerable = 0.01;
-      if (seen.linfty_norm() <= tolerable * largest_load)
-        return "";
-      return "[Periodic state] Secular split: the mean load vanishes, but the "
-             "time steps see one: the body flows by an error of the steps. "
-             "Something changes within less than a step. Take more steps, or "
-             "[Time integration] Step control = list with instants where it "
-             "changes.";
     }
 
 
@@ -133,7 +127,8 @@ namespace Crevasse
     warning_of_negative_weights(const std::string &scheme,
                                 const Integrator  &integrator)
     {
-      const std::vector<double> &weights = integrator.quadrature().weights;
+      const std::vector<double> &weights =
+        integrator.properties.quadrature.weights;
       if (std::none_of(weights.begin(), weights.end(), [](const double weight) {
             return weight < 0.;
           }))
@@ -256,26 +251,21 @@ namespace Crevasse
     Vector       missed_part = seen;
     missed_part -= split.mean_load;
     const double missed_load = missed_part.linfty_norm();
-    const bool   has_rule    = !integrator->quadrature().weights.empty() &&
+    const bool has_rule = !integrator->properties.quadrature.weights.empty() &&
                           !scene.time_integration.locate_contact_events;
     split.strain_returns =
       has_rule &&
       (split.is_split || missed_load <= 10. * rounding_of_means * largest);
-    if (!effect.on)
-      {
-        split.warning = seen_by_steps(seen, largest);
-        return split;
-      }
-    const std::string missed =
-      missed_by_steps(body, split.mean_load, missed_load, largest);
-    if (!missed.empty() && split.is_split)
-      throw SceneError(setting + ": " + missed);
-    if (!missed.empty())
-      split.warning = "[Periodic state] Secular split: " + missed;
+    const std::string warning =
+      warning_of_steps(split.mean_load, seen, missed_load, largest, effect.on);
+    if (!warning.empty() && split.is_split)
+      throw SceneError(setting + ": " + warning);
+    if (!warning.empty())
+      split.warning = "[Periodic state] Secular split: " + warning;
     else if (split.is_split && body.effects.contact.on)
       split.warning = warning_of_negative_weights(scheme.name, *integrator);
     // What is marched must not flow on by the error of the steps.
-    if (split.is_split && !integrator->quadrature().weights.empty())
+    if (split.is_split && !integrator->properties.quadrature.weights.empty())
       split.mean_load = seen;
     return split;
   }
@@ -288,24 +278,14 @@ namespace Crevasse
                         const Vector            &mean_load,
                         ContactSystemCache<dim> &systems)
   {
+    using Field                            = QuadratureField<dim>;
     const MaterialState<dim>      material = body.material.at(0.);
-    std::optional<Viscosity<dim>> found;
+    std::optional<Viscosity<dim>> viscosity;
     collectively(body.space.communicator(), [&]() {
-      found = viscosity_of<dim>(material, body.points.n_local_points());
+      viscosity = viscosity_of<dim>(material, body.points.n_local_points());
     });
-    const Viscosity<dim> &viscosity = *found;
-    const auto            solve     = [&](const Vector  &load,
-                           const double   time,
-                           ContactSolver &contact_solver) {
-      return secular_flow_of<dim>(body.strain_operator,
-                                  body.points,
-                                  material,
-                                  viscosity,
-                                  load,
-                                  time,
-                                  contact_solver);
-    };
 
+    // The solver is that of ∫ Dᵀ η D / time.
     UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
     const bool       has_gap =
       std::any_of(bounds.gap.begin(), bounds.gap.end(), [](const double gap) {
@@ -313,37 +293,60 @@ namespace Crevasse
       });
     const bool is_closed =
       Utilities::MPI::max(has_gap ? 1 : 0, body.space.communicator()) == 0;
-    if (const auto tau = uniform_relaxation_time(body, viscosity, material);
+    Vector                              load = mean_load;
+    double                              time = 1., factor = 1.;
+    ContactSolver                      *contact_solver;
+    SolverSettings                      settings = systems.settings();
+    std::unique_ptr<ContactSystem<dim>> own;
+    if (const auto tau = uniform_relaxation_time(body, *viscosity, material);
         tau && is_closed)
       {
         // With a load of the size by which that solver judges: the mean, which
         // has the viscosity in it, may be of any other.
-        const double factor =
-          systems.settings().largest_load / mean_load.linfty_norm();
-        Vector load = mean_load;
+        time   = *tau;
+        factor = settings.largest_load / mean_load.linfty_norm();
         load *= factor;
-        SecularFlow flow = solve(load, *tau, systems.at(0.).contact_solver);
-        flow.velocity /= factor;
-        flow.strain_rate /= factor;
-        for (double &force : flow.contact_forces)
-          force /= factor;
-        return flow;
+        contact_solver = &systems.at(0.).contact_solver;
+      }
+    else
+      {
+        settings.relaxation_factor = [&](const SparseMatrix &matrix) {
+          return systems.relaxation_factor(matrix, mean_load);
+        };
+        std::fill(bounds.gap.begin(), bounds.gap.end(), 0.);
+        own            = std::make_unique<ContactSystem<dim>>(settings,
+                                                   body.space,
+                                                   body.points,
+                                                   viscosity->sum,
+                                                   bounds,
+                                                   &systems.system_at(0.));
+        contact_solver = &own->contact_solver();
+        contact_solver->set_force_scale(mean_load.linfty_norm());
       }
 
-    SolverSettings settings    = systems.settings();
-    settings.relaxation_factor = [&](const SparseMatrix &matrix) {
-      return systems.relaxation_factor(matrix, mean_load);
-    };
-    std::fill(bounds.gap.begin(), bounds.gap.end(), 0.);
-    ContactSystem<dim> system(settings,
-                              body.space,
-                              body.points,
-                              viscosity.sum,
-                              bounds,
-                              &systems.system_at(0.));
-    system.contact_solver().set_force_scale(mean_load.linfty_norm());
-    const SecularFlow flow = solve(mean_load, 1., system.contact_solver());
-    systems.add(system.statistics());
+    const unsigned int n_branches = material.fluidity.size();
+    SecularFlow        flow;
+    body.strain_operator.initialize(flow.velocity);
+    body.points.initialize(flow.strain_rate, n_branches);
+    contact_solver->solve(load, flow.velocity, flow.contact_forces);
+    flow.velocity /= time;
+    // αᵢ = Hᵢ ηᵢ Dβ: that is Dβ, and the creep in thickness with it.
+    body.strain_operator.for_each_strain(
+      flow.velocity,
+      [&](const std::size_t offset, const VoigtVector<dim> &strain_rate) {
+        const std::size_t point = offset / Field::n_components;
+        for (unsigned int i = 0; i < n_branches; ++i)
+          Field::set(flow.strain_rate,
+                     offset * n_branches + i * Field::n_components,
+                     (*material.fluidity[i])[point] *
+                       (viscosity->branches[i][point] * strain_rate));
+      });
+    flow.velocity /= factor;
+    flow.strain_rate /= factor;
+    for (double &force : flow.contact_forces)
+      force /= factor;
+    if (own != nullptr)
+      systems.add(own->statistics());
     return flow;
   }
 

@@ -4,50 +4,32 @@
 #include <crevasse/model/solver_statistics.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Crevasse
 {
-  void
-  SolverStatistics::add(const LinearSolver &solver)
+  namespace
   {
-    linear_solves += solver.n_solves();
-    linear_iterations += solver.n_iterations();
-    back_solves += solver.n_solves();
-    back_solve_time += solver.seconds();
-  }
-
-
-
-  void
-  SolverStatistics::add(const ContactSolver &solver)
-  {
-    linear_solves += solver.n_linear_solves();
-    linear_iterations += solver.n_linear_iterations();
-    if (solver.has_bounds())
-      {
-        vi_solves += solver.n_solves();
-        vi_iterations += solver.n_iterations();
-        vi_time += solver.seconds();
-      }
-    certified += solver.n_solves();
-    certificate.merge(solver.worst_certificate());
-    accuracy = std::max(accuracy, solver.accuracy());
-  }
+    /** Those of summary.json. */
+    constexpr std::pair<const char *, std::size_t SolverStatistics::*>
+      counters[] = {{"assemblies", &SolverStatistics::assemblies},
+                    {"factorisations", &SolverStatistics::factorisations},
+                    {"multigrid_setups", &SolverStatistics::multigrid_setups},
+                    {"linear_solves", &SolverStatistics::linear_solves},
+                    {"linear_iterations", &SolverStatistics::linear_iterations},
+                    {"vi_solves", &SolverStatistics::vi_solves},
+                    {"vi_iterations", &SolverStatistics::vi_iterations}};
+  } // namespace
 
 
 
   void
   SolverStatistics::add(const SolverStatistics &other)
   {
-    assemblies += other.assemblies;
-    factorisations += other.factorisations;
-    multigrid_setups += other.multigrid_setups;
-    linear_solves += other.linear_solves;
-    linear_iterations += other.linear_iterations;
+    for (const auto &[name, counter] : counters)
+      this->*counter += other.*counter;
     back_solves += other.back_solves;
     back_solve_time += other.back_solve_time;
-    vi_solves += other.vi_solves;
-    vi_iterations += other.vi_iterations;
     vi_time += other.vi_time;
     certified += other.certified;
     certificate.merge(other.certificate);
@@ -59,15 +41,8 @@ namespace Crevasse
   void
   SolverStatistics::add_to(Summary &summary) const
   {
-    auto &counters                = summary["counters"];
-    counters["assemblies"]        = assemblies;
-    counters["factorisations"]    = factorisations;
-    counters["multigrid_setups"]  = multigrid_setups;
-    counters["linear_solves"]     = linear_solves;
-    counters["linear_iterations"] = linear_iterations;
-    counters["vi_solves"]         = vi_solves;
-    counters["vi_iterations"]     = vi_iterations;
-
+    for (const auto &[name, counter] : counters)
+      summary["counters"][name] = this->*counter;
     summary["certificate"] = {{"penetration", certificate.penetration},
                               {"tension", certificate.tension},
                               {"complementarity", certificate.complementarity},

@@ -2,196 +2,354 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
+#include <crevasse/base/text_file.h>
 #include <crevasse/parameters/assignments.h>
-#include <crevasse/parameters/catalogue.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <sstream>
 
 namespace Crevasse
 {
-  using namespace dealii;
+  namespace fs = std::filesystem;
+  using Json   = nlohmann::ordered_json;
 
   namespace
   {
-    /** The part of a path of sections that is not known any more: "Materail"
-     * of "Materail/Creep". */
-    std::string
-    unknown_part(const std::string &path, const Catalogue &catalogue)
+    /** Reads deal.II's .prm format. */
+    class PrmReader
     {
-      for (std::size_t slash = path.find('/'); slash != std::string::npos;
-           slash             = path.find('/', slash + 1))
-        if (catalogue.find(path.substr(0, slash)) == nullptr)
-          return path.substr(0, slash);
-      return path;
-    }
+    public:
+      PrmReader(std::vector<Assignment> &assignments, Problems &problems)
+        : assignments(assignments)
+        , problems(problems)
+      {
+      }
+
+      void
+      read(const std::string &file_name);
+
+    private:
+      /** What belongs to one file, not to those that it includes. */
+      struct File
+      {
+        Origin origin;
+        /** Sections that the including files have opened. */
+        std::size_t depth;
+        /** "Section/Name" and the origin where it was set first. */
+        std::map<std::string, std::string> first_places;
+      };
+
+      void
+      read_statement(const std::string &statement, File &file);
+
+      void
+      set_parameter(const std::string &text, File &file);
+
+      void
+      include_file(const std::string &name, const File &file);
+
+      std::string
+      section_path() const;
+
+      std::vector<Assignment> &assignments;
+      Problems                &problems;
+      /** Those that are open: name and origin. */
+      std::vector<std::pair<std::string, Origin>> sections;
+      /** The files being read, each included by the one before. */
+      std::vector<fs::path> files;
+    };
 
 
 
-    std::string
-    describe_unknown_section(const std::string &section,
-                             const Catalogue   &catalogue)
+    void
+    PrmReader::read(const std::string &file_name)
     {
-      const std::size_t slash     = section.rfind('/');
-      const std::string last_name = section.substr(slash + 1);
-      std::string       message =
-        "unknown section \"" + Text::shorten(section) + "\"";
-      if (slash != std::string::npos && catalogue.find(last_name) != nullptr)
-        return message +
-               "; sections do not nest, so an \"end\" may be missing "
-               "before it";
-      return message +
-             "; sections are: " + Text::join(catalogue.names(), ", ") +
-             Text::did_you_mean(section, catalogue.names());
-    }
+      std::istringstream text(read_text_file(file_name));
+      File               file{{file_name, 0}, sections.size(), {}};
+      std::error_code    unknown;
+      files.push_back(fs::weakly_canonical(file_name, unknown));
 
-
-
-    std::string
-    describe_unknown_parameter(const Catalogue::Section &section,
-                               const std::string        &name,
-                               const Catalogue          &catalogue)
-    {
-      std::string message =
-        "unknown parameter \"" + Text::shorten(name) +
-        "\"; allowed here: " + Text::join(section.names(), ", ");
-      if (section.name.empty())
-        message += ", and the sections " + Text::join(catalogue.names(), ", ");
-
-      const std::string guess = Text::did_you_mean(name, section.names());
-      if (!guess.empty())
-        return message + guess;
-      for (const Catalogue::Section &other : catalogue.sections)
-        if (other.find(name) != nullptr)
-          return message + "; a parameter of this name is " +
-                 (other.name.empty() ? "at the top level"
-                                     : "in the section " + other.name);
-      return message;
-    }
-
-
-
-    /** Why a value cannot be written into a scene file and read again, or
-     * nothing. */
-    std::string
-    describe_unwritable(const std::string &value)
-    {
-      if (!Text::is_utf8(value))
-        return "must be text in UTF-8";
-      if (std::any_of(value.begin(), value.end(), Text::is_control))
-        return "must not contain control characters";
-      if (value.find('#') != std::string::npos)
-        return "must not contain \"#\", which begins a comment in a scene file";
-      if (!value.empty() && value.back() == '\\')
-        return "must not end in a backslash, which continues a line in a scene "
-               "file";
-      return "";
-    }
-
-
-
-    /** Whether the value has the declared type. */
-    bool
-    set_value(const Assignment &assignment, ParameterHandler &prm)
-    {
-      if (!assignment.section.empty())
-        prm.enter_subsection(assignment.section);
-      bool is_valid = true;
-      try
+      std::string  statement;
+      unsigned int n_lines = 0;
+      for (std::string line; std::getline(text, line);)
         {
-          prm.set(assignment.name, assignment.value);
+          ++n_lines;
+          if (statement.empty())
+            file.origin.line = n_lines;
+          // A comment ends with its line, even where the line continues.
+          statement += dealii::Utilities::trim(line.substr(0, line.find('#')));
+          const bool continues = !statement.empty() && statement.back() == '\\';
+          if (continues)
+            statement.pop_back();
+          if (continues &&
+              text.peek() != std::istringstream::traits_type::eof())
+            continue;
+          read_statement(Text::squeeze(statement), file);
+          statement.clear();
         }
-      catch (const std::exception &)
-        {
-          is_valid = false;
-        }
-      if (!assignment.section.empty())
-        prm.leave_subsection();
-      return is_valid;
+
+      for (std::size_t i = file.depth; i < sections.size(); ++i)
+        problems.add("the subsection \"" + Text::shorten(sections[i].first) +
+                       "\" is never closed by an \"end\"",
+                     sections[i].second);
+      sections.resize(file.depth);
+      files.pop_back();
     }
 
 
 
     void
-    apply_one(const Assignment         &assignment,
-              const Catalogue::Section &section,
-              const Catalogue          &catalogue,
-              ParameterHandler         &prm,
-              Problems                 &problems)
+    PrmReader::read_statement(const std::string &statement, File &file)
     {
-      const Catalogue::Parameter *parameter = section.find(assignment.name);
-      if (parameter == nullptr)
-        {
-          const std::string where =
-            section.name.empty() ? "" : "[" + section.name + "] ";
-          problems.add(
-            assignment.place + ": " + where +
-            describe_unknown_parameter(section, assignment.name, catalogue));
-          return;
-        }
+      const std::size_t space = statement.find(' ');
+      const std::string rest =
+        space == std::string::npos ? "" : statement.substr(space + 1);
+      const auto begins_with = [&](const char *small, const char *capital) {
+        const std::string word = statement.substr(0, space);
+        return (word == small || word == capital) && !rest.empty();
+      };
 
-      problems.locate(section.name, parameter->name, assignment.place);
-      std::string problem = describe_unwritable(assignment.value);
-      if (problem.empty() && !set_value(assignment, prm))
-        problem = "must be " + parameter->allowed;
-      if (!problem.empty())
-        problems.add(section.name, parameter->name, assignment.value, problem);
+      if (statement.empty())
+        return;
+      else if (begins_with("set", "SET") && rest[0] != '=' &&
+               rest.find('=') != std::string::npos)
+        set_parameter(rest, file);
+      else if (begins_with("subsection", "SUBSECTION"))
+        {
+          sections.emplace_back(rest, file.origin);
+          assignments.push_back({file.origin, section_path(), "", ""});
+        }
+      else if ((statement == "end" || statement == "END") &&
+               sections.size() > file.depth)
+        sections.pop_back();
+      else if (begins_with("include", "INCLUDE"))
+        include_file(rest, file);
+      else
+        problems.add("\"" + Text::shorten(statement) +
+                       "\" cannot be understood; a line must be \"set Name = "
+                       "value\", \"subsection Name\", its \"end\", \"include "
+                       "file\" or a comment after \"#\"",
+                     file.origin);
+    }
+
+
+
+    void
+    PrmReader::set_parameter(const std::string &text, File &file)
+    {
+      const std::size_t equals = text.find('=');
+      const std::string name = dealii::Utilities::trim(text.substr(0, equals));
+      const std::string section = section_path();
+      const auto [first, is_new] =
+        file.first_places.emplace(section + "/" + name, file.origin.text());
+      if (is_new)
+        assignments.push_back(
+          {file.origin,
+           section,
+           name,
+           dealii::Utilities::trim(text.substr(equals + 1))});
+      else
+        problems.add(Text::parameter(section, name) +
+                       " is set a second time; it was set at " + first->second,
+                     file.origin);
+    }
+
+
+
+    void
+    PrmReader::include_file(const std::string &name, const File &file)
+    {
+      const fs::path included =
+        (fs::path(file.origin.source).parent_path() / name).lexically_normal();
+      std::error_code unknown;
+      if (std::find(files.begin(),
+                    files.end(),
+                    fs::weakly_canonical(included, unknown)) != files.end())
+        return problems.add("the file \"" + included.string() +
+                              "\" includes itself",
+                            file.origin);
+      try
+        {
+          read(included.string());
+        }
+      catch (const FileError &error)
+        {
+          problems.add(error.what(), file.origin);
+          problems.last_is_unreadable();
+        }
+    }
+
+
+
+    std::string
+    PrmReader::section_path() const
+    {
+      std::string path;
+      for (const auto &[name, origin] : sections)
+        path += (path.empty() ? "" : "/") + name;
+      return path;
+    }
+
+
+
+    /** Numbers keep the digits that print them exactly. */
+    std::optional<std::string>
+    to_text(const Json &value)
+    {
+      if (value.is_string())
+        return Text::squeeze(value.get<std::string>());
+      if (value.is_number() || value.is_boolean())
+        return value.dump();
+      if (!value.is_array())
+        return {};
+
+      std::vector<std::string> numbers;
+      for (const Json &element : value)
+        if (element.is_number())
+          numbers.push_back(element.dump());
+        else
+          return {};
+      return Text::join(numbers, ", ");
+    }
+
+
+
+    /** Parses a text and reports names that occur twice, which the object does
+     * not tell any more.
+     * @throw Json::exception */
+    Json
+    parse_json(const std::string &text,
+               const Origin      &origin,
+               Problems          &problems)
+    {
+      std::vector<std::set<std::string>> levels;
+      return Json::parse(
+        text, [&](int, const Json::parse_event_t event, const Json &parsed) {
+          if (event == Json::parse_event_t::object_start)
+            levels.emplace_back();
+          else if (event == Json::parse_event_t::object_end)
+            levels.pop_back();
+          else if (event == Json::parse_event_t::key)
+            if (const auto name = parsed.get<std::string>();
+                !levels.back().insert(name).second)
+              problems.add("\"" + Text::shorten(name) + "\" occurs twice",
+                           origin);
+          return true;
+        });
+    }
+
+
+
+    /** Reads the parameters of one section, and the sections in it. */
+    void
+    read_object(const Json              &object,
+                const std::string       &section,
+                const Origin            &origin,
+                std::vector<Assignment> &assignments,
+                Problems                &problems)
+    {
+      for (const auto &[name, value] : object.items())
+        if (value.is_object() &&
+            (!value.contains("value") || value.at("value").is_object()))
+          {
+            const std::string path =
+              section.empty() ? name : section + "/" + name;
+            assignments.push_back({origin, path, "", ""});
+            // Sections do not nest: one below another is reported as unknown,
+            // and what it contains does not matter.
+            if (section.empty())
+              read_object(value, path, origin, assignments, problems);
+          }
+        else if (const auto text =
+                   to_text(value.is_object() ? value.at("value") : value))
+          assignments.push_back({origin, section, name, *text});
+        else
+          problems.add(Text::parameter(section, name) +
+                         ": must be a number, true or false, a text, or an "
+                         "array of numbers",
+                       origin);
+    }
+
+
+
+    void
+    read_json(const std::string       &file_name,
+              std::vector<Assignment> &assignments,
+              Problems                &problems)
+    {
+      const Origin      origin{file_name};
+      const std::string text = read_text_file(file_name);
+      try
+        {
+          const Json scene = parse_json(text, origin, problems);
+          if (scene.is_object())
+            read_object(scene, "", origin, assignments, problems);
+          else
+            problems.add("must be one JSON object, {...}", origin);
+        }
+      catch (const Json::exception &error)
+        {
+          // The library's number of the error comes first, in brackets.
+          const std::string message = error.what();
+          problems.add("is not valid JSON: " +
+                         message.substr(message.find(' ') + 1),
+                       origin);
+        }
+    }
+
+
+
+    void
+    read_override(const std::string       &text,
+                  std::vector<Assignment> &assignments,
+                  Problems                &problems)
+    {
+      const Origin      origin{"--set \"" + Text::shorten(text) + "\""};
+      const std::size_t equals = text.find('=');
+      const std::string path   = text.substr(0, equals);
+      const std::size_t slash  = path.rfind('/');
+      const std::string name   = Text::squeeze(path.substr(slash + 1));
+      if (equals == std::string::npos || name.empty())
+        return problems.add(
+          "must have the form \"Section/Name=value\", or "
+          "\"Name=value\" for the top level",
+          origin);
+      assignments.push_back(
+        {origin,
+         slash == std::string::npos ? "" : Text::squeeze(path.substr(0, slash)),
+         name,
+         Text::squeeze(text.substr(equals + 1))});
     }
   } // namespace
 
 
 
-  void
-  read_override(const Override          &override,
-                std::vector<Assignment> &assignments,
-                Problems                &problems)
+  std::vector<Assignment>
+  read_assignments(const std::string              &file_name,
+                   const std::vector<std::string> &overrides,
+                   Problems                       &problems)
   {
-    const std::string &text = override.text;
-    Assignment         assignment;
-    assignment.place = override.option + " \"" + Text::shorten(text) + "\"";
-
-    const std::size_t equals = text.find('=');
-    const std::string path   = text.substr(0, equals);
-    const std::size_t slash  = path.rfind('/');
-    if (slash != std::string::npos)
-      assignment.section = Text::squeeze(path.substr(0, slash));
-    assignment.name = Text::squeeze(path.substr(slash + 1));
-
-    if (equals == std::string::npos || assignment.name.empty())
+    std::vector<Assignment> assignments;
+    const fs::path          extension = fs::path(file_name).extension();
+    if (extension == ".prm")
+      PrmReader(assignments, problems).read(file_name);
+    else if (extension == ".json")
+      read_json(file_name, assignments, problems);
+    else
       {
-        problems.add(assignment.place +
-                     ": must have the form \"Section/Name=value\", or "
-                     "\"Name=value\" for the top level");
-        return;
+        read_text_file(file_name); // to be there is what matters more
+        problems.add("the name of a scene file must end in .prm or .json",
+                     {file_name});
       }
-    assignment.value = Text::squeeze(text.substr(equals + 1));
-    assignments.push_back(assignment);
-  }
-
-
-
-  void
-  apply(const std::vector<Assignment> &assignments,
-        ParameterHandler              &prm,
-        Problems                      &problems)
-  {
-    const Catalogue       catalogue(prm);
-    std::set<std::string> reported;
-    for (const Assignment &assignment : assignments)
-      {
-        const Catalogue::Section *section = catalogue.find(assignment.section);
-        if (section == nullptr)
-          {
-            const std::string unknown =
-              unknown_part(assignment.section, catalogue);
-            if (reported.insert(unknown).second)
-              problems.add(assignment.place + ": " +
-                           describe_unknown_section(unknown, catalogue));
-          }
-        else if (!assignment.name.empty())
-          apply_one(assignment, *section, catalogue, prm, problems);
-      }
+    for (const std::string &text : overrides)
+      read_override(text, assignments, problems);
+    return assignments;
   }
 } // namespace Crevasse

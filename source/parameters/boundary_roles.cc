@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/boundary_roles.h>
+#include <crevasse/parameters/probe_list.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -10,71 +12,76 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  namespace
+  BoundaryList
+  parse_boundary_list(const std::string &text)
   {
-    template <int dim>
-    Point<dim>
-    parse_point(const std::string &text)
-    {
-      const auto coordinates = Text::to_numbers(text);
-      if (!coordinates || coordinates->size() != dim)
-        throw SceneError("\"" + Text::shorten(text) + "\" must be " +
-                         std::to_string(dim) +
-                         " coordinates, separated by commas");
-      Point<dim> point;
-      for (unsigned int d = 0; d < dim; ++d)
-        point[d] = (*coordinates)[d];
-      return point;
-    }
+    const std::string trimmed = Utilities::trim(text);
+    BoundaryList      list;
+    list.is_automatic = trimmed == "automatic";
+    if (list.is_automatic || trimmed == "none")
+      return list;
+    for (const std::string &part : Text::split(trimmed, ','))
+      {
+        const auto id = Text::to_unsigned(part);
+        if (id && *id != numbers::internal_face_boundary_id)
+          list.ids.insert(*id);
+        else if (Text::to_number(part) || part == "automatic" || part == "none")
+          throw SceneError(
+            "must be \"automatic\", \"none\" or boundary ids "
+            "(integers of at least 0) separated by commas; with a Gmsh file "
+            "also names of physical groups");
+        else
+          list.names.push_back(Text::squeeze(part));
+      }
+    return list;
+  }
 
 
 
-    template <int dim>
-    std::array<bool, dim>
-    parse_components(const std::string &text)
-    {
-      std::array<bool, dim> components;
-      components.fill(false);
-
-      const std::vector<std::string> parts = Text::split(text, ',');
-      for (const std::string &part : parts)
-        {
-          const auto component = Text::to_unsigned(part);
-          if (!component || *component < 1 || *component > dim)
-            throw SceneError("\"" + Text::shorten(part) +
-                             "\" must be the number of a component, 1 to " +
-                             std::to_string(dim));
-          components[*component - 1] = true;
-        }
-      if (parts.empty())
-        throw SceneError(
-          "the numbers of the fixed components must follow the "
-          "colon, as in \"0, 0: 1\"");
-      return components;
-    }
-  } // namespace
+  FixedPointList
+  parse_fixed_points(const std::string &text)
+  {
+    const std::string trimmed = Utilities::trim(text);
+    FixedPointList    list;
+    list.is_automatic = trimmed == "automatic";
+    if (list.is_automatic || trimmed == "none")
+      return list;
+    for (const std::string &part : Text::split(trimmed, ';'))
+      {
+        const std::size_t     colon = part.find(':');
+        FixedPointList::Entry entry;
+        entry.coordinates = parse_coordinates(part.substr(0, colon));
+        if (colon != std::string::npos)
+          for (const auto &number : Text::split(part.substr(colon + 1), ','))
+            entry.components.insert(Text::to_unsigned(number).value_or(0));
+        if (entry.components.count(0) > 0 ||
+            (colon != std::string::npos && entry.components.empty()))
+          throw SceneError("\"" + Text::shorten(part) +
+                           "\": after the colon the numbers of components "
+                           "must follow, from 1 on, as in \"0, 0: 1\"");
+        list.entries.push_back(entry);
+      }
+    return list;
+  }
 
 
 
   template <int dim>
   std::vector<FixedPoint<dim>>
-  parse_fixed_points(const std::string &text)
+  to_fixed_points(const FixedPointList &list)
   {
-    const std::string trimmed = Utilities::trim(text);
-    if (trimmed == "automatic" || trimmed == "none")
-      return {};
-
     std::vector<FixedPoint<dim>> fixed_points;
-    for (const std::string &entry : Text::split(trimmed, ';'))
+    for (const auto &[coordinates, components] : list.entries)
       {
-        const std::size_t colon = entry.find(':');
-        FixedPoint<dim>   fixed_point;
-        fixed_point.point = parse_point<dim>(entry.substr(0, colon));
-        if (colon == std::string::npos)
-          fixed_point.components.fill(true);
-        else
-          fixed_point.components =
-            parse_components<dim>(entry.substr(colon + 1));
+        FixedPoint<dim> fixed_point{to_point<dim>(coordinates), {}};
+        fixed_point.components.fill(components.empty());
+        for (const unsigned int component : components)
+          if (component > dim)
+            throw SceneError("\"" + std::to_string(component) +
+                             "\" must be the number of a component, 1 to " +
+                             std::to_string(dim));
+          else
+            fixed_point.components[component - 1] = true;
         fixed_points.push_back(fixed_point);
       }
     return fixed_points;
@@ -82,68 +89,8 @@ namespace Crevasse
 
 
 
-  std::optional<std::set<types::boundary_id>>
-  parse_boundary_ids(const std::string &text)
-  {
-    const std::string trimmed = Utilities::trim(text);
-    if (trimmed == "automatic")
-      return {};
-
-    std::set<types::boundary_id> ids;
-    if (trimmed == "none")
-      return ids;
-
-    for (const std::string &part : Text::split(trimmed, ','))
-      {
-        const auto id = Text::to_unsigned(part);
-        if (!id || *id == numbers::internal_face_boundary_id)
-          throw SceneError(
-            "must be \"automatic\", \"none\" or boundary ids "
-            "(integers of at least 0) separated by commas; with a Gmsh file "
-            "also names of physical groups");
-        ids.insert(*id);
-      }
-    return ids;
-  }
-
-
-
-  BoundaryRoles
-  resolve_roles(const BoundaryParameters &parameters,
-                const BoundaryRoles      &automatic)
-  {
-    using Ids = std::set<types::boundary_id>;
-
-    const auto clamped  = parse_boundary_ids(parameters.clamped);
-    const auto symmetry = parse_boundary_ids(parameters.symmetry);
-    const auto loaded   = parse_boundary_ids(parameters.loaded);
-    const auto contact  = parse_boundary_ids(parameters.contact);
-
-    Ids named;
-    for (const auto *ids : {&clamped, &symmetry, &loaded, &contact})
-      if (*ids)
-        named.insert((*ids)->begin(), (*ids)->end());
-
-    const auto resolve = [&named](const std::optional<Ids> &own, Ids ids) {
-      if (own)
-        return *own;
-      for (const types::boundary_id id : named)
-        ids.erase(id);
-      return ids;
-    };
-
-    BoundaryRoles roles;
-    roles.clamped  = resolve(clamped, automatic.clamped);
-    roles.symmetry = resolve(symmetry, automatic.symmetry);
-    roles.loaded   = resolve(loaded, automatic.loaded);
-    roles.contact  = resolve(contact, automatic.contact);
-    return roles;
-  }
-
-
-
   template std::vector<FixedPoint<2>>
-  parse_fixed_points<2>(const std::string &);
+  to_fixed_points<2>(const FixedPointList &);
   template std::vector<FixedPoint<3>>
-  parse_fixed_points<3>(const std::string &);
+  to_fixed_points<3>(const FixedPointList &);
 } // namespace Crevasse

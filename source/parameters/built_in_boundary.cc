@@ -3,6 +3,9 @@
 
 #include <crevasse/parameters/built_in_boundary.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace Crevasse
 {
   using namespace dealii;
@@ -30,6 +33,31 @@ namespace Crevasse
     return parameters.shape == Shape::edge_crack
              ? parameters.width - parameters.crack_length
              : parameters.crack_length;
+  }
+
+
+
+  BoundaryRoles
+  resolve_roles(const BoundaryParameters &parameters,
+                const BoundaryRoles      &automatic)
+  {
+    BoundaryRoles                roles;
+    std::set<types::boundary_id> named;
+    for (const BoundaryRole &role : boundary_role_table)
+      {
+        const auto &ids = (parameters.*role.list)->ids;
+        named.insert(ids.begin(), ids.end());
+        roles.*role.ids = ids;
+      }
+    for (const BoundaryRole &role : boundary_role_table)
+      if ((parameters.*role.list)->is_automatic)
+        std::set_difference((automatic.*role.ids).begin(),
+                            (automatic.*role.ids).end(),
+                            named.begin(),
+                            named.end(),
+                            std::inserter(roles.*role.ids,
+                                          (roles.*role.ids).end()));
+    return roles;
   }
 
 

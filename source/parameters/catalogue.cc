@@ -6,153 +6,97 @@
 
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
+#include <limits>
+#include <regex>
 #include <sstream>
 
 namespace Crevasse
 {
   using namespace dealii;
-  using Json = nlohmann::ordered_json;
 
   namespace
   {
-    bool
-    begins_with(const std::string &text, const std::string &beginning)
-    {
-      return text.compare(0, beginning.size(), beginning) == 0;
-    }
-
-
-
     /** deal.II's description of a pattern, such as "[Integer range 0...9
      * (inclusive)]", in words. */
     std::string
     in_words(const std::string &pattern)
     {
-      if (begins_with(pattern, "[List of <[Double"))
-        return "a list of numbers, separated by commas";
-      if (begins_with(pattern, "[List of <[Integer range 0..."))
-        return "a list of integers of at least 0, separated by commas";
-      if (begins_with(pattern, "[Double"))
-        return "a number";
-      if (begins_with(pattern, "[Integer range 0..."))
-        return "an integer of at least 0";
-      if (begins_with(pattern, "[Bool"))
-        return "true or false";
-      if (begins_with(pattern, "[Anything"))
-        return "any text";
-
-      const std::string selection = "[Selection ";
-      if (begins_with(pattern, selection))
+      std::smatch parts;
+      if (std::regex_match(pattern,
+                           parts,
+                           std::regex("\\[List of <(.*)> of.*")))
+        return "a list separated by commas, each " + in_words(parts[1]);
+      if (std::regex_match(pattern,
+                           parts,
+                           std::regex(
+                             "\\[Integer range (.*)\\.\\.\\.(\\d+) .*")))
         {
-          const std::size_t end     = pattern.rfind(']');
-          const auto        choices = Text::split(
-            pattern.substr(selection.size(), end - selection.size()), '|');
-          return (choices.size() == 1 ? "" : "one of: ") +
-                 Text::join(choices, ", ");
+          const int least = std::stoi(parts[1]), most = std::stoi(parts[2]);
+          if (most == std::numeric_limits<int>::max())
+            return "an integer of at least " + parts[1].str();
+          return most == least + 1 ? parts[1].str() + " or " + parts[2].str()
+                                   : "an integer from " + parts[1].str() +
+                                       " to " + parts[2].str();
         }
-      return pattern;
+      if (std::regex_match(pattern,
+                           parts,
+                           std::regex("\\[Selection (.*?) ?\\]")))
+        return (parts[1].str().find('|') == std::string::npos ? ""
+                                                              : "one of: ") +
+               Text::join(Text::split(parts[1], '|'), ", ");
+      return pattern == "[Bool]"       ? "true or false"
+             : pattern == "[Anything]" ? "any text"
+                                       : pattern;
     }
 
 
 
-    Catalogue::Parameter
-    read_parameter(const std::string &name, const Json &entry)
+    /** What is allowed follows in the documentation where the pattern does not
+     * tell it. */
+    Catalogue
+    describe(Catalogue entry)
     {
-      Catalogue::Parameter parameter;
-      parameter.name          = name;
-      parameter.default_value = entry.at("default_value").get<std::string>();
-      parameter.meaning       = entry.at("documentation").get<std::string>();
-      parameter.type =
-        in_words(entry.at("pattern_description").get<std::string>());
-      parameter.allowed = parameter.type;
-
-      const std::string mark  = "Allowed:";
-      const std::size_t begin = parameter.meaning.find(mark);
-      if (begin != std::string::npos)
-        {
-          parameter.allowed =
-            Utilities::trim(parameter.meaning.substr(begin + mark.size()));
-          parameter.meaning =
-            Utilities::trim(parameter.meaning.substr(0, begin));
-        }
-      return parameter;
-    }
-
-
-
-    template <typename Item>
-    const Item *
-    find_name(const std::vector<Item> &items, const std::string &name)
-    {
-      const auto item =
-        std::find_if(items.begin(), items.end(), [&name](const Item &item) {
-          return item.name == name;
-        });
-      return item == items.end() ? nullptr : &*item;
+      const std::string mark    = "Allowed:";
+      const auto        meaning = entry.at("documentation").get<std::string>();
+      const std::size_t begin   = meaning.find(mark);
+      entry["documentation"]    = Utilities::trim(meaning.substr(0, begin));
+      entry["allowed"] =
+        begin == std::string::npos
+          ? in_words(entry.at("pattern_description").get<std::string>())
+          : Utilities::trim(meaning.substr(begin + mark.size()));
+      return entry;
     }
   } // namespace
 
 
 
-  Catalogue::Catalogue(const ParameterHandler &prm)
-    : sections(1)
+  Catalogue
+  make_catalogue(const ParameterHandler &prm)
   {
     std::stringstream stream;
     prm.print_parameters(stream,
                          ParameterHandler::JSON |
                            ParameterHandler::KeepDeclarationOrder);
-
-    const Json declared = Json::parse(stream);
+    const Catalogue declared = Catalogue::parse(stream);
+    Catalogue       catalogue;
     for (const auto &[name, entry] : declared.items())
       if (entry.contains("default_value"))
-        sections[0].parameters.push_back(read_parameter(name, entry));
+        catalogue[""][name] = describe(entry);
       else
-        {
-          Section section{name, {}};
-          for (const auto &[key, value] : entry.items())
-            section.parameters.push_back(read_parameter(key, value));
-          sections.push_back(section);
-        }
-  }
-
-
-
-  const Catalogue::Section *
-  Catalogue::find(const std::string &name) const
-  {
-    return find_name(sections, name);
+        for (const auto &[parameter, inner] : entry.items())
+          catalogue[name][parameter] = describe(inner);
+    return catalogue;
   }
 
 
 
   std::vector<std::string>
-  Catalogue::names() const
+  names_in(const Catalogue &object)
   {
-    std::vector<std::string> result;
-    for (const Section &section : sections)
-      if (!section.name.empty())
-        result.push_back(section.name);
-    return result;
-  }
-
-
-
-  const Catalogue::Parameter *
-  Catalogue::Section::find(const std::string &name) const
-  {
-    return find_name(parameters, name);
-  }
-
-
-
-  std::vector<std::string>
-  Catalogue::Section::names() const
-  {
-    std::vector<std::string> result;
-    for (const Parameter &parameter : parameters)
-      result.push_back(parameter.name);
-    return result;
+    std::vector<std::string> names;
+    for (const auto &[name, entry] : object.items())
+      if (!name.empty())
+        names.push_back(name);
+    return names;
   }
 } // namespace Crevasse

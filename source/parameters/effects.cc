@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/text.h>
 #include <crevasse/parameters/effects.h>
-#include <crevasse/parameters/formulas_of_scene.h>
 
 #include <algorithm>
+#include <set>
 
 namespace Crevasse
 {
@@ -18,15 +17,14 @@ namespace Crevasse
               const bool                     temperature_varies)
     {
       const std::string name = "varying " + property;
-      const std::string reason =
-        describe_variation(formulas, temperature_varies);
-      if (!reason.empty())
-        return {name, true, "freely: " + reason};
-      const std::string varying_factor =
-        describe_variation({factor}, temperature_varies);
-      if (!varying_factor.empty())
-        return {name, true, "by a factor: " + varying_factor};
-      return {name, false, "nothing of the " + property + " depends on time"};
+      const std::string free = describe_variation(formulas, temperature_varies);
+      if (!free.empty())
+        return {name, true, "freely: " + free};
+      const std::string by = describe_variation({factor}, temperature_varies);
+      return {name,
+              !by.empty(),
+              by.empty() ? "nothing of the " + property + " depends on time"
+                         : "by a factor: " + by};
     }
 
 
@@ -35,8 +33,7 @@ namespace Crevasse
     free_strain(const MaterialParameters::FreeStrain &strain,
                 const LoadParameters                 &loads)
     {
-      const std::string name =
-        Text::parameter(MaterialParameters::section, strain.parameter);
+      const std::string name = std::string("[Material] ") + strain.parameter;
       if (are_zero(*strain.components))
         return {strain.effect, false, name + " is 0"};
       if (strain.is_thermal)
@@ -44,6 +41,25 @@ namespace Crevasse
                 has_temperature(loads),
                 "[Loads] Temperature = " + loads.temperature.text()};
       return {strain.effect, true, name + " = " + strain.components.text()};
+    }
+
+
+
+    void
+    append(const std::vector<Expression> &more, std::vector<Expression> &all)
+    {
+      all.insert(all.end(), more.begin(), more.end());
+    }
+
+
+
+    std::vector<Expression>
+    free_strain_formulas(const MaterialParameters &material)
+    {
+      std::vector<Expression> all;
+      for (const auto &strain : material.free_strains())
+        append(*strain.components, all);
+      return all;
     }
   } // namespace
 
@@ -54,60 +70,51 @@ namespace Crevasse
                    const bool           temperature_varies)
   {
     const MaterialParameters &material = scene.material;
+    const Formulas           &force    = scene.loads.body_force;
+    const unsigned int n_singular  = scene.discretisation.singular_functions;
+    const bool         has_contact = !roles.contact.empty();
+    const bool         is_chain    = material.viscosity == ViscosityType::chain;
+    const bool         has_tip     = scene.crack_tip.stress_intensity;
 
-    contact.name = "contact";
-    contact.on   = !roles.contact.empty();
-    contact.why  = contact.on ? "a boundary has the role Contact"
-                              : "no boundary has the role Contact";
-
-    viscosity.name = "viscosity";
-    viscosity.on   = material.viscosity != ViscosityType::none;
-    viscosity.why  = "[Material] Viscosity = " + name_of(material.viscosity);
-
-    const bool is_chain = material.viscosity == ViscosityType::chain;
-    chain               = {"chain",
-                           is_chain,
+    contact      = {"contact",
+                    has_contact,
+                    std::string(has_contact ? "a" : "no") +
+                      " boundary has the role Contact"};
+    viscosity    = {"viscosity",
+                    material.viscosity != ViscosityType::none,
+                    "[Material] Viscosity = " + name_of(material.viscosity)};
+    secular_flow = {"secular flow", false, "not looked for"};
+    chain        = {"chain",
+                    is_chain,
              is_chain ? "[Material] Chain = " + material.chain.text()
-                                    : "at most one Maxwell body"};
-
+                             : "at most one Maxwell body"};
     for (const auto &strain : material.free_strains())
       free_strains.push_back(free_strain(strain, scene.loads));
-
-    varying_stiffness = variation("stiffness",
+    varying_stiffness  = variation("stiffness",
                                   stiffness_formulas(material),
                                   *material.stiffness_time_factor,
                                   temperature_varies);
-    varying_viscosity = viscosity.on
-                          ? variation("viscosity",
+    varying_viscosity  = viscosity.on
+                           ? variation("viscosity",
                                       viscosity_formulas(material),
                                       *material.viscosity_time_factor,
                                       temperature_varies)
-                          : Effect{"varying viscosity", false, "no viscosity"};
-
-    body_force = {"body force",
-                  !are_zero(*scene.loads.body_force),
-                  "[Loads] Body force " +
-                    (scene.loads.body_force->empty()
-                       ? "is not set"
-                       : "= " + scene.loads.body_force.text())};
-
-    const unsigned int n_singular = scene.discretisation.singular_functions;
-    singular_functions            = {"singular functions",
-                                     n_singular > 0,
-                                     "[Discretisation] Singular functions = " +
-                                       std::to_string(n_singular)};
-
-    stress_intensity = {"stress intensity",
-                        scene.crack_tip.stress_intensity,
-                        std::string("[Crack tip] Stress intensity = ") +
-                          (scene.crack_tip.stress_intensity ? "true"
-                                                            : "false")};
-
-    secular_flow = {"secular flow", false, "not looked for"};
-
-    field_output.name = "field output";
-    field_output.on   = scene.output.fields != FieldFormat::none;
-    field_output.why  = "[Output] Fields = " + name_of(scene.output.fields);
+                           : Effect{"varying viscosity", false, "no viscosity"};
+    body_force         = {"body force",
+                          !are_zero(*force),
+                          "[Loads] Body force " +
+                            (force->empty() ? "is not set" : "= " + force.text())};
+    singular_functions = {"singular functions",
+                          n_singular > 0,
+                          "[Discretisation] Singular functions = " +
+                            std::to_string(n_singular)};
+    stress_intensity   = {"stress intensity",
+                          has_tip,
+                          std::string("[Crack tip] Stress intensity = ") +
+                            (has_tip ? "true" : "false")};
+    field_output       = {"field output",
+                          scene.output.fields != FieldFormat::none,
+                          "[Output] Fields = " + name_of(scene.output.fields)};
   }
 
 
@@ -125,15 +132,129 @@ namespace Crevasse
   std::vector<Effects::Effect>
   Effects::list() const
   {
-    std::vector<Effect> all = {contact, viscosity, secular_flow, chain};
-    all.insert(all.end(), free_strains.begin(), free_strains.end());
-    for (const Effect &effect : {varying_stiffness,
-                                 varying_viscosity,
-                                 body_force,
-                                 singular_functions,
-                                 stress_intensity,
-                                 field_output})
-      all.push_back(effect);
+    std::vector<Effect> all = {contact,
+                               viscosity,
+                               secular_flow,
+                               chain,
+                               varying_stiffness,
+                               varying_viscosity,
+                               body_force,
+                               singular_functions,
+                               stress_intensity,
+                               field_output};
+    all.insert(all.begin() + 4, free_strains.begin(), free_strains.end());
     return all;
+  }
+
+
+
+  std::vector<Expression>
+  stiffness_formulas(const MaterialParameters &material)
+  {
+    if (!material.stiffness_matrix.text().empty())
+      return entries(material.stiffness_matrix);
+    return {*material.young_modulus, *material.poisson_ratio};
+  }
+
+
+
+  std::vector<Expression>
+  viscosity_formulas(const MaterialParameters &material)
+  {
+    switch (material.viscosity)
+      {
+        case ViscosityType::none:
+          return {};
+        case ViscosityType::isotropic:
+          return {*material.viscous_modulus, *material.viscous_poisson_ratio};
+        case ViscosityType::matrix:
+          return entries(material.viscosity_matrix);
+        default:
+          break;
+      }
+    std::vector<Expression> formulas = stiffness_formulas(material);
+    if (material.viscosity == ViscosityType::chain)
+      for (const ChainBranch &branch : *material.chain)
+        formulas.push_back(branch.relaxation_time);
+    else
+      formulas.push_back(*material.relaxation_time);
+    return formulas;
+  }
+
+
+
+  bool
+  material_depends_on(const std::string        &variable,
+                      const MaterialParameters &material)
+  {
+    return depend_on(variable, stiffness_formulas(material)) ||
+           depend_on(variable, viscosity_formulas(material)) ||
+           depend_on(variable, free_strain_formulas(material));
+  }
+
+
+
+  bool
+  has_thermal_expansion(const MaterialParameters &material)
+  {
+    for (const auto &strain : material.free_strains())
+      if (strain.is_thermal && !are_zero(*strain.components))
+        return true;
+    return false;
+  }
+
+
+
+  bool
+  has_temperature(const LoadParameters &loads)
+  {
+    return !*loads.temperature || !(*loads.temperature)->is_zero();
+  }
+
+
+
+  bool
+  formulas_can_jump(const Scene &scene)
+  {
+    const MaterialParameters        &material    = scene.material;
+    const std::optional<Expression> &temperature = *scene.loads.temperature;
+
+    std::vector<Expression> formulas = stiffness_formulas(material);
+    append(viscosity_formulas(material), formulas);
+    append({*material.stiffness_time_factor, *material.viscosity_time_factor},
+           formulas);
+    append(*scene.loads.traction, formulas);
+    append(*scene.loads.body_force, formulas);
+    append(free_strain_formulas(material), formulas);
+    if (temperature)
+      formulas.push_back(*temperature);
+
+    const bool theta_varies = !temperature || temperature->depends_on_time();
+    return std::any_of(formulas.begin(),
+                       formulas.end(),
+                       [theta_varies](const Expression &formula) {
+                         return formula.can_jump_with("t") ||
+                                (theta_varies &&
+                                 formula.can_jump_with("theta"));
+                       });
+  }
+
+
+
+  std::string
+  describe_variation(const std::vector<Expression> &formulas,
+                     const bool                     temperature_varies)
+  {
+    std::string           sentences;
+    std::set<std::string> seen; // a matrix has many formulas under one name
+    for (const Expression &formula : formulas)
+      {
+        const bool by_time = formula.depends_on("t");
+        if ((by_time || (temperature_varies && formula.depends_on("theta"))) &&
+            seen.insert(formula.parameter()).second)
+          sentences += (sentences.empty() ? "" : ", ") + formula.parameter() +
+                       " depends on " + (by_time ? "t" : "theta");
+      }
+    return sentences;
   }
 } // namespace Crevasse

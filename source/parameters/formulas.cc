@@ -3,7 +3,6 @@
 
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/formulas.h>
-#include <crevasse/parameters/parameters.h>
 #include <crevasse/temperature/temperature.h>
 
 #include <algorithm>
@@ -12,63 +11,106 @@ namespace Crevasse
 {
   namespace
   {
-    constexpr auto of_material = Expression::Variables::space_time_and_material;
+    using Variables = Expression::Variables;
 
 
 
-    std::string
-    of_section_material(const char *name)
+    void
+    require_in_range(const Expression  &formula,
+                     const Range       &range,
+                     const std::string &what = "")
     {
-      return Text::parameter(MaterialParameters::section, name);
+      if (formula.is_constant() &&
+          !range.contains(formula.value(dealii::Point<2>())))
+        throw SceneError(what + range.text());
+    }
+
+
+
+    Formula::Parser
+    formula_parser(const std::string &parameter,
+                   const std::string &variables,
+                   const Range       &range)
+    {
+      return [=](const std::string &text) {
+        const Expression formula(text, variables, parameter);
+        require_in_range(formula, range);
+        return formula;
+      };
+    }
+
+
+
+    Formulas::Parser
+    formulas_parser(const std::string &parameter,
+                    const std::string &variables,
+                    const char         separator)
+    {
+      return [=](const std::string &text) {
+        const auto formulas =
+          Expression::parse_list(text, separator, variables, parameter);
+        for (const Expression &formula : formulas)
+          require_in_range(formula, Ranges::any_number, "every entry ");
+        return formulas;
+      };
     }
   } // namespace
 
 
 
   Formula::Parser
-  formula_of_place(const char *section, const char *name)
+  material_formula(const std::string &name, const Range &range)
   {
-    return [parameter =
-              Text::parameter(section, name)](const std::string &text) {
-      return Expression(text, Expression::Variables::space_and_time, parameter);
-    };
-  }
-
-
-
-  Formulas::Parser
-  formulas_of_place(const char *section, const char *name)
-  {
-    return
-      [parameter = Text::parameter(section, name)](const std::string &text) {
-        return Expression::parse_list(text, parameter);
-      };
+    return formula_parser("[Material] " + name,
+                          Variables::space_time_and_material,
+                          range);
   }
 
 
 
   Formula::Parser
-  material_formula(const char *name)
+  time_factor(const std::string &name)
   {
-    return [parameter = of_section_material(name)](const std::string &text) {
-      return Expression(text, of_material, parameter);
-    };
+    return formula_parser("[Material] " + name,
+                          Variables::time,
+                          Ranges::positive);
   }
 
 
 
   Formulas::Parser
-  material_components(const char *name)
+  material_components(const std::string &name)
   {
-    return [parameter = of_section_material(name)](const std::string &text) {
-      return Expression::parse_row(text, of_material, parameter);
-    };
+    return formulas_parser("[Material] " + name,
+                           Variables::space_time_and_material,
+                           ',');
+  }
+
+
+
+  Formulas::Parser
+  load_components(const std::string &name)
+  {
+    return formulas_parser("[Loads] " + name, Variables::space_and_time, ';');
+  }
+
+
+
+  Expression
+  parse_gap(const std::string &text)
+  {
+    return formula_parser(
+      "[Boundary] Gap",
+      Variables::space,
+      {-Ranges::largest,
+       0.,
+       "at most 0: the lip moves away from the crack plane only"})(text);
   }
 
 
 
   FormulaMatrix::Parser
-  material_matrix(const char *name)
+  material_matrix(const std::string &name)
   {
     return [parse_row = material_components(name)](const std::string &text) {
       std::vector<std::vector<Expression>> rows;
@@ -99,10 +141,6 @@ namespace Crevasse
         branches.push_back({*fraction, parse(entry.substr(colon + 1))});
         sum += *fraction;
       }
-    if (branches.empty())
-      throw SceneError(
-        "must be given, for the viscosity is \"chain\": a list "
-        "such as 0.5: 10; 0.3: 100");
     constexpr double rounding = 1e-12;
     if (sum > 1. + rounding)
       throw SceneError("the fractions add up to " + Text::from_number(sum) +
@@ -115,14 +153,19 @@ namespace Crevasse
   std::optional<Expression>
   parse_temperature(const std::string &text)
   {
+    const std::string suffix = Text::suffix(text);
+    if (suffix == ".pvd" || suffix == ".vtu" || suffix == ".pvtu")
+      throw SceneError(
+        "fields of other programs are converted before they are read: "
+        "\"crevasse temperature " +
+        text + " --output temperature.h5\"");
     if (Temperature<2>::is_file(text))
       return {};
     try
       {
         return Expression(text,
-                          Expression::Variables::space_and_time,
-                          Text::parameter(LoadParameters::section,
-                                          "Temperature"));
+                          Variables::space_and_time,
+                          "[Loads] Temperature");
       }
     catch (const SceneError &error)
       {

@@ -25,25 +25,6 @@ namespace Crevasse
                          "\" must consist of letters a-z, digits, \"_\" and "
                          "\"-\", because it becomes a file name");
     }
-
-
-
-    NamedPoint
-    parse_probe(const std::string &entry)
-    {
-      const std::size_t colon       = entry.find(':');
-      const auto        coordinates = colon == std::string::npos
-                                        ? std::nullopt
-                                        : Text::to_numbers(entry.substr(colon + 1));
-      if (!coordinates)
-        throw SceneError("\"" + Text::shorten(entry) +
-                         "\" must be \"name: x, y\", in three dimensions "
-                         "\"name: x, y, z\"; probes are separated by "
-                         "semicolons");
-      const std::string name = dealii::Utilities::trim(entry.substr(0, colon));
-      check_name(name);
-      return {name, *coordinates};
-    }
   } // namespace
 
 
@@ -55,43 +36,57 @@ namespace Crevasse
     std::set<std::string>   names;
     for (const std::string &entry : Text::split(text, ';'))
       {
-        probes.push_back(parse_probe(entry));
-        if (!names.insert(probes.back().name).second)
-          throw SceneError("the name \"" + probes.back().name +
+        const std::size_t colon = entry.find(':');
+        if (colon == std::string::npos)
+          throw SceneError("\"" + Text::shorten(entry) +
+                           "\" must be \"name: x, y\", in three dimensions "
+                           "\"name: x, y, z\"; probes are separated by "
+                           "semicolons");
+        const std::string name =
+          dealii::Utilities::trim(entry.substr(0, colon));
+        check_name(name);
+        if (!names.insert(name).second)
+          throw SceneError("the name \"" + name +
                            "\" must stand for one probe only");
+        probes.push_back({name, parse_coordinates(entry.substr(colon + 1))});
       }
     return probes;
+  }
+
+
+
+  std::vector<double>
+  parse_coordinates(const std::string &text)
+  {
+    const auto coordinates = Text::to_numbers(text);
+    if (!coordinates)
+      throw SceneError("\"" + Text::shorten(dealii::Utilities::trim(text)) +
+                       "\" must be coordinates, separated by commas");
+    return *coordinates;
   }
 
 
 
   template <int dim>
-  std::vector<Probe<dim>>
-  to_probes(const std::vector<NamedPoint> &points)
+  dealii::Point<dim>
+  to_point(const std::vector<double> &coordinates)
   {
-    std::vector<Probe<dim>> probes;
-    for (const NamedPoint &point : points)
-      {
-        std::vector<std::string> numbers;
-        for (const double coordinate : point.coordinates)
-          numbers.push_back(Text::from_number(coordinate));
-        if (numbers.size() != dim)
-          throw SceneError(
-            "\"" + point.name + ": " + Text::join(numbers, ", ") +
-            "\" must be \"name: " + (dim == 2 ? "x, y" : "x, y, z") +
-            "\"; probes are separated by semicolons");
-        Probe<dim> probe{point.name, {}};
-        for (unsigned int d = 0; d < dim; ++d)
-          probe.point[d] = point.coordinates[d];
-        probes.push_back(probe);
-      }
-    return probes;
+    std::vector<std::string> numbers;
+    for (const double coordinate : coordinates)
+      numbers.push_back(Text::from_number(coordinate));
+    if (numbers.size() != dim)
+      throw SceneError("\"" + Text::join(numbers, ", ") + "\" must be " +
+                       std::to_string(dim) +
+                       " coordinates, separated by commas");
+    dealii::Point<dim> point;
+    std::copy(coordinates.begin(), coordinates.end(), point.begin_raw());
+    return point;
   }
 
 
 
-  template std::vector<Probe<2>>
-  to_probes<2>(const std::vector<NamedPoint> &);
-  template std::vector<Probe<3>>
-  to_probes<3>(const std::vector<NamedPoint> &);
+  template dealii::Point<2>
+  to_point<2>(const std::vector<double> &);
+  template dealii::Point<3>
+  to_point<3>(const std::vector<double> &);
 } // namespace Crevasse

@@ -1,12 +1,239 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/text.h>
+#include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/scene.h>
 
 #include <deal.II/base/patterns.h>
 
 namespace Crevasse
 {
+  namespace
+  {
+    /** What belongs to the dimension. */
+    void
+    check_body(const Scene &scene, Problems &problems)
+    {
+      const Checker geometry(GeometryParameters::section, problems);
+      const bool    is_plane  = scene.dimension == 2;
+      const auto    dimension = std::to_string(scene.dimension);
+      // The bodies without a crack have different names.
+      geometry.demand(scene.geometry.shape !=
+                        (is_plane ? Shape::box : Shape::rectangle),
+                      "Shape",
+                      "is not allowed with Dimension = " + dimension +
+                        ": the body without a crack is \"" +
+                        name_of(is_plane ? Shape::rectangle : Shape::box) +
+                        "\" there");
+      geometry.demand(scene.geometry.shape == Shape::mesh_file ||
+                        scene.geometry.subdivisions.size() == scene.dimension,
+                      "Subdivisions",
+                      "must be " + dimension +
+                        " integers, one for each dimension");
+
+      const Checker loads(LoadParameters::section, problems);
+      for (const auto &[name, formulas] :
+           {std::make_pair("Traction", &scene.loads.traction),
+            std::make_pair("Body force", &scene.loads.body_force)})
+        loads.demand(!formulas->is_valid() || (*formulas)->empty() ||
+                       (*formulas)->size() == scene.dimension,
+                     name,
+                     "must be " + dimension +
+                       " formulas, one for each dimension, separated by "
+                       "semicolons, or nothing");
+
+      Checker(CrackTipParameters::section, problems)
+        .demand(!scene.crack_tip.stress_intensity || is_plane,
+                "Stress intensity",
+                "is for Dimension = 2: in space K varies along the front");
+    }
+
+
+
+    /** In plane stress the thickness makes room for any change of area; the
+     * singular functions are those of a plane crack, and B-bar knows only shape
+     * functions. */
+    void
+    check_elements(const Scene &scene, Problems &problems)
+    {
+      const DiscretisationParameters &discretisation = scene.discretisation;
+      const Checker checker(DiscretisationParameters::section, problems);
+      const bool    has_mean =
+        discretisation.volumetric_strain == VolumetricStrain::mean;
+      checker.demand(!has_mean || scene.dimension == 3 ||
+                       scene.material.plane_state == PlaneState::plane_strain,
+                     "Volumetric strain",
+                     "is not allowed in plane stress, where no volume is kept "
+                     "and nothing locks; it must be full, or [Material] Plane "
+                     "state = plane strain");
+
+      if (discretisation.singular_functions == 0)
+        return;
+      const auto demand = [&](const bool fulfilled, const std::string &reason) {
+        checker.demand(fulfilled,
+                       "Singular functions",
+                       "must be 0 with " + reason);
+      };
+      demand(scene.dimension == 2,
+             "Dimension = 3: they are those of a crack tip in the plane; use "
+             "[Refinement] Strategy = tip");
+      demand(!has_mean,
+             "Volumetric strain = mean; use Degree = 2 instead of mean "
+             "dilatations");
+      demand(!traits(scene.linear_solver.type).is_multigrid,
+             "[Linear solver] Type = " + name_of(scene.linear_solver.type) +
+               ": they couple all unknowns; use automatic, cholesky or mumps");
+      demand(!scene.boundary.gap.is_valid() || scene.boundary.gap->is_zero(),
+             "[Boundary] Gap = " + scene.boundary.gap.text() +
+               ": a crack that is open without load may close at its tip, "
+               "which the bound of the singular function forbids");
+    }
+
+
+
+    /** What is a matter of the method of solution. */
+    void
+    check_methods(const Scene &scene, Problems &problems)
+    {
+      const PeriodicStateParameters &periodic = scene.periodic_state;
+      Checker(ContactParameters::section, problems)
+        .demand_valid("Relaxation factor", scene.contact.relaxation_factor);
+      Checker(LinearSolverParameters::section, problems)
+        .demand(scene.linear_solver.type != LinearSolverType::gmg ||
+                  (!traits(scene.contact.solver).relaxes &&
+                   scene.contact.relaxation_table.empty()),
+                "Type",
+                "has no matrix, which [Contact] Solver = projected sor and "
+                "Relaxation table need; use automatic, cholesky or amg");
+      Checker(OutputParameters::section, problems)
+        .demand(scene.time_integration.step_control !=
+                    StepControlType::adaptive ||
+                  scene.output.elastic_comparison == ComparedLip::none,
+                "Elastic comparison",
+                "compares at steps that are known in advance: with [Time "
+                "integration] Step control = adaptive it must be none");
+      Checker(PeriodicStateParameters::section, problems)
+        .demand(periodic.secular_split != SecularSplitType::off ||
+                  (periodic.method != PeriodicMethodType::anderson &&
+                   periodic.method != PeriodicMethodType::fourier &&
+                   periodic.start_from != StartFrom::fourier),
+                "Secular split",
+                "leaves what flows in the viscous strain, which only Method = "
+                "march from rest can do with; set it to automatic");
+    }
+
+
+
+    /** Matrices and tensors, whose size is that of the dimension. */
+    void
+    check_tensors(const Scene &scene, Problems &problems)
+    {
+      const MaterialParameters &material = scene.material;
+      const bool                plane_stress =
+        material.plane_state == PlaneState::plane_stress;
+      const auto check =
+        [&](const char *name, const auto &value, const auto &...more) {
+          if (value.is_valid())
+            Checker(MaterialParameters::section, problems)
+              .demand_readable(name, [&]() {
+                require_size(value, scene.dimension, more...);
+              });
+        };
+      if (!material.stiffness_matrix.text().empty())
+        check("Stiffness matrix", material.stiffness_matrix, plane_stress);
+      if (material.viscosity == ViscosityType::matrix &&
+          !material.viscosity_matrix.text().empty())
+        check("Viscosity matrix", material.viscosity_matrix, plane_stress);
+      for (const auto &strain : material.free_strains())
+        check(strain.parameter, strain.components);
+    }
+
+
+
+    /** The lists of points, whose number of coordinates is the dimension. */
+    template <int dim>
+    void
+    check_points(const Scene &scene, Problems &problems)
+    {
+      if (scene.boundary.fixed_points.is_valid())
+        Checker(BoundaryParameters::section, problems)
+          .demand_readable("Fixed points", [&]() {
+            to_fixed_points<dim>(*scene.boundary.fixed_points);
+          });
+      Checker(OutputParameters::section, problems)
+        .demand_readable("Probes", [&]() {
+          for (const NamedPoint &probe : *scene.output.probes)
+            to_point<dim>(probe.coordinates);
+        });
+    }
+
+
+
+    /** The mesh can change only where nothing but the viscous strain goes on
+     * from one period to the next. */
+    void
+    check_readaptation(const Scene &scene, Problems &problems)
+    {
+      const unsigned int n = scene.refinement.readapt_every;
+      if (n == 0)
+        return;
+      const auto demand = [&](const bool fulfilled, const std::string &reason) {
+        Checker(RefinementParameters::section, problems)
+          .demand(fulfilled, "Readapt every", "must be 0 " + reason);
+      };
+      demand(scene.periodic_state.method == PeriodicMethodType::march,
+             "unless [Periodic state] Method = march: other methods compare "
+             "states on one mesh");
+      demand(scene.periodic_state.start_from == StartFrom::rest,
+             "with [Periodic state] Start from = " +
+               name_of(scene.periodic_state.start_from) +
+               ": a march that begins anew goes on from its own state");
+      demand(scene.periodic_state.secular_split != SecularSplitType::on,
+             "with [Periodic state] Secular split = on: each mesh has its own "
+             "flow");
+      demand(scene.material.viscosity != ViscosityType::none,
+             "with [Material] Viscosity = none: there is only one period");
+      demand(scene.discretisation.singular_functions == 0,
+             "with [Discretisation] Singular functions: what they have caused "
+             "in the viscous strain does not go over to another mesh");
+      demand(n >= 3 || scene.periodic_state.tolerance == 0.,
+             "or at least 3 with [Periodic state] Tolerance > 0: on each mesh "
+             "the error of the stress is known from the third period on");
+    }
+
+
+
+    void
+    check_instants(const Scene &scene, Problems &problems)
+    {
+      if (problems.concern(LoadParameters::section, "Period"))
+        return;
+      const double period = scene.loads.period;
+      const auto   check  = [&](const char                *section,
+                             const char                *name,
+                             const std::vector<double> &instants) {
+        for (const double instant : instants)
+          Checker(section, problems)
+            .demand(instant <= period,
+                    name,
+                    Text::from_number(instant) +
+                      " must be within the period: Loads/Period = " +
+                      Text::from_number(period));
+      };
+      if (scene.time_integration.step_control == StepControlType::list)
+        check(TimeIntegrationParameters::section,
+              "Steps",
+              scene.time_integration.steps);
+      check(OutputParameters::section, "Field times", scene.output.field_times);
+      check(RefinementParameters::section,
+            "Instants",
+            scene.refinement.instants);
+    }
+  } // namespace
+
+
+
   void
   Scene::add_parameters(dealii::ParameterHandler &prm)
   {
@@ -15,8 +242,8 @@ namespace Crevasse
                       "A line of text for figures and reports.");
     prm.add_parameter("Dimension",
                       dimension,
-                      "Dimension of space. Allowed: 2 or 3",
-                      dealii::Patterns::Integer(0));
+                      "Dimension of space.",
+                      dealii::Patterns::Integer(2, 3));
     prm.add_parameter("Output directory",
                       output_directory,
                       "Where the results are written; nothing: results/ and "
@@ -40,5 +267,32 @@ namespace Crevasse
     add(periodic_state);
     add(crack_tip);
     add(output);
+  }
+
+
+
+  void
+  Scene::check(Problems &problems) const
+  {
+    geometry.check(problems);
+    boundary.check(problems);
+    material.check(problems);
+    loads.check(problems);
+    discretisation.check(problems);
+    refinement.check(problems);
+    time_integration.check(problems);
+    crack_tip.check(problems);
+    if (problems.concern("", "Dimension"))
+      return;
+    check_body(*this, problems);
+    check_elements(*this, problems);
+    check_methods(*this, problems);
+    check_tensors(*this, problems);
+    if (dimension == 2)
+      check_points<2>(*this, problems);
+    else
+      check_points<3>(*this, problems);
+    check_instants(*this, problems);
+    check_readaptation(*this, problems);
   }
 } // namespace Crevasse

@@ -1,39 +1,167 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/text_file.h>
+#include <crevasse/base/text.h>
 #include <crevasse/parameters/assignments.h>
-#include <crevasse/parameters/boundary_names.h>
-#include <crevasse/parameters/json_reader.h>
-#include <crevasse/parameters/prm_reader.h>
+#include <crevasse/parameters/catalogue.h>
 #include <crevasse/parameters/scene_file.h>
 #include <crevasse/temperature/temperature.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace Crevasse
 {
+  using dealii::ParameterHandler;
+
   namespace
   {
-    std::vector<Assignment>
-    read_assignments(const std::string &file_name, Problems &problems)
+    std::string
+    describe_unknown_section(const std::string &section,
+                             const Catalogue   &catalogue)
     {
-      std::vector<Assignment> assignments;
-      const std::string       extension =
-        std::filesystem::path(file_name).extension().string();
-      if (extension == ".prm")
-        read_prm(file_name, assignments, problems);
-      else if (extension == ".json")
-        read_json(file_name, assignments, problems);
-      else
+      const std::size_t slash = section.rfind('/');
+      const std::string message =
+        "unknown section \"" + Text::shorten(section) + "\"";
+      if (slash != std::string::npos &&
+          catalogue.contains(section.substr(slash + 1)))
+        return message +
+               "; sections do not nest, so an \"end\" may be missing "
+               "before it";
+      return message +
+             "; sections are: " + Text::join(names_in(catalogue), ", ") +
+             Text::did_you_mean(section, names_in(catalogue));
+    }
+
+
+
+    std::string
+    describe_unknown_parameter(const std::string &section,
+                               const std::string &name,
+                               const Catalogue   &catalogue)
+    {
+      const auto  names   = names_in(catalogue[section]);
+      std::string message = Text::parameter(section, "") +
+                            "unknown parameter \"" + Text::shorten(name) +
+                            "\"; allowed here: " + Text::join(names, ", ");
+      if (section.empty())
+        message +=
+          ", and the sections " + Text::join(names_in(catalogue), ", ");
+
+      const std::string guess = Text::did_you_mean(name, names);
+      if (!guess.empty())
+        return message + guess;
+      for (const auto &[other, parameters] : catalogue.items())
+        if (parameters.contains(name))
+          return message + "; a parameter of this name is " +
+                 (other.empty() ? "at the top level"
+                                : "in the section " + other);
+      return message;
+    }
+
+
+
+    /** Why a value cannot be written into a scene file and read again, or
+     * nothing. */
+    std::string
+    describe_unwritable(const std::string &value)
+    {
+      if (!Text::is_utf8(value))
+        return "must be text in UTF-8";
+      if (std::any_of(value.begin(), value.end(), Text::is_control))
+        return "must not contain control characters";
+      if (value.find('#') != std::string::npos)
+        return "must not contain \"#\", which begins a comment in a scene file";
+      if (!value.empty() && value.back() == '\\')
+        return "must not end in a backslash, which continues a line in a scene "
+               "file";
+      return "";
+    }
+
+
+
+    void
+    set(const std::string &section,
+        const std::string &name,
+        const std::string &value,
+        ParameterHandler  &prm)
+    {
+      if (section.empty())
+        return prm.set(name, value);
+      prm.enter_subsection(section);
+      try
         {
-          // A file that is not there is the greater mistake.
-          read_text_file(file_name);
-          problems.add(file_name +
-                       ": the name of a scene file must end in .prm or .json");
+          prm.set(name, value);
         }
-      return assignments;
+      catch (...)
+        {
+          prm.leave_subsection();
+          throw;
+        }
+      prm.leave_subsection();
+    }
+
+
+
+    void
+    apply(const Assignment &assignment,
+          const Catalogue  &catalogue,
+          ParameterHandler &prm,
+          Problems         &problems)
+    {
+      const auto &[origin, section, name, value] = assignment;
+      if (!catalogue[section].contains(name))
+        return problems.add(
+          describe_unknown_parameter(section, name, catalogue), origin);
+
+      problems.note(section, name, value, origin);
+      std::string problem = describe_unwritable(value);
+      if (problem.empty())
+        try
+          {
+            set(section, name, value, prm);
+          }
+        catch (const std::exception &)
+          {
+            problem = "must be " +
+                      catalogue[section][name]["allowed"].get<std::string>();
+          }
+      if (!problem.empty())
+        problems.add(section, name, problem);
+    }
+
+
+
+    /** Sets each parameter in turn. What is unknown or has a value that is not
+     * allowed is left as it was and reported. */
+    void
+    apply(const std::vector<Assignment> &assignments,
+          ParameterHandler              &prm,
+          Problems                      &problems)
+    {
+      const Catalogue catalogue = make_catalogue(prm);
+      for (const auto &[section, parameters] : catalogue.items())
+        for (const auto &[name, entry] : parameters.items())
+          problems.note(section, name, entry["default_value"]);
+      std::set<std::string> reported;
+      for (const Assignment &assignment : assignments)
+        if (!catalogue.contains(assignment.section))
+          {
+            const std::string &path  = assignment.section;
+            const std::string  first = path.substr(0, path.find('/'));
+            const std::string &unknown =
+              catalogue.contains(first) ? path : first;
+            if (reported.insert(unknown).second)
+              problems.add(describe_unknown_section(unknown, catalogue),
+                           assignment.origin);
+          }
+        else if (!assignment.name.empty())
+          apply(assignment, catalogue, prm, problems);
     }
 
 
@@ -41,42 +169,149 @@ namespace Crevasse
     /** A file that lies next to the scene is found from any directory, and
      * also from where used.prm will lie. */
     void
-    resolve_file(const std::string        &scene_file_name,
-                 const char               *section,
-                 const char               *name,
-                 const std::string        &value,
-                 dealii::ParameterHandler &prm)
+    resolve_file(const std::string &scene_file_name,
+                 const char        *section,
+                 const char        *name,
+                 const std::string &value,
+                 ParameterHandler  &prm)
     {
       namespace fs = std::filesystem;
 
-      if (value.empty())
-        return;
       const fs::path  file = fs::path(scene_file_name).parent_path() / value;
       std::error_code not_found;
-      if (!fs::exists(file, not_found))
-        return;
+      if (!value.empty() && fs::exists(file, not_found))
+        set(section, name, fs::absolute(file).lexically_normal().string(), prm);
+    }
 
-      prm.enter_subsection(section);
-      prm.set(name, fs::absolute(file).lexically_normal().string());
-      prm.leave_subsection();
+
+
+    using Names = std::map<std::string, unsigned int>;
+
+
+
+    /** The physical groups of one dimension that have a name. The section is
+     * text in binary files too, and stands before the nodes. */
+    Names
+    physical_names(const std::string &file_name, const unsigned int dim)
+    {
+      std::ifstream file(file_name);
+      std::string   line;
+      while (line != "$PhysicalNames" && line != "$Nodes" &&
+             std::getline(file, line))
+        line = Text::squeeze(line);
+      Names        names;
+      unsigned int n = 0, group_dim = 0, number = 0;
+      if (line == "$PhysicalNames")
+        file >> n;
+      std::string name;
+      for (unsigned int i = 0;
+           i < n && file >> group_dim >> number >> std::quoted(name);
+           ++i)
+        if (group_dim == dim)
+          names[Text::squeeze(name)] = number;
+      return names;
+    }
+
+
+
+    /** Replaces the names of physical groups by their numbers, which stand at
+     * the beginning of a Gmsh file. A name that the file has not is reported,
+     * with those that it has. */
+    void
+    replace_boundary_names(Scene &scene, Problems &problems)
+    {
+      if (scene.geometry.shape != Shape::mesh_file ||
+          Text::suffix(scene.geometry.mesh_file) != ".msh")
+        return;
+      const Names names =
+        physical_names(scene.geometry.mesh_file, scene.dimension - 1);
+      std::vector<std::string> known;
+      for (const auto &[name, number] : names)
+        known.push_back('"' + name + "\" (" + std::to_string(number) + ')');
+
+      for (const BoundaryRole &role : boundary_role_table)
+        {
+          Parsed<BoundaryList> &list = scene.boundary.*role.list;
+          if (!list.is_valid() || list->names.empty())
+            continue;
+          std::vector<std::string> ids;
+          for (const auto id : list->ids)
+            ids.push_back(std::to_string(id));
+          for (const std::string &name : list->names)
+            if (const auto group = names.find(name); group != names.end())
+              ids.push_back(std::to_string(group->second));
+            else
+              problems.add(BoundaryParameters::section,
+                           role.name,
+                           "the mesh file has no boundary named \"" +
+                             Text::shorten(name) + "\"; its names: " +
+                             (known.empty() ? "none"
+                                            : Text::join(known, ", ")));
+          list = ids.empty() ? "none" : Text::join(ids, ", ");
+        }
+    }
+
+
+
+    /** A bar would end the cell of a table. */
+    std::string
+    in_cell(const std::string &text)
+    {
+      std::string result;
+      for (const char character : text)
+        result += character == '|' ? "\\|" : std::string(1, character);
+      return result;
+    }
+
+
+
+    void
+    print_table(std::ostream      &out,
+                const std::string &section,
+                const Catalogue   &parameters)
+    {
+      out << "\n## " << (section.empty() ? "Top level" : section)
+          << "\n\n| name | default | meaning | allowed |\n"
+          << "|---|---|---|---|\n";
+      for (const auto &[name, entry] : parameters.items())
+        {
+          const std::string value = in_cell(entry["default_value"]);
+          out << "| " << in_cell(name) << " | "
+              << (value.empty() ? "" : "`" + value + "`") << " | "
+              << in_cell(entry["documentation"]) << " | "
+              << in_cell(entry["allowed"]) << " |\n";
+        }
+    }
+
+
+
+    void
+    print_markdown(std::ostream &out, const ParameterHandler &prm)
+    {
+      out << "# Parameters\n\n"
+             "Written by `crevasse --print-parameters markdown`. All "
+             "quantities are in the user's own\nconsistent units of length, "
+             "stress, time and temperature; values without a unit are pure "
+             "numbers,\nchoices or texts. [Scenes](scenes.md) explains "
+             "formulas: theta is the change of\ntemperature, material the "
+             "material id of the cell in a mesh file.\n";
+      const Catalogue catalogue = make_catalogue(prm);
+      for (const auto &[section, parameters] : catalogue.items())
+        print_table(out, section, parameters);
     }
   } // namespace
 
 
 
   Scene
-  read_scene(const std::string           &file_name,
-             const std::vector<Override> &overrides,
-             dealii::ParameterHandler    &prm,
-             Problems                    &problems)
+  read_scene(const std::string              &file_name,
+             const std::vector<std::string> &overrides,
+             ParameterHandler               &prm,
+             Problems                       &problems)
   {
     Scene scene;
     scene.add_parameters(prm);
-
-    std::vector<Assignment> assignments = read_assignments(file_name, problems);
-    for (const Override &override : overrides)
-      read_override(override, assignments, problems);
-    apply(assignments, prm, problems);
+    apply(read_assignments(file_name, overrides, problems), prm, problems);
 
     resolve_file(file_name,
                  GeometryParameters::section,
@@ -96,10 +331,34 @@ namespace Crevasse
 
 
   std::string
-  used_parameters(dealii::ParameterHandler &prm)
+  used_parameters(ParameterHandler &prm)
   {
     std::ostringstream text;
-    prm.print_parameters(text, dealii::ParameterHandler::PRM);
+    prm.print_parameters(text, ParameterHandler::PRM);
     return text.str();
+  }
+
+
+
+  void
+  print_parameters(std::ostream &out, const std::string &format)
+  {
+    Scene            scene;
+    ParameterHandler prm;
+    scene.add_parameters(prm);
+
+    if (format == "prm")
+      prm.print_parameters(out,
+                           ParameterHandler::PRM |
+                             ParameterHandler::KeepDeclarationOrder);
+    else if (format == "json")
+      prm.print_parameters(out,
+                           ParameterHandler::ShortJSON |
+                             ParameterHandler::KeepDeclarationOrder);
+    else if (format == "markdown")
+      print_markdown(out, prm);
+    else
+      throw SceneError("--print-parameters " + Text::shorten(format) +
+                       ": must be prm, json or markdown");
   }
 } // namespace Crevasse

@@ -23,13 +23,17 @@ namespace Crevasse
 
 
   template <int dim>
-  Anderson<dim>::Anderson(ObservedPeriods<dim>         &periods,
-                          const EnergyCoordinates<dim> &coordinates,
-                          const Settings               &settings)
+  Anderson<dim>::Anderson(ObservedPeriods<dim>          &periods,
+                          const EnergyCoordinates<dim>  &coordinates,
+                          const PeriodicStateParameters &parameters,
+                          const double                   slowness,
+                          const bool                     may_fall_back)
     : periods(periods)
     , coordinates(coordinates)
-    , settings(settings)
-    , acceleration(settings.acceleration)
+    , parameters(parameters)
+    , slowness(slowness)
+    , may_fall_back(may_fall_back)
+    , acceleration({parameters.anderson_depth, parameters.anderson_damping})
   {
   }
 
@@ -43,8 +47,7 @@ namespace Crevasse
                                   [this](StateArchive &archive) {
                                     serialize(archive);
                                   });
-    forget();
-    Vector image, next;
+    Vector                   image, next;
     coordinates.from_strain(r, start);
     for (number = 0; periods.may_go_on(); ++number)
       {
@@ -52,30 +55,41 @@ namespace Crevasse
         const double change = periods.compute(r);
         coordinates.from_strain(r, image);
         // Of steps that are rounding nothing is to be learned.
-        constexpr double rounding = 1e-11;
-        const double     smallest = rounding * image.l2_norm();
-        if (number > 0 && last_step > smallest)
-          remember_change(change);
+        constexpr double rounding  = 1e-11;
+        const double     smallest  = rounding * image.l2_norm();
+        const bool       has_moved = number > 0 && last_step > smallest;
+        if (has_moved && std::isfinite(change))
+          changes_per_step.push_back(change / last_step);
+        else if (has_moved) // adaptive steps are not yet the same
+          changes_per_step.clear();
+        constexpr unsigned int n_remembered = 3;
+        if (changes_per_step.size() > n_remembered)
+          changes_per_step.pop_front();
 
         last_residual = distance(image, start);
         const bool rests =
           number > 0 && last_step <= smallest && last_residual <= smallest;
         next = image;
-        if (number >= settings.delay)
+        if (number >= parameters.anderson_delay)
           {
             acceleration.add(start, image);
             acceleration.extrapolate(next);
-            remember_best(image);
+            if (last_residual < least_residual)
+              {
+                least_residual = last_residual;
+                best_image     = image;
+                since_least    = 0;
+              }
             if (!follow_drift(image, next))
               restart_if_stagnant(next);
           }
         last_step = distance(next, start);
         const double error =
-          rests ? settings.slowness * change : estimated_error(change);
+          rests ? slowness * change : estimated_error(change);
         periods.report(error);
-        if (settings.tolerance > 0. && error <= settings.tolerance)
+        if (parameters.tolerance > 0. && error <= parameters.tolerance)
           return ConvergenceStatus::converged;
-        if (stagnations > settings.most_stagnations)
+        if (may_fall_back && stagnations > 0)
           {
             coordinates.to_strain(next, r);
             return ConvergenceStatus::stagnant;
@@ -116,20 +130,6 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  Anderson<dim>::forget()
-  {
-    acceleration.clear();
-    least_residual      = std::numeric_limits<double>::infinity();
-    residual_at_restart = std::numeric_limits<double>::infinity();
-    since_least         = 0;
-    leaps.clear();
-    changes_per_step.clear();
-  }
-
-
-
-  template <int dim>
   bool
   Anderson<dim>::follow_drift(const Vector &image, Vector &next)
   {
@@ -157,26 +157,18 @@ namespace Crevasse
 
   template <int dim>
   void
-  Anderson<dim>::remember_best(const Vector &image)
-  {
-    if (last_residual >= least_residual)
-      return;
-    least_residual = last_residual;
-    best_image     = image;
-    since_least    = 0;
-  }
-
-
-
-  template <int dim>
-  void
   Anderson<dim>::restart_if_stagnant(Vector &next)
   {
     // Kinks and noise make residuals rise for a while.
     constexpr double tolerable_rise = 1e3;
+    // Leaves most of the periods to what goes on.
+    const unsigned int patience =
+      std::min(2 * parameters.anderson_depth,
+               may_fall_back ? 1 + parameters.maximum_periods / 4
+                             : std::numeric_limits<unsigned int>::max());
     if (last_residual > least_residual)
       ++since_least;
-    const bool is_in_vain = since_least > settings.patience;
+    const bool is_in_vain = since_least > patience;
     if (!is_in_vain && last_residual <= tolerable_rise * least_residual)
       return;
     acceleration.clear();
@@ -197,23 +189,6 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  Anderson<dim>::remember_change(const double change)
-  {
-    constexpr unsigned int n_remembered = 3;
-    if (!std::isfinite(change)) // adaptive steps are not yet the same
-      {
-        changes_per_step.clear();
-        return;
-      }
-    changes_per_step.push_back(change / last_step);
-    if (changes_per_step.size() > n_remembered)
-      changes_per_step.pop_front();
-  }
-
-
-
-  template <int dim>
   double
   Anderson<dim>::estimated_error(const double change) const
   {
@@ -224,20 +199,11 @@ namespace Crevasse
       return std::numeric_limits<double>::quiet_NaN();
     const double distance =
       std::max(last_step + acceleration.unexplained_distance(),
-               settings.slowness * last_residual);
+               slowness * last_residual);
     return std::max({distance * *std::max_element(changes_per_step.begin(),
                                                   changes_per_step.end()),
                      periods.return_defect(),
                      part_of_change * change});
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  Anderson<dim>::n_restarts() const
-  {
-    return restarts;
   }
 
 

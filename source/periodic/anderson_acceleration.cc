@@ -12,35 +12,8 @@
 
 namespace Crevasse
 {
-  namespace
-  {
-    // Residuals are differences of images that are accurate to about this.
-    constexpr double accuracy = 1e-11;
-
-
-
-    /** The differences ΔF that are used, as Q R, and what belongs to them. */
-    struct Differences
-    {
-      dealii::QR<Vector>  factors; ///< of normalised columns
-      std::vector<Vector> images;  ///< ΔG, divided by the same norms
-    };
-  } // namespace
-
-
-
-  AndersonAcceleration::AndersonAcceleration(const Settings &settings)
-    : settings(settings)
-  {
-  }
-
-
-
-  void
-  AndersonAcceleration::clear()
-  {
-    pairs.clear();
-  }
+  // Residuals are differences of images that are accurate to about this.
+  static constexpr double accuracy = 1e-11;
 
 
 
@@ -80,8 +53,11 @@ namespace Crevasse
 
     const Pair  &last  = pairs.back();
     const double noise = accuracy * last.image.l2_norm();
-    Differences  differences;
-    Vector       column;
+    // The differences ΔF that are used, as Q R with normalised columns, and ΔG,
+    // divided by the same norms.
+    dealii::QR<Vector>  factors;
+    std::vector<Vector> images;
+    Vector              column;
     for (std::size_t k = pairs.size() - 1; k > 0; --k)
       {
         column = pairs[k].residual;
@@ -90,38 +66,38 @@ namespace Crevasse
         if (norm <= noise)
           continue;
         column /= norm;
-        differences.factors.append_column(column);
-        const unsigned int n = differences.factors.size();
-        if (const double rest = differences.factors.get_R()(n - 1, n - 1);
+        factors.append_column(column);
+        const unsigned int n = factors.size();
+        if (const double rest = factors.get_R()(n - 1, n - 1);
             rest < independent || rest * norm < noise)
-          differences.factors.remove_column(n - 1);
+          factors.remove_column(n - 1);
         else
           {
-            differences.images.push_back(pairs[k].image);
-            differences.images.back() -= pairs[k - 1].image;
-            differences.images.back() /= norm;
+            images.push_back(pairs[k].image);
+            images.back() -= pairs[k - 1].image;
+            images.back() /= norm;
           }
       }
 
     x                    = last.image;
     unexplained          = residual_norm;
-    const unsigned int n = differences.images.size();
+    const unsigned int n = images.size();
     if (n == 0)
       return;
     dealii::Vector<double> gamma(n);
-    differences.factors.multiply_with_QT(gamma, last.residual);
+    factors.multiply_with_QT(gamma, last.residual);
     unexplained =
       std::sqrt(std::max(unexplained * unexplained - gamma.norm_sqr(), 0.));
     if (settings.damping < 1.)
       {
         Vector explained = last.residual;
-        differences.factors.multiply_with_Q(explained, gamma);
+        factors.multiply_with_Q(explained, gamma);
         x.add(-(1. - settings.damping), last.residual);
         x.add(1. - settings.damping, explained);
       }
-    differences.factors.solve(gamma, gamma);
+    factors.solve(gamma, gamma);
     for (unsigned int i = 0; i < n; ++i)
-      x.add(-gamma(i), differences.images[i]);
+      x.add(-gamma(i), images[i]);
   }
 
 
@@ -133,22 +109,6 @@ namespace Crevasse
     for (const Pair &pair : pairs)
       slowest = std::max(slowest, pair.slowness);
     return slowest * unexplained;
-  }
-
-
-
-  double
-  AndersonAcceleration::unexplained_part() const
-  {
-    return residual_norm > 0. ? unexplained / residual_norm : 1.;
-  }
-
-
-
-  double
-  AndersonAcceleration::residual_change() const
-  {
-    return change;
   }
 
 

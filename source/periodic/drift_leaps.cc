@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/state_archive.h>
 #include <crevasse/periodic/drift_leaps.h>
 
 #include <algorithm>
 
 namespace Crevasse
 {
-  void
-  DriftLeaps::clear()
-  {
-    *this = DriftLeaps();
-  }
-
-
-
   double
   DriftLeaps::next(const double unexplained_part,
                    const double change,
@@ -42,22 +33,4 @@ namespace Crevasse
     return result;
   }
 
-
-
-  bool
-  DriftLeaps::has_left() const
-  {
-    return left;
-  }
-
-
-
-  void
-  DriftLeaps::serialize(StateArchive &archive)
-  {
-    archive.common(length);
-    archive.common(drift_residual);
-    archive.common(leaps);
-    archive.common(left);
-  }
 } // namespace Crevasse

@@ -89,45 +89,25 @@ namespace Crevasse
 
 
   template <int dim>
-  template <typename Weight>
   void
-  EnergyCoordinates<dim>::transform(const Matrices &matrices,
-                                    const Weight   &weight,
-                                    const Vector   &source,
-                                    Vector         &target) const
+  EnergyCoordinates<dim>::transform(const bool    to_strain,
+                                    const Vector &source,
+                                    Vector       &target) const
   {
-    using Field = QuadratureField<dim>;
+    using Field              = QuadratureField<dim>;
+    const Matrices &matrices = to_strain ? inverses : roots;
     target.reinit(source, true);
     std::size_t offset = 0;
     for (std::size_t point = 0; point < weights.size(); ++point)
       for (const double fraction : fractions)
         {
+          const double weight = weights[point] * fraction;
           Field::set(target,
                      offset,
-                     weight(weights[point] * fraction) *
+                     (to_strain ? 1. / weight : weight) *
                        (matrices[point] * Field::get(source, offset)));
           offset += Field::n_components;
         }
-  }
-
-
-
-  template <int dim>
-  void
-  EnergyCoordinates<dim>::from_strain(const Vector &r, Vector &y) const
-  {
-    transform(
-      roots, [](const double w) { return w; }, r, y);
-  }
-
-
-
-  template <int dim>
-  void
-  EnergyCoordinates<dim>::to_strain(const Vector &y, Vector &r) const
-  {
-    transform(
-      inverses, [](const double w) { return 1. / w; }, y, r);
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/march.h>
 
 #include <algorithm>
@@ -8,23 +9,16 @@
 namespace Crevasse
 {
   template <int dim>
-  March<dim>::March(ObservedPeriods<dim> &periods,
-                    const double          tolerance,
-                    const double          slowness)
-    : periods(periods)
-    , tolerance(tolerance)
-    , slowness(slowness)
-  {
-  }
-
-
-
-  template <int dim>
   ConvergenceStatus
-  March<dim>::run(Vector &r)
+  march(ObservedPeriods<dim> &periods,
+        const double          tolerance,
+        const double          slowness,
+        Vector               &r)
   {
+    Contraction              contraction;
+    bool                     is_first = true;
     const SerializationScope part(periods.checkpointer(),
-                                  [this](StateArchive &archive) {
+                                  [&](StateArchive &archive) {
                                     archive.section("march");
                                     contraction.serialize(archive);
                                     archive.common(is_first);
@@ -52,6 +46,8 @@ namespace Crevasse
 
 
 
-  template class March<2>;
-  template class March<3>;
+  template ConvergenceStatus
+  march<2>(ObservedPeriods<2> &, const double, const double, Vector &);
+  template ConvergenceStatus
+  march<3>(ObservedPeriods<3> &, const double, const double, Vector &);
 } // namespace Crevasse

@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/problems.h>
 #include <crevasse/periodic/observed_periods.h>
 
 #include <limits>
+#include <sstream>
 
 namespace Crevasse
 {
   template <int dim>
   ObservedPeriods<dim>::ObservedPeriods(
-    PeriodMap<dim>                &period_map,
+    const PeriodIntegration<dim>  &integration,
     const SolveCount              &n_solves,
     const std::vector<Observer *> &observers,
     const unsigned int             maximum_periods,
     const PeriodicResult          &before,
     const bool                     is_comparable,
     const ReturnDefect<dim>       *defect)
-    : period_map(period_map)
+    : integration(integration)
     , n_solves(n_solves)
     , observers(observers)
     , maximum_periods(maximum_periods)
     , is_comparable(is_comparable)
     , defect(defect)
-    , history(period_map.steps().period())
+    , history(integration.steps.period())
     , so_far(before)
-    , part(period_map.checkpointer(),
+    , part(integration.checkpointer,
            [this](StateArchive &archive) { serialize(archive); })
   {
+    integration.evolution.repeat(integration.steps);
   }
 
 
@@ -66,26 +69,8 @@ namespace Crevasse
 
 
   template <int dim>
-  bool
-  ObservedPeriods<dim>::may_go_on() const
-  {
-    return so_far.periods < maximum_periods;
-  }
-
-
-
-  template <int dim>
-  bool
-  ObservedPeriods<dim>::has_memory() const
-  {
-    return period_map.has_memory();
-  }
-
-
-
-  template <int dim>
   void
-  ObservedPeriods<dim>::show(const Sample &sample)
+  ObservedPeriods<dim>::show(const Sample &sample) const
   {
     for (Observer *observer : observers)
       observer->observe(sample);
@@ -112,8 +97,120 @@ namespace Crevasse
   ObservedPeriods<dim>::stop_before(Vector &r)
   {
     begin_period(r);
-    period_map.stop_before(so_far.periods, r);
+    unsigned int             first = 0;
+    const SerializationScope here(checkpointer(), [&](StateArchive &archive) {
+      serialize_step(archive, first, r);
+    });
+    checkpointer()->at_end_of_search(so_far.periods);
     --so_far.periods;
+  }
+
+
+
+  template <int dim>
+  void
+  ObservedPeriods<dim>::serialize_step(StateArchive &archive,
+                                       unsigned int &k,
+                                       Vector       &r)
+  {
+    archive.section("period");
+    archive.common(so_far.periods);
+    archive.common(k);
+    archive.at_points(r);
+    integration.evolution.serialize(archive);
+    integration.steps.serialize(archive);
+    integration.step_control.serialize(archive);
+    if (has_memory())
+      integration.integrator->serialize(archive);
+  }
+
+
+
+  template <int dim>
+  void
+  ObservedPeriods<dim>::advance(Vector &r)
+  {
+    const StepList          &steps = integration.steps;
+    unsigned int             k     = 0;
+    const SerializationScope here(checkpointer(), [&](StateArchive &archive) {
+      serialize_step(archive, k, r);
+    });
+    if (has_memory())
+      rate.reinit(r, true);
+    for (; k < steps.n_steps(); ++k)
+      try
+        {
+          if (k == 0 || !has_memory() ||
+              !integration.integrator->properties.controls_steps)
+            checkpointer()->between_steps(so_far.periods, k);
+          advance_step(k, r);
+        }
+      catch (const NumericalError &error)
+        {
+          std::ostringstream where;
+          where << "In period " << so_far.periods << ", step " << k + 1
+                << " from t = " << steps.instant(k) << " to "
+                << steps.instant(k + 1) << ": ";
+          throw NumericalError(where.str() + error.what());
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ObservedPeriods<dim>::advance_step(const unsigned int k, Vector &r)
+  {
+    auto &[evolution, integrator, step_control, steps, _] = integration;
+    if (k == 0 && has_memory())
+      {
+        integrator->restart();
+        step_control.begin_period(steps);
+      }
+    const double t = steps.instant(k);
+    evolution.begin_step(t);
+    if (has_memory())
+      {
+        // The end of the last step was before the jump.
+        if (steps.jumps_at(t))
+          integrator->restart();
+        step_control.start({*integrator, evolution, steps, k, r, rate});
+      }
+    else
+      evolution.elastic_state(t);
+
+    const State &state = evolution.state();
+    history.record(t, state.stress);
+    if (defect != nullptr && k == 0)
+      {
+        lip_opens = u_before.size() > 0 &&
+                    defect->lip_opens(u_before, state.displacement);
+        u_before = state.displacement;
+      }
+    show(sample(k, r));
+    if (has_memory())
+      step_control.advance({*integrator, evolution, steps, k, r, rate});
+  }
+
+
+
+  template <int dim>
+  Sample
+  ObservedPeriods<dim>::sample(const unsigned int k, const Vector &r) const
+  {
+    const StepList       &steps     = integration.steps;
+    const Evolution<dim> &evolution = integration.evolution;
+    const bool            is_end    = k == steps.n_steps();
+    const double          t         = steps.instant(k);
+    return {so_far.periods,
+            k,
+            is_end ? so_far.periods * steps.period()
+                   : (so_far.periods - 1) * steps.period() + t,
+            t,
+            evolution.state(),
+            r,
+            evolution.right_hand_side(),
+            evolution.secular_flow()};
   }
 
 
@@ -123,17 +220,7 @@ namespace Crevasse
   ObservedPeriods<dim>::compute(Vector &r)
   {
     begin_period(r);
-    period_map.advance(so_far.periods, r, [this](const Sample &sample) {
-      history.record(sample.instant, sample.state.stress);
-      if (defect != nullptr && sample.step == 0)
-        {
-          const Vector &u = sample.state.displacement;
-          lip_opens = u_before.size() > 0 && defect->lip_opens(u_before, u);
-          u_before  = u;
-        }
-      show(sample);
-    });
-
+    advance(r);
     double change       = history.take_change();
     so_far.steps_repeat = history.is_comparable();
     // Of a few instants it says nothing, and against none on this mesh either.
@@ -142,7 +229,7 @@ namespace Crevasse
     is_comparable = true;
     so_far.stress_change.push_back(change);
     last = {so_far.periods,
-            so_far.periods * period_map.steps().period(),
+            so_far.periods * integration.steps.period(),
             change,
             0.,
             history.largest_stress(),
@@ -153,33 +240,6 @@ namespace Crevasse
                                ? 0.
                                : (*defect)(r_before, r, last.largest_stress);
     return change;
-  }
-
-
-
-  template <int dim>
-  double
-  ObservedPeriods<dim>::return_defect() const
-  {
-    return so_far.return_defect;
-  }
-
-
-
-  template <int dim>
-  void
-  ObservedPeriods<dim>::ignore_drift_while_opening()
-  {
-    ignores_drift = true;
-  }
-
-
-
-  template <int dim>
-  bool
-  ObservedPeriods<dim>::strain_returns() const
-  {
-    return defect != nullptr;
   }
 
 
@@ -198,30 +258,19 @@ namespace Crevasse
 
   template <int dim>
   void
-  ObservedPeriods<dim>::finish(const Vector &r)
+  ObservedPeriods<dim>::finish(const Vector &r, const bool is_shown)
   {
-    if (so_far.periods > 0)
-      period_map.finish(so_far.periods, r, [this](const Sample &sample) {
-        show(sample);
-      });
-  }
-
-
-
-  template <int dim>
-  Checkpointer *
-  ObservedPeriods<dim>::checkpointer() const
-  {
-    return period_map.checkpointer();
-  }
-
-
-
-  template <int dim>
-  const PeriodicResult &
-  ObservedPeriods<dim>::result() const
-  {
-    return so_far;
+    if (so_far.periods == 0)
+      return;
+    if (has_memory())
+      {
+        rate.reinit(r, true);
+        integration.evolution.rate(0., r, rate);
+      }
+    else
+      integration.evolution.elastic_state(0.);
+    if (is_shown)
+      show(sample(integration.steps.n_steps(), r));
   }
 
 

@@ -11,20 +11,7 @@ namespace Crevasse
 {
   namespace
   {
-    constexpr const char *section = PeriodicStateParameters::section;
-    using Method                  = PeriodicMethodType;
-
-
-
-    /** What a scene without viscosity needs. */
-    PeriodicChoice
-    one_period()
-    {
-      return {Method::march,
-              false,
-              false,
-              "without viscosity one period tells all"};
-    }
+    using Method = PeriodicMethodType;
 
 
 
@@ -36,85 +23,49 @@ namespace Crevasse
                          const double     largest_relaxation_time)
     {
       // Of the period: then stress falls by 1e-4 within it.
-      constexpr double  short_time = 0.1;
-      const std::string automatic  = "automatic: ";
-      const bool        forgets =
-        largest_relaxation_time <= short_time * scene.loads.period;
+      constexpr double               short_time = 0.1;
       const std::vector<std::string> obstacles =
         fourier_obstacles(scene, body, steps);
-      if (scene.periodic_state.secular_split == SecularSplitType::off)
-        return {Method::march,
-                false,
-                true,
-                automatic +
-                  "Secular split = off leaves what flows in the "
-                  "viscous strain"};
       const auto &scheme = traits(scene.time_integration.scheme);
+      const auto  choice = [](const Method       method,
+                             const std::string &why,
+                             const bool         starts_from_fourier = false) {
+        return PeriodicChoice{method,
+                              starts_from_fourier,
+                              true,
+                              "automatic: " + why};
+      };
+      if (scene.periodic_state.secular_split == SecularSplitType::off)
+        return choice(Method::march,
+                      "Secular split = off leaves what flows in the viscous "
+                      "strain");
       if (!scheme.flows_by_mean_load)
-        return {Method::march,
-                false,
-                true,
-                automatic + "the steps of Scheme = " + scheme.name +
-                  " flow steadily in their own way"};
+        return choice(Method::march,
+                      std::string("the steps of Scheme = ") + scheme.name +
+                        " flow steadily in their own way");
       if (obstacles.empty() && scheme.value == Scheme::trapezoid &&
           !scene.time_integration.locate_contact_events)
-        return {Method::fourier,
-                false,
-                true,
-                automatic + "nothing but the loads depends on time"};
+        return choice(Method::fourier, "nothing but the loads depends on time");
       if (const std::string flow = secular_obstacle(body);
           !flow.empty() && !body.law.has_spring())
-        return {Method::march,
-                false,
-                true,
-                automatic +
-                  "whether the viscous strain is periodic is not "
-                  "known, for " +
-                  flow};
-      if (forgets)
-        return {Method::anderson,
-                false,
-                true,
-                automatic + "the stress is forgotten within a period"};
+        return choice(Method::march,
+                      "whether the viscous strain is periodic is not known, "
+                      "for " +
+                        flow);
+      if (largest_relaxation_time <= short_time * scene.loads.period)
+        return choice(Method::anderson,
+                      "the stress is forgotten within a period");
       if (obstacles.empty())
-        return {Method::anderson,
-                true,
-                true,
-                automatic +
-                  "nothing but the loads depends on time; the last "
-                  "periods bring in what is the scheme's own"};
+        return choice(Method::anderson,
+                      "nothing but the loads depends on time; the last periods "
+                      "bring in what is the scheme's own",
+                      true);
       // Without what to use instead.
-      return {Method::anderson,
-              false,
-              true,
-              automatic + "no direct method, for " +
-                obstacles.front().substr(0, obstacles.front().find(';'))};
+      return choice(Method::anderson,
+                    "no direct method, for " +
+                      obstacles.front().substr(0, obstacles.front().find(';')));
     }
   } // namespace
-
-
-
-  bool
-  PeriodicChoice::uses_fourier() const
-  {
-    return starts_from_fourier || method == Method::fourier;
-  }
-
-
-
-  bool
-  PeriodicChoice::needs_periodic_strain() const
-  {
-    return method != Method::march;
-  }
-
-
-
-  bool
-  PeriodicChoice::periods_are_iterates() const
-  {
-    return method == Method::anderson;
-  }
 
 
 
@@ -136,7 +87,10 @@ namespace Crevasse
                          const double     largest_relaxation_time)
   {
     if (!body.effects.viscosity.on)
-      return one_period();
+      return {Method::march,
+              false,
+              false,
+              "without viscosity one period tells all"};
     const PeriodicStateParameters &parameters = scene.periodic_state;
     if (parameters.method == Method::automatic)
       return choose_automatically(scene, body, steps, largest_relaxation_time);
@@ -145,8 +99,8 @@ namespace Crevasse
     choice.method              = parameters.method;
     choice.starts_from_fourier = parameters.method != Method::fourier && //
                                  parameters.start_from == StartFrom::fourier;
-    choice.why =
-      Text::parameter(section, "Method") + " = " + name_of(parameters.method);
+    choice.why = Text::parameter(PeriodicStateParameters::section, "Method") +
+                 " = " + name_of(parameters.method);
     if (choice.uses_fourier())
       require_fourier(scene, body, steps);
     if (const std::string flow = secular_obstacle(body);

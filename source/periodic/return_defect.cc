@@ -4,11 +4,9 @@
 #include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/return_defect.h>
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace Crevasse
@@ -26,28 +24,7 @@ namespace Crevasse
         largest = std::max(largest, std::abs(values[i]));
       return largest;
     }
-
   } // namespace
-
-
-
-  template <int dim>
-  ReturnDefect<dim>::ReturnDefect(const QuadratureField<dim> &points,
-                                  const MaterialState<dim>   &material,
-                                  const SecularFlow          *flow,
-                                  const bool                  is_split,
-                                  const double            mean_fluidity_factor,
-                                  const double            period,
-                                  const UnilateralBounds &bounds)
-    : n_points(points.n_local_points())
-    , material(material)
-    , flow(flow)
-    , is_split(is_split)
-    , mean_fluidity_factor(mean_fluidity_factor)
-    , period(period)
-    , bounds(bounds)
-  {
-  }
 
 
 
@@ -60,8 +37,8 @@ namespace Crevasse
     using Field               = QuadratureField<dim>;
     constexpr double rounding = 1e-12, resolved = 10.;
     // What is left, what it is left of, and what it makes of the mean stress.
-    std::array<double, 3> largest{};
-    std::size_t           offset = 0;
+    double      largest[3] = {};
+    std::size_t offset     = 0;
     for (std::size_t point = 0; point < n_points; ++point)
       for (unsigned int i = 0; i < material.fractions.size(); ++i)
         {
@@ -85,9 +62,7 @@ namespace Crevasse
                        size * slowness_of_relaxation(relaxed / size));
           offset += Field::n_components;
         }
-    Utilities::MPI::max(ArrayView<const double>(largest.data(), 3),
-                        before.get_mpi_communicator(),
-                        ArrayView<double>(largest.data(), 3));
+    Utilities::MPI::max(largest, before.get_mpi_communicator(), largest);
     if (largest[0] <= rounding * std::max(largest_stress, largest[1]))
       return 0.;
     return resolved * largest[2] / largest_stress;
@@ -119,6 +94,6 @@ namespace Crevasse
 
 
 
-  template class ReturnDefect<2>;
-  template class ReturnDefect<3>;
+  template struct ReturnDefect<2>;
+  template struct ReturnDefect<3>;
 } // namespace Crevasse

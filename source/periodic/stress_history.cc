@@ -4,11 +4,9 @@
 #include <crevasse/base/state_archive.h>
 #include <crevasse/periodic/stress_history.h>
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace Crevasse
@@ -53,39 +51,20 @@ namespace Crevasse
   double
   StressHistory::take_change()
   {
-    std::array<double, 2> values{{largest_change, largest}};
-    dealii::Utilities::MPI::max(
-      dealii::ArrayView<const double>(values.data(), values.size()),
-      communicator,
-      dealii::ArrayView<double>(values.data(), values.size()));
+    const double change =
+      dealii::Utilities::MPI::max(largest_change, communicator);
+    largest_of_last = dealii::Utilities::MPI::max(largest, communicator);
     for (auto entry = samples.begin(); entry != samples.end();)
       if (entry->second.period == periods)
         ++entry;
       else
         entry = samples.erase(entry);
     ++periods;
-    comparable      = 4 * n_new <= samples.size();
-    n_new           = 0;
-    largest_of_last = values[1];
-    largest_change  = 0.;
-    largest         = 0.;
-    return values[0] > 0. ? values[0] / values[1] : 0.;
-  }
-
-
-
-  bool
-  StressHistory::is_comparable() const
-  {
-    return comparable;
-  }
-
-
-
-  double
-  StressHistory::largest_stress() const
-  {
-    return largest_of_last;
+    comparable     = 4 * n_new <= samples.size();
+    n_new          = 0;
+    largest_change = 0.;
+    largest        = 0.;
+    return change > 0. ? change / largest_of_last : 0.;
   }
 
 
@@ -100,16 +79,13 @@ namespace Crevasse
     auto next = samples.begin();
     for (std::size_t k = 0; k < n; ++k)
       {
-        std::pair<double, Entry> read;
-        double                  &t = read.first;
-        Entry &entry = archive.is_loading() ? read.second : next->second;
-        if (!archive.is_loading())
-          t = (next++)->first;
+        double t = archive.is_loading() ? 0. : next->first;
         archive.common(t);
-        archive.common(entry.period);
-        archive.at_points(entry.stress);
         if (archive.is_loading())
-          samples.insert(std::move(read));
+          next = samples.emplace_hint(samples.end(), t, Entry());
+        archive.common(next->second.period);
+        archive.at_points(next->second.stress);
+        ++next;
       }
     archive.common(periods);
     archive.common(n_new);

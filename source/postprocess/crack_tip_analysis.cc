@@ -4,13 +4,10 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/crack_tip/interaction_integral.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/model/elastic_displacement.h>
-#include <crevasse/model/elastic_estimate.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/secular.h>
-#include <crevasse/model/tip_functions.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -40,7 +37,7 @@ namespace Crevasse
           choose_fit_radius(),
           body.space.communicator())
     , energy(body.material, points)
-    , growth_law(make_growth_law(scene.crack_tip))
+    , growth_law(describe_growth_law(scene.crack_tip))
     , no_c_star(find_viscous_region(split))
     , mean_load_vanishes(split.mean_load.size() > 0 && !split.effect.on)
   {
@@ -136,10 +133,7 @@ namespace Crevasse
     });
     try
       {
-        viscous_region = std::make_unique<const TipRegion>(body.space,
-                                                           points,
-                                                           viscosity->sum,
-                                                           "viscosity");
+        viscous_region.emplace(body.space, points, viscosity->sum, "viscosity");
       }
     catch (const SceneError &)
       {
@@ -154,12 +148,9 @@ namespace Crevasse
   std::string
   CrackTipAnalysis::describe() const
   {
-    std::string text =
-      "  crack tip: " + Text::from_point(region.tip().position) + ", K_I by " +
-      choice.name() + " (" + choice.why + ")";
-    if (growth_law != nullptr)
-      text += "; " + growth_law->description();
-    return text;
+    return "  crack tip: " + Text::from_point(region.tip().position) +
+           ", K_I by " + choice.name() + " (" + choice.why + ")" +
+           (growth_law.empty() ? "" : "; " + growth_law);
   }
 
 
@@ -252,17 +243,17 @@ namespace Crevasse
           return elastic_displacement<2>(
             scene, body, systems, functional, false);
         };
-        const auto weight_function = [&](const double size) {
-          const InteractionIntegral integral(
-            body.space, body.strain_operator, body.lip, region, size);
-          return WeightFunction(influence_on(integral.of_displacement()),
-                                bounds,
-                                integral.of_contact_forces());
+        const auto over_square = [&](const double size) {
+          const IntensityFunctional integral =
+            interaction_integral(body, region, size);
+          return weight_function(influence_on(integral.of_vector),
+                                 bounds,
+                                 integral.of_contact_forces);
         };
         const double small =
           std::max(region.aligned_radius(0.5 * radius), region.cell_radius());
-        integrals.emplace(CrackTipTable::Integrals{weight_function(radius),
-                                                   weight_function(small),
+        integrals.emplace(CrackTipTable::Integrals{over_square(radius),
+                                                   over_square(small),
                                                    {}});
         if (const SingularShapes *shapes = body.space.singular_shapes())
           {
@@ -271,23 +262,18 @@ namespace Crevasse
             body.strain_operator.initialize(coefficient);
             if (coefficient.in_local_range(first))
               coefficient(first) = shapes->functions().unit_stress_intensity;
-            integrals->singular.emplace(influence_on(coefficient),
-                                        bounds,
-                                        std::vector<double>());
+            integrals->singular =
+              weight_function(influence_on(coefficient), bounds, {});
           }
       }
-    return std::make_unique<CrackTipTable>(
-      CrackTipTable::Evaluation{std::move(integrals),
-                                fit,
-                                energy,
-                                [this](const double t) { return modulus(t); },
-                                body.loads,
-                                relative_energy_error(systems, steps)},
-      steps,
-      file,
-      [this, &flow, &log](const CrackTipTable &table, Summary &summary) {
-        summarise(table, flow ? &*flow : nullptr, summary, log);
-      });
+    return std::make_unique<CrackTipTable>(*this,
+                                           std::move(integrals),
+                                           relative_energy_error(systems,
+                                                                 steps),
+                                           steps,
+                                           flow,
+                                           file,
+                                           log);
   }
 
 
@@ -297,15 +283,13 @@ namespace Crevasse
   {
     if (mean_load_vanishes)
       return 0.;
-    if (viscous_region == nullptr || flow == nullptr)
+    if (!viscous_region || flow == nullptr)
       return {};
-    const InteractionIntegral integral(body.space,
-                                       body.strain_operator,
-                                       body.lip,
-                                       *viscous_region,
-                                       viscous_region->aligned_radius(
-                                         viscous_region->largest_radius()));
-    const double K = integral.value(flow->velocity, flow->contact_forces);
+    const double K = interaction_integral(body,
+                                          *viscous_region,
+                                          viscous_region->aligned_radius(
+                                            viscous_region->largest_radius()))
+                       .value(flow->velocity, flow->contact_forces);
     return K * K / viscous_region->elasticity().modulus();
   }
 
@@ -358,8 +342,16 @@ namespace Crevasse
     warn_of_uncertainty(history, error, energy, summary, log);
     if (history.c_star && *history.c_star > 0.)
       log.line("  crack tip: C* = " + Text::from_number(*history.c_star));
-    if (growth_law != nullptr)
-      summarise_growth(history, tip, log);
+    if (growth_law.empty())
+      return;
+    const double growth = growth_of_period(scene.crack_tip, history);
+    tip["growth_law"]   = growth_law;
+    tip["da_dN"]        = growth; // null if it is not finite
+    if (!std::isfinite(growth))
+      tip["no_da_dN"] = "the law gives no finite growth";
+    tip["da_dt"] = growth / history.period();
+    log.line("  crack tip: grows by " + Text::from_number(growth) +
+             " a period (" + growth_law + ")");
   }
 
 
@@ -391,22 +383,5 @@ namespace Crevasse
         summary["warnings"].push_back(warning);
         log.line("  warning: " + warning);
       }
-  }
-
-
-
-  void
-  CrackTipAnalysis::summarise_growth(const TipHistory &history,
-                                     Summary          &tip,
-                                     Log              &log) const
-  {
-    const double growth = growth_law->per_cycle(history);
-    tip["growth_law"]   = growth_law->description();
-    tip["da_dN"]        = growth; // null if it is not finite
-    if (!std::isfinite(growth))
-      tip["no_da_dN"] = "the law gives no finite growth";
-    tip["da_dt"] = growth / history.period();
-    log.line("  crack tip: grows by " + Text::from_number(growth) +
-             " a period (" + growth_law->description() + ")");
   }
 } // namespace Crevasse

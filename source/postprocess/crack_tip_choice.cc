@@ -9,6 +9,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -114,18 +115,18 @@ namespace Crevasse
         for (unsigned int d = 0; d < 2; ++d)
           if (fixed.components[d])
             {
-              bool is_free = true;
-              for (const Line &line : lines)
-                if (std::abs(line.normal[d]) > 1. - rounding_of_lines &&
-                    std::abs(line.normal * Tensor<1, 2>(fixed.point) -
-                             line.offset) <= rounding_of_lines * size)
-                  is_free = false;
-              extra += is_free ? 1 : 0;
+              const auto holds = [&](const Line &line) {
+                return std::abs(line.normal[d]) > 1. - rounding_of_lines &&
+                       std::abs(line.normal * Tensor<1, 2>(fixed.point) -
+                                line.offset) <= rounding_of_lines * size;
+              };
+              extra += std::none_of(lines.begin(), lines.end(), holds) ? 1 : 0;
             }
-      bool has_both = false;
-      for (const Line &line : lines)
-        has_both = has_both || std::abs(line.normal * lines.front().normal) <
-                                 rounding_of_lines;
+      const bool has_both =
+        std::any_of(lines.begin(), lines.end(), [&lines](const Line &line) {
+          return std::abs(line.normal * lines.front().normal) <
+                 rounding_of_lines;
+        });
       return extra > (lines.empty() ? 3u : (has_both ? 0u : 1u));
     }
 
@@ -161,15 +162,6 @@ namespace Crevasse
       return "";
     }
   } // namespace
-
-
-
-  std::string
-  CrackTipChoice::name() const
-  {
-    return name_of(integral ? StressIntensityMethod::interaction_integral
-                            : StressIntensityMethod::williams_fit);
-  }
 
 
 

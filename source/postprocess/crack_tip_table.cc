@@ -2,25 +2,32 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/state_archive.h>
-#include <crevasse/postprocess/crack_tip_table.h>
+#include <crevasse/postprocess/crack_tip_analysis.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace Crevasse
 {
-  CrackTipTable::CrackTipTable(Evaluation      &&evaluation,
-                               const StepList   &steps,
-                               const File       &file,
-                               const Conclusion &conclusion)
-    : by(std::move(evaluation))
+  CrackTipTable::CrackTipTable(const CrackTipAnalysis           &analysis,
+                               std::optional<Integrals>        &&integrals,
+                               const double                      relative_error,
+                               const StepList                   &steps,
+                               const std::optional<SecularFlow> &flow,
+                               const File                       &file,
+                               Log                              &log)
+    : analysis(analysis)
+    , integrals(std::move(integrals))
+    , relative_error(relative_error)
     , steps(steps)
-    , conclusion(conclusion)
+    , flow(flow)
+    , log(log)
+    , has_singular_function(this->integrals && this->integrals->singular)
   {
     if (file.name.empty())
       return;
     std::vector<std::string> columns = {"t", "K_I", "K_I_stress"};
-    if (has_singular_function())
+    if (has_singular_function)
       columns.push_back("K_I_singular");
     for (const char *name :
          {"K_I_error", "energy_release_rate", "strain_energy"})
@@ -30,44 +37,37 @@ namespace Crevasse
 
 
 
-  bool
-  CrackTipTable::has_singular_function() const
-  {
-    return by.integrals && by.integrals->singular;
-  }
-
-
-
   CrackTipTable::Values
   CrackTipTable::evaluate(const Sample &sample)
   {
-    const double t = steps.within_period(sample.instant);
+    const double t      = steps.within_period(sample.instant);
+    const auto  &g      = sample.state.contact_forces;
+    const auto  &stress = sample.state.stress;
     Values       values{};
-    const auto  &g   = sample.state.contact_forces;
-    values.of_stress = by.fit.value(sample.state.stress, g);
-    if (by.integrals)
+    values.of_stress = analysis.fit.value(stress, g);
+    if (integrals)
       {
         nodal_forces.reinit(sample.state.displacement, true);
-        by.loads.evaluate(t, nodal_forces);
-        values.intensity = by.integrals->large.value(nodal_forces, g);
+        analysis.body.loads.evaluate(t, nodal_forces);
+        values.intensity = integrals->large.value(nodal_forces, g);
         values.error =
           std::max(std::abs(values.intensity -
-                            by.integrals->small.value(nodal_forces, g)),
+                            integrals->small.value(nodal_forces, g)),
                    std::abs(values.intensity - values.of_stress));
-        if (has_singular_function())
+        if (has_singular_function)
           values.of_singular_function =
-            by.integrals->singular->value(nodal_forces, g);
+            integrals->singular->value(nodal_forces, g);
       }
     else
       {
         values.intensity = values.of_stress;
-        values.error     = std::abs(by.fit.correction(sample.state.stress, g));
+        values.error     = std::abs(analysis.fit.correction(stress, g));
       }
     values.error =
-      std::max(values.error, by.relative_error * std::abs(values.intensity));
-    values.release_rate = values.intensity * values.intensity / by.modulus(t);
-    values.energy =
-      by.energy.value(t, sample.state.stress, sample.viscous_strain);
+      std::max(values.error, relative_error * std::abs(values.intensity));
+    values.release_rate =
+      values.intensity * values.intensity / analysis.modulus(t);
+    values.energy = analysis.energy.value(t, stress, sample.viscous_strain);
     return values;
   }
 
@@ -89,7 +89,7 @@ namespace Crevasse
     if (table == nullptr)
       return;
     std::vector<double> row = {sample.time, values.intensity, values.of_stress};
-    if (has_singular_function())
+    if (has_singular_function)
       row.push_back(values.of_singular_function);
     row.insert(row.end(), {values.error, values.release_rate, values.energy});
     table->add_row(row);
@@ -111,6 +111,6 @@ namespace Crevasse
   void
   CrackTipTable::summarise(Summary &summary)
   {
-    conclusion(*this, summary);
+    analysis.summarise(*this, flow ? &*flow : nullptr, summary, log);
   }
 } // namespace Crevasse

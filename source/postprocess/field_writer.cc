@@ -4,10 +4,11 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/postprocess/field_writer.h>
-#include <crevasse/postprocess/nodal_fields.h>
 
 #include <deal.II/base/data_out_base.h>
-#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/lac/lapack_support.h>
+#include <deal.II/lac/lapack_templates.h>
 #include <deal.II/numerics/data_out.h>
 
 #include <fstream>
@@ -19,43 +20,144 @@ namespace Crevasse
 
   namespace
   {
-    /** The strains of one branch of all, in the layout of the stress. */
-    template <int dim>
-    Vector
-    branch_of(const Vector      &strains,
-              const unsigned int branch,
-              const unsigned int n_branches,
-              const Vector      &stress)
+    /** Calls f(nodal dof, displacement dofs of that node) on each locally
+     * owned cell. */
+    template <int dim, typename Function>
+    void
+    for_each_node(const Space<dim>          &space,
+                  const StressRecovery<dim> &recovery,
+                  const Function            &f)
     {
-      if (n_branches == 1)
-        return strains;
-      Vector                 result(stress);
-      constexpr unsigned int n = n_stress_components<dim>;
-      for (unsigned int k = 0; k < stress.locally_owned_size(); ++k)
-        result.local_element(k) =
-          strains.local_element((k / n * n_branches + branch) * n + k % n);
-      return result;
+      const FESystem<dim>                 &fe = space.finite_element();
+      std::vector<types::global_dof_index> vector_dofs(fe.n_dofs_per_cell());
+      std::vector<types::global_dof_index> nodal_dofs(
+        recovery.dof_handler().get_fe().n_dofs_per_cell());
+      std::array<types::global_dof_index, dim> dofs;
+      for (const auto &cell : recovery.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            cell->get_dof_indices(nodal_dofs);
+            typename DoFHandler<dim>::active_cell_iterator(&space.mesh(),
+                                                           cell->level(),
+                                                           cell->index(),
+                                                           &space.dof_handler())
+              ->get_dof_indices(vector_dofs);
+            for (unsigned int i = 0; i < nodal_dofs.size(); ++i)
+              {
+                for (unsigned int d = 0; d < dim; ++d)
+                  dofs[d] = vector_dofs[fe.component_to_system_index(d, i)];
+                f(nodal_dofs[i], dofs);
+              }
+          }
+    }
+
+
+
+    /** What is derived from the recovered stress, node by node. */
+    template <int dim>
+    struct StressInvariants
+    {
+      /** In the plane (space) of the mesh, the largest first. */
+      std::array<Vector, dim> principal_stress;
+      /** Unit vectors, in the displacement space. */
+      std::array<Vector, dim> principal_direction;
+      /** J₂ = ½ s′:s′ with the deviator s′ of the three-dimensional stress. */
+      Vector second_deviator_invariant;
+    };
+
+
+
+    /** Principal stresses in the plane (space) of the mesh in ascending order,
+     * and rows of their directions. By LAPACK, for the name that deal.II's
+     * eigenvectors() has in a library compiled by GCC is not the one that Clang
+     * looks for. */
+    template <int dim>
+    std::pair<std::array<double, dim>, std::array<double, dim * dim>>
+    principal_stresses(const SymmetricTensor<2, 3> &stress)
+    {
+      std::array<double, dim>       values;
+      std::array<double, dim * dim> vectors;
+      std::array<double, 16 * dim>  work;
+      const types::blas_int         n = dim, n_work = work.size();
+      types::blas_int               info = 0;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          vectors[i * dim + j] = stress[i][j];
+      syev("V",
+           "U",
+           &n,
+           vectors.data(),
+           &n,
+           values.data(),
+           work.data(),
+           &n_work,
+           &info);
+      AssertThrow(info == 0, LAPACKSupport::ExcErrorCode("syev", info));
+      return {values, vectors};
+    }
+
+
+
+    template <int dim>
+    StressInvariants<dim>
+    stress_invariants(const Space<dim>          &space,
+                      const StressRecovery<dim> &recovery,
+                      const std::vector<Vector> &nodal_stress)
+    {
+      StressInvariants<dim> invariants;
+      Vector               &J2 = invariants.second_deviator_invariant;
+      J2.reinit(nodal_stress[0]);
+      invariants.principal_stress.fill(J2);
+      invariants.principal_direction.fill(make_vector(space.dof_handler()));
+      for_each_node(space, recovery, [&](const auto node, const auto &dofs) {
+        if (!J2.in_local_range(node))
+          return;
+        VoigtVector<dim> components;
+        for (unsigned int c = 0; c < nodal_stress.size(); ++c)
+          components[c] = nodal_stress[c](node);
+        const SymmetricTensor<2, 3> stress = stress_tensor<dim>(components);
+        const SymmetricTensor<2, 3> s      = deviator(stress);
+        J2(node)                           = 0.5 * (s * s);
+
+        const auto [values, vectors] = principal_stresses<dim>(stress);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const unsigned int ascending         = dim - 1 - d;
+            invariants.principal_stress[d](node) = values[ascending];
+            Vector &direction = invariants.principal_direction[d];
+            for (unsigned int c = 0; c < dim; ++c)
+              if (direction.in_local_range(dofs[c]))
+                direction(dofs[c]) = vectors[ascending * dim + c];
+          }
+      });
+      return invariants;
     }
   } // namespace
 
 
 
   template <int dim>
-  FieldWriter<dim>::FieldWriter(const Space<dim>           &space,
-                                const StressRecovery<dim>  &recovery,
-                                const ContactBoundary<dim> &lip,
-                                const FieldTimes           &times,
-                                const std::string          &directory,
-                                Log                        &log)
-    : space(space)
-    , recovery(recovery)
-    , lip(lip)
-    , directory(directory)
-    , log(log)
-    , wanted{times.steps.period()} // the end of the run
+  Vector
+  contact_pressure(const Space<dim>           &space,
+                   const StressRecovery<dim>  &recovery,
+                   const ContactBoundary<dim> &lip,
+                   const std::vector<double>  &contact_forces)
   {
-    for (const double t : times.times)
-      wanted.insert(times.steps.instant(times.steps.nearest(t)));
+    Vector at_dofs = space.ghosted_vector();
+    for (unsigned int k = 0; k < lip.nodes().size(); ++k)
+      at_dofs(lip.nodes()[k].dof) = contact_forces[k] / lip.nodes()[k].weight;
+    lip.spread_to_held_nodes(at_dofs);
+
+    Vector pressure(recovery.dof_handler().locally_owned_dofs(),
+                    space.communicator());
+    for_each_node(space, recovery, [&](const auto node, const auto &dofs) {
+      if (pressure.in_local_range(node))
+        // Only the normal component of a lip node is not zero.
+        for (const auto dof : dofs)
+          if (at_dofs(dof) != 0.)
+            pressure(node) = at_dofs(dof);
+    });
+    return pressure;
   }
 
 
@@ -104,40 +206,27 @@ namespace Crevasse
   void
   FieldWriter<dim>::summarise(Summary &)
   {
-    const unsigned int n = write();
-    log.line("  fields of " + std::to_string(n) +
-             (n == 1 ? " instant in " : " instants in ") + directory +
-             "/solution.pvd");
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  FieldWriter<dim>::write() const
-  {
     std::vector<std::pair<double, std::string>> records;
-    for (const auto &[instant, snapshot] : snapshots)
+    for (const auto &snapshot : snapshots)
       {
-        (void)instant;
         const unsigned int number = records.size();
-        write(snapshot, number);
-        records.emplace_back(snapshot.time,
+        write(snapshot.second, number);
+        records.emplace_back(snapshot.second.time,
                              "solution_" + Utilities::int_to_string(number, 4) +
                                ".pvtu");
       }
-
+    const std::string file_name = directory + "/solution.pvd";
     if (Utilities::MPI::this_mpi_process(space.communicator()) == 0)
       {
-        const std::string  file_name = directory + "/solution.pvd";
         std::ostringstream text;
         DataOutBase::write_pvd_record(text, records);
         std::ofstream file(file_name);
-        file << text.str() << std::flush;
-        if (!file)
+        if (!(file << text.str() << std::flush))
           throw FileError("Cannot write " + file_name + ".");
       }
-    return records.size();
+    log.line("  fields of " + std::to_string(records.size()) +
+             (records.size() == 1 ? " instant in " : " instants in ") +
+             file_name);
   }
 
 
@@ -164,23 +253,26 @@ namespace Crevasse
     const auto add_scalar = [&](const Vector &values, const std::string &name) {
       data_out.add_data_vector(recovery.dof_handler(), values, name);
     };
-
-    const Vector displacement = space.nodal_values(snapshot.state.displacement);
-    add_vector(displacement, "displacement");
-
     const auto add_components = [&](const std::vector<Vector> &components,
                                     const std::string         &name) {
       for (unsigned int c = 0; c < components.size(); ++c)
         add_scalar(components[c], name + '_' + voigt_name<dim>(c));
     };
+
+    // DataOut copies these values, and those of ghosts from their owners.
+    add_vector(space.nodal_values(snapshot.state.displacement), "displacement");
     const std::vector<Vector> stress = recovery.recover(snapshot.state.stress);
     add_components(stress, "stress");
     const unsigned int n_branches = // 0 in an elastic body
       snapshot.viscous_strain.size() / snapshot.state.stress.size();
+    constexpr unsigned int n = n_stress_components<dim>;
     for (unsigned int i = 0; i < n_branches; ++i)
       {
-        std::vector<Vector> strain = recovery.recover(branch_of<dim>(
-          snapshot.viscous_strain, i, n_branches, snapshot.state.stress));
+        Vector branch = snapshot.state.stress; // of its layout
+        for (unsigned int k = 0; k < branch.locally_owned_size(); ++k)
+          branch.local_element(k) = snapshot.viscous_strain.local_element(
+            (k / n * n_branches + i) * n + k % n);
+        std::vector<Vector> strain = recovery.recover(branch);
         // From engineering shears to components of a tensor.
         for (unsigned int c = 3; c < strain.size(); ++c)
           strain[c] *= 0.5;
@@ -194,18 +286,16 @@ namespace Crevasse
       stress_invariants(space, recovery, stress);
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const std::string suffix = std::to_string(d + 1);
-        add_scalar(invariants.principal_stress[d],
-                   "principal_stress_" + suffix);
+        const std::string suffix = '_' + std::to_string(d + 1);
+        add_scalar(invariants.principal_stress[d], "principal_stress" + suffix);
         add_vector(invariants.principal_direction[d],
-                   "principal_direction_" + suffix);
+                   "principal_direction" + suffix);
       }
     add_scalar(invariants.second_deviator_invariant,
                "second_deviator_invariant");
-
-    const Vector pressure =
-      contact_pressure(space, recovery, lip, snapshot.state.contact_forces);
-    add_scalar(pressure, "contact_pressure");
+    add_scalar(
+      contact_pressure(space, recovery, lip, snapshot.state.contact_forces),
+      "contact_pressure");
 
     data_out.build_patches(space.mapping(), space.finite_element().degree);
     try
@@ -222,6 +312,16 @@ namespace Crevasse
 
 
 
+  template Vector
+  contact_pressure<2>(const Space<2> &,
+                      const StressRecovery<2> &,
+                      const ContactBoundary<2> &,
+                      const std::vector<double> &);
+  template Vector
+  contact_pressure<3>(const Space<3> &,
+                      const StressRecovery<3> &,
+                      const ContactBoundary<3> &,
+                      const std::vector<double> &);
   template class FieldWriter<2>;
   template class FieldWriter<3>;
 } // namespace Crevasse

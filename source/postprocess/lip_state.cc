@@ -3,11 +3,10 @@
 
 #include <crevasse/postprocess/lip_state.h>
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace Crevasse
 {
@@ -18,37 +17,23 @@ namespace Crevasse
   lip_state(const ContactBoundary<dim> &lip, const State &state)
   {
     const MPI_Comm communicator = state.displacement.get_mpi_communicator();
-    const double   displacement = state.displacement.linfty_norm();
-    const double   touching     = 1e-10 * displacement;
+    const double   touching     = 1e-10 * state.displacement.linfty_norm();
 
-    LipState here;
+    std::vector<double> sums(2), maxima(2);
     for (unsigned int k = 0; k < lip.nodes().size(); ++k)
       {
         const LipNode<dim> &node = lip.nodes()[k];
         const double        g    = state.contact_forces[k];
         const double        opening =
           node.sign * state.displacement(node.dof) - node.gap;
-        if (opening <= touching)
-          ++here.closed_nodes;
-        here.force += node.force(g);
-        here.largest_pressure =
-          std::max(here.largest_pressure, g / node.weight);
-        here.largest_opening = std::max(here.largest_opening, opening);
+        sums[0] += opening <= touching ? 1. : 0.;
+        sums[1] += node.force(g);
+        maxima[0] = std::max(maxima[0], g / node.weight);
+        maxima[1] = std::max(maxima[1], opening);
       }
-
-    std::array<double, 2> sums{{double(here.closed_nodes), here.force}};
-    std::array<double, 2> maxima{{here.largest_pressure, here.largest_opening}};
-    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
-                        communicator,
-                        ArrayView<double>(sums.data(), sums.size()));
-    Utilities::MPI::max(ArrayView<const double>(maxima.data(), maxima.size()),
-                        communicator,
-                        ArrayView<double>(maxima.data(), maxima.size()));
-    return {static_cast<unsigned int>(sums[0]),
-            sums[1],
-            maxima[0],
-            maxima[1],
-            displacement};
+    Utilities::MPI::sum(sums, communicator, sums);
+    Utilities::MPI::max(maxima, communicator, maxima);
+    return {static_cast<unsigned int>(sums[0]), sums[1], maxima[0], maxima[1]};
   }
 
 

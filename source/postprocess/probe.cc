@@ -19,8 +19,30 @@ namespace Crevasse
 
   namespace
   {
-    /** Below this a shape function value is rounding. */
-    constexpr double negligible = 1e-12;
+    constexpr unsigned int no_face = numbers::invalid_unsigned_int;
+
+
+
+    /** The degrees of freedom of a cell and what their shape functions are at
+     * a point; 0 where that is rounding. */
+    template <int dim>
+    std::vector<std::pair<types::global_dof_index, double>>
+    shape_values(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                 const Point<dim>                                     &place)
+    {
+      constexpr double                     negligible = 1e-12;
+      const FiniteElement<dim>            &fe         = cell->get_fe();
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      cell->get_dof_indices(indices);
+      std::vector<std::pair<types::global_dof_index, double>> values;
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        {
+          const double value = fe.shape_value(i, place);
+          values.emplace_back(indices[i],
+                              std::abs(value) < negligible ? 0. : value);
+        }
+      return values;
+    }
 
 
 
@@ -38,20 +60,7 @@ namespace Crevasse
             std::abs(unit_point[f / 2] - f % 2) <= 1e-10 &&
             roles.contact.count(cell->face(f)->boundary_id()) > 0)
           return f;
-      return numbers::invalid_unsigned_int;
-    }
-
-
-
-    /** The entries of a vector that this rank owns and that are not zero. */
-    std::vector<std::pair<types::global_dof_index, double>>
-    owned_entries(const Vector &weights)
-    {
-      std::vector<std::pair<types::global_dof_index, double>> entries;
-      for (const auto dof : weights.locally_owned_elements())
-        if (weights(dof) != 0.)
-          entries.emplace_back(dof, weights(dof));
-      return entries;
+      return no_face;
     }
   } // namespace
 
@@ -67,8 +76,7 @@ namespace Crevasse
     , recovery(recovery)
     , lip(lip)
   {
-    Place place = find_place(space);
-    place.found = is_chosen(place);
+    const Place place = find_place(space);
     find_displacement_weights(place, space);
     find_stress_weights(place);
     find_lip_weights(place, space);
@@ -85,37 +93,27 @@ namespace Crevasse
          GridTools::find_all_active_cells_around_point(space.mapping(),
                                                        space.dof_handler(),
                                                        probe.point))
-      {
-        if (!cell->is_locally_owned())
-          continue;
-        const unsigned int face =
-          lip_face<dim>(cell, unit_point, space.roles());
-        if (!place.found || (place.lip_face == numbers::invalid_unsigned_int &&
-                             face != numbers::invalid_unsigned_int))
-          place = {cell, unit_point, true, face};
-      }
-    return place;
-  }
+      if (cell->is_locally_owned())
+        {
+          const unsigned int face =
+            lip_face<dim>(cell, unit_point, space.roles());
+          if (!place.found || (place.lip_face == no_face && face != no_face))
+            place = {cell, unit_point, true, face};
+        }
 
-
-
-  template <int dim>
-  bool
-  ProbeEvaluator<dim>::is_chosen(const Place &place) const
-  {
     // Ranks that see the lip there come first, then any that sees the point.
-    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int none = 2 * Utilities::MPI::n_mpi_processes(communicator);
-    unsigned int       order = none;
-    if (place.found)
-      order = place.lip_face != numbers::invalid_unsigned_int ? rank
-                                                              : none / 2 + rank;
-    const unsigned int first = Utilities::MPI::min(order, communicator);
-    if (first == none)
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int order   = !place.found                ? 2 * n_ranks
+                                 : place.lip_face == no_face ? n_ranks + rank
+                                                             : rank;
+    const unsigned int first   = Utilities::MPI::min(order, communicator);
+    if (first == 2 * n_ranks)
       throw SceneError("[Output] Probes: " + probe.name + " at " +
                        Text::from_point(probe.point) +
                        " lies outside the mesh.");
-    return order == first;
+    place.found = order == first;
+    return place;
   }
 
 
@@ -125,60 +123,40 @@ namespace Crevasse
   ProbeEvaluator<dim>::find_displacement_weights(const Place      &place,
                                                  const Space<dim> &space)
   {
-    const FESystem<dim>                 &fe = space.finite_element();
-    std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-    std::vector<Vector>                  weights(dim, space.ghosted_vector());
-    if (place.found)
-      {
-        place.cell->get_dof_indices(indices);
-        for (unsigned int i = 0; i < indices.size(); ++i)
-          {
-            const double value = fe.shape_value(i, place.unit_point);
-            if (std::abs(value) < negligible)
-              continue;
-            Vector &component = weights[fe.system_to_component_index(i).first];
-            if (!space.constraints().is_constrained(indices[i]))
-              component(indices[i]) += value;
-            else
-              for (const auto &[dof, factor] :
-                   *space.constraints().get_constraint_entries(indices[i]))
-                component(dof) += factor * value;
-          }
-      }
-    if (place.found)
-      add_singular_values(place, space, weights);
+    const FESystem<dim> &fe = space.finite_element();
     for (unsigned int d = 0; d < dim; ++d)
       {
-        weights[d].compress(VectorOperation::add);
-        displacement_weights[d] = owned_entries(weights[d]);
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  ProbeEvaluator<dim>::add_singular_values(const Place         &place,
-                                           const Space<dim>    &space,
-                                           std::vector<Vector> &weights)
-  {
-    if constexpr (dim == 2)
-      if (const SingularShapes *shapes = space.singular_shapes())
-        {
-          FEValues<dim> values(space.mapping(),
-                               space.finite_element(),
-                               Quadrature<dim>(place.unit_point),
-                               update_values | update_quadrature_points);
-          values.reinit(place.cell);
-          std::vector<Tensor<1, dim>> shape;
-          for (unsigned int k = 0; k < shapes->size(); ++k)
+        Vector weights = space.ghosted_vector();
+        if (place.found)
+          {
+            const auto values = shape_values<dim>(place.cell, place.unit_point);
+            for (unsigned int i = 0; i < values.size(); ++i)
+              if (fe.system_to_component_index(i).first == d)
+                space.constraints().distribute_local_to_global(values[i].first,
+                                                               values[i].second,
+                                                               weights);
+          }
+        if constexpr (dim == 2)
+          if (const SingularShapes *shapes = space.singular_shapes();
+              shapes != nullptr && place.found)
             {
-              shapes->values(k, values, shape);
-              for (unsigned int d = 0; d < dim; ++d)
-                if (std::abs(shape[0][d]) > negligible)
-                  weights[d](space.singular_unknown(k)) += shape[0][d];
+              FEValues<dim> at_place(space.mapping(),
+                                     fe,
+                                     Quadrature<dim>(place.unit_point),
+                                     update_values | update_quadrature_points);
+              at_place.reinit(place.cell);
+              std::vector<Tensor<1, dim>> shape;
+              for (unsigned int k = 0; k < shapes->size(); ++k)
+                {
+                  shapes->values(k, at_place, shape);
+                  weights(space.singular_unknown(k)) += shape[0][d];
+                }
             }
-        }
+        weights.compress(VectorOperation::add);
+        for (const auto dof : weights.locally_owned_elements())
+          if (weights(dof) != 0.)
+            displacement_weights[d].emplace_back(dof, weights(dof));
+      }
   }
 
 
@@ -187,23 +165,13 @@ namespace Crevasse
   void
   ProbeEvaluator<dim>::find_stress_weights(const Place &place)
   {
-    DofWeights weights;
+    std::vector<std::pair<types::global_dof_index, double>> weights;
     if (place.found)
-      {
-        const Cell                nodal_cell(&place.cell->get_triangulation(),
-                              place.cell->level(),
-                              place.cell->index(),
-                              &recovery.dof_handler());
-        const FiniteElement<dim> &fe = nodal_cell->get_fe();
-        std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-        nodal_cell->get_dof_indices(indices);
-        for (unsigned int i = 0; i < indices.size(); ++i)
-          {
-            const double value = fe.shape_value(i, place.unit_point);
-            if (std::abs(value) > negligible)
-              weights.emplace_back(indices[i], value);
-          }
-      }
+      weights = shape_values<dim>({&place.cell->get_triangulation(),
+                                   place.cell->level(),
+                                   place.cell->index(),
+                                   &recovery.dof_handler()},
+                                  place.unit_point);
     stress_weights = recovery.weights_of(weights);
   }
 
@@ -214,28 +182,27 @@ namespace Crevasse
   ProbeEvaluator<dim>::find_lip_weights(const Place      &place,
                                         const Space<dim> &space)
   {
-    Vector weights = space.ghosted_vector();
+    const unsigned int f       = place.lip_face;
+    Vector             weights = space.ghosted_vector();
     collectively(communicator, [&]() {
-      if (!place.found || place.lip_face == numbers::invalid_unsigned_int)
+      if (!place.found || f == no_face)
         return;
-      is_on_lip                               = true;
-      const unsigned int                   f  = place.lip_face;
-      const FESystem<dim>                 &fe = space.finite_element();
-      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-      place.cell->get_dof_indices(indices);
-      FEFaceValues<dim> face(space.mapping(),
+      is_on_lip               = true;
+      const FESystem<dim> &fe = space.finite_element();
+      FEFaceValues<dim>    face(space.mapping(),
                              fe,
                              QMidpoint<dim - 1>(),
                              update_normal_vectors);
       face.reinit(place.cell, f);
-      normal = -face.normal_vector(0);
-      for (unsigned int i = 0; i < indices.size(); ++i)
+      normal            = -face.normal_vector(0);
+      const auto values = shape_values<dim>(place.cell, place.unit_point);
+      for (unsigned int i = 0; i < values.size(); ++i)
         {
-          const double value = fe.shape_value(i, place.unit_point);
-          if (std::abs(value) < negligible || !fe.has_support_on_face(i, f) ||
+          const double value = values[i].second;
+          if (value == 0. || !fe.has_support_on_face(i, f) ||
               std::abs(normal[fe.system_to_component_index(i).first]) < 0.5)
             continue;
-          weights(indices[i]) += value;
+          weights(values[i].first) += value;
           gap += value * lip.gap_at(space.mapping().transform_unit_to_real_cell(
                            place.cell, fe.unit_support_point(i)));
         }
@@ -247,12 +214,8 @@ namespace Crevasse
     weights.compress(VectorOperation::add);
     lip.gather_from_held_nodes(weights);
     for (unsigned int k = 0; k < lip.nodes().size(); ++k)
-      {
-        const LipNode<dim> &node   = lip.nodes()[k];
-        const double        weight = weights(node.dof);
-        if (weight != 0.)
-          pressure_weights.emplace_back(k, weight / node.weight);
-      }
+      if (const LipNode<dim> &node = lip.nodes()[k]; weights(node.dof) != 0.)
+        pressure_weights.emplace_back(k, weights(node.dof) / node.weight);
   }
 
 
@@ -271,25 +234,6 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  ProbeEvaluator<dim>::normal_component(
-    const Tensor<1, dim> &displacement) const
-  {
-    return displacement * normal;
-  }
-
-
-
-  template <int dim>
-  VoigtVector<dim>
-  ProbeEvaluator<dim>::stress(const Vector &stress) const
-  {
-    return recovery.evaluate(stress, stress_weights);
-  }
-
-
-
-  template <int dim>
   std::array<double, 2>
   ProbeEvaluator<dim>::opening_and_pressure(const State &state) const
   {
@@ -303,30 +247,47 @@ namespace Crevasse
 
 
   template <int dim>
-  std::vector<ProbeEvaluator<dim>>
-  make_probes(const std::vector<NamedPoint> &probes,
-              const Space<dim>              &space,
-              const StressRecovery<dim>     &recovery,
-              const ContactBoundary<dim>    &lip)
+  std::vector<std::string>
+  ProbeEvaluator<dim>::columns() const
   {
-    std::vector<ProbeEvaluator<dim>> evaluators;
-    for (const Probe<dim> &probe : to_probes<dim>(probes))
-      evaluators.emplace_back(probe, space, recovery, lip);
-    return evaluators;
+    std::vector<std::string> names = {"t"};
+    for (unsigned int d = 0; d < dim; ++d)
+      names.push_back("u_" + std::to_string(d + 1));
+    for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+      names.push_back(std::string("s_") + voigt_name<dim>(c));
+    if (is_on_lip)
+      names.insert(names.end(), {"opening", "pressure"});
+    return names;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ProbeEvaluator<dim>::row(const Sample &sample) const
+  {
+    Tensor<1, dim> u                = displacement(sample.state.displacement);
+    const auto     s                = stress(sample.state.stress);
+    auto           opening_pressure = opening_and_pressure(sample.state);
+    if (sample.secular_flow != nullptr)
+      {
+        const Tensor<1, dim> drift =
+          sample.time * displacement(sample.secular_flow->velocity);
+        u += drift;
+        opening_pressure[0] += drift * normal;
+      }
+    std::vector<double> values = {sample.time};
+    values.insert(values.end(), u.begin_raw(), u.end_raw());
+    values.insert(values.end(), s.begin_raw(), s.end_raw());
+    if (is_on_lip)
+      values.insert(values.end(),
+                    opening_pressure.begin(),
+                    opening_pressure.end());
+    return values;
   }
 
 
 
   template class ProbeEvaluator<2>;
   template class ProbeEvaluator<3>;
-  template std::vector<ProbeEvaluator<2>>
-  make_probes<2>(const std::vector<NamedPoint> &,
-                 const Space<2> &,
-                 const StressRecovery<2> &,
-                 const ContactBoundary<2> &);
-  template std::vector<ProbeEvaluator<3>>
-  make_probes<3>(const std::vector<NamedPoint> &,
-                 const Space<3> &,
-                 const StressRecovery<3> &,
-                 const ContactBoundary<3> &);
 } // namespace Crevasse

@@ -3,13 +3,13 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
-#include <crevasse/discretisation/refinement.h>
 #include <crevasse/model/contact_system_cache.h>
-#include <crevasse/model/elastic_estimate.h>
+#include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/simulation/adapted_mesh.h>
 
 #include <deal.II/base/timer.h>
+#include <deal.II/distributed/grid_refinement.h>
 
 #include <cmath>
 #include <cstdio>
@@ -32,15 +32,55 @@ namespace Crevasse
 
 
 
+    /** The mesh of the scene before all refinement. */
     template <int dim>
-    void
-    clear_flags(const Mesh<dim> &mesh)
+    std::shared_ptr<Mesh<dim>>
+    make_coarse_mesh(Scene scene, const MPI_Comm communicator)
     {
+      scene.geometry.refinements = 0;
+      scene.refinement.strategy  = RefinementStrategy::none;
+      return make_scene_mesh<dim>(scene, communicator);
+    }
+
+
+
+    /** Sets the flags that the parameters ask for: the cells with the largest
+     * part of the squares of the estimates are divided, those with the smallest
+     * joined where all their siblings are. Cells at the finest level stay.
+     * Collective.
+     *
+     * @param squares by active cell index.
+     * @param share of Refine fraction.
+     * @return whether any cell is to be divided. */
+    template <int dim>
+    bool
+    set_flags(Mesh<dim>                   &mesh,
+              const dealii::Vector<float> &squares,
+              const RefinementParameters  &parameters,
+              const double                 share)
+    {
+      namespace Refinement = parallel::distributed::GridRefinement;
+      const double refine  = share * parameters.refine_fraction;
+      const double coarsen = parameters.coarsen_fraction;
+      if (parameters.marking == Marking::bulk)
+        // The squares as they are: those are what adds up.
+        Refinement::refine_and_coarsen_fixed_fraction(
+          mesh, squares, refine, coarsen, VectorTools::L1_norm);
+      else
+        Refinement::refine_and_coarsen_fixed_number(mesh,
+                                                    squares,
+                                                    refine,
+                                                    coarsen);
+      int any = 0;
       for (const auto &cell : mesh.active_cell_iterators())
-        {
-          cell->clear_refine_flag();
-          cell->clear_coarsen_flag();
-        }
+        if (cell->is_locally_owned())
+          {
+            if (static_cast<unsigned int>(cell->level()) >= finest_level<dim>)
+              cell->clear_refine_flag();
+            if (cell->refine_flag_set())
+              any = 1;
+          }
+      return Utilities::MPI::max(any, mesh.get_communicator()) == 1;
     }
   } // namespace
 
@@ -70,17 +110,15 @@ namespace Crevasse
                                 Log           &log,
                                 Checkpoints   &checkpoints)
     : scene(with_fast_solvers(scene))
-    , history([this, communicator]() {
-      return make_scene_mesh<dim>(this->scene, communicator);
-    })
   {
     if (checkpoints.is_resuming())
       {
         serialize(checkpoints.resumed());
-        current = history.make();
+        current = make_coarse_mesh<dim>(scene, communicator);
+        current->load(checkpoints.resumed_mesh());
         return;
       }
-    current                                = history.make();
+    current = make_scene_mesh<dim>(scene, communicator);
     const RefinementParameters &refinement = scene.refinement;
     if (refinement.strategy != RefinementStrategy::adaptive)
       return;
@@ -109,7 +147,6 @@ namespace Crevasse
   AdaptedMesh<dim>::serialize(StateArchive &archive)
   {
     archive.section("mesh");
-    history.serialize(archive);
     archive.common_list(all);
     archive.common(seconds_of_all);
   }
@@ -126,8 +163,7 @@ namespace Crevasse
     const StepList  steps(scene.time_integration,
                          scene.loads.period,
                          scene.output.field_times);
-    body.loads.validate_and_bound(steps.survey_instants({}),
-                                  body.space.communicator());
+    body.loads.validate_and_bound(steps.survey_instants({}));
     body.material.validate_and_bound(steps.survey_instants({}), steps.period());
 
     ContactSystemCache<dim> systems(scene,
@@ -189,91 +225,56 @@ namespace Crevasse
     const auto         available = scene.refinement.target_unknowns;
     if (available > 0 && count_unknowns(*current, degree) > nearly * available)
       return false;
-    const Marks marks = affordable_marks(squares);
-    if (marks.refined.empty())
-      {
-        clear_flags(*current);
-        return false;
-      }
-    history.add(marks);
-    current = history.make();
-    return true;
+    const bool divides = flag(squares);
+    if (divides)
+      current->execute_coarsening_and_refinement();
+    renew(); // else without flags
+    return divides;
   }
 
 
 
   template <int dim>
   bool
-  AdaptedMesh<dim>::is_affordable(const Mesh<dim> &mesh) const
-  {
-    return scene.refinement.target_unknowns == 0 ||
-           count_unknowns(mesh, scene.discretisation.degree) <=
-             scene.refinement.target_unknowns;
-  }
-
-
-
-  template <int dim>
-  Marks
-  AdaptedMesh<dim>::affordable_marks(const dealii::Vector<float> &squares)
-  {
-    constexpr unsigned int most_attempts = 6;
-    for (unsigned int attempt = 0; attempt < most_attempts; ++attempt)
-      {
-        clear_flags(*current);
-        set_flags(*current, squares, scene.refinement, std::pow(0.5, attempt));
-        const Marks marks = flagged_cells(*current);
-        if (is_affordable(*history.make_with(marks)))
-          return marks;
-      }
-    clear_flags(*current);
-    return {};
-  }
-
-
-
-  template <int dim>
-  void
   AdaptedMesh<dim>::flag(const dealii::Vector<float> &squares)
   {
-    history.add(affordable_marks(squares));
-  }
-
-
-
-  template <int dim>
-  void
-  AdaptedMesh<dim>::keep()
-  {
-    clear_flags(*current);
-    history.add(Marks());
+    // If the whole change is too large, fewer cells are divided.
+    constexpr unsigned int most_attempts = 6;
+    const auto             available     = scene.refinement.target_unknowns;
+    for (unsigned int attempt = 0; attempt < most_attempts; ++attempt)
+      {
+        const double share = std::pow(0.5, attempt);
+        if (available > 0)
+          {
+            const auto trial = copy();
+            set_flags(*trial, squares, scene.refinement, share);
+            trial->execute_coarsening_and_refinement();
+            if (count_unknowns(*trial, scene.discretisation.degree) > available)
+              continue;
+          }
+        return set_flags(*current, squares, scene.refinement, share);
+      }
+    return false;
   }
 
 
 
   template <int dim>
   std::shared_ptr<Mesh<dim>>
-  AdaptedMesh<dim>::mesh() const
+  AdaptedMesh<dim>::copy() const
   {
-    return current;
+    auto mesh = make_coarse_mesh<dim>(scene, current->get_communicator());
+    mesh->load(current->get_p4est());
+    return mesh;
   }
 
 
 
   template <int dim>
-  const std::vector<MeshEstimate> &
-  AdaptedMesh<dim>::estimates() const
+  void
+  AdaptedMesh<dim>::renew()
   {
-    return all;
-  }
-
-
-
-  template <int dim>
-  double
-  AdaptedMesh<dim>::seconds() const
-  {
-    return seconds_of_all;
+    current = copy();
   }
 
 

@@ -4,13 +4,17 @@
 #include <crevasse/base/state_archive.h>
 #include <crevasse/discretisation/state_transfer.h>
 #include <crevasse/simulation/adaptive_run.h>
+#include <crevasse/simulation/compute_periods.h>
+#include <crevasse/simulation/conclusion.h>
+#include <crevasse/simulation/observers.h>
 #include <crevasse/simulation/period_estimate.h>
+#include <crevasse/simulation/relaxation_table.h>
 #include <crevasse/simulation/setup_report.h>
-#include <crevasse/simulation/sizes.h>
 
 #include <deal.II/base/timer.h>
 
 #include <cstdio>
+#include <memory>
 
 namespace Crevasse
 {
@@ -36,6 +40,59 @@ namespace Crevasse
     {
       state.seconds["mesh adaptation"] += seconds;
       state.seconds["total"] += seconds;
+    }
+
+
+
+    /**
+     * Computes a run, or what of it is on one mesh, and writes everything to
+     * the directory of @p output, which must exist; what is not known before
+     * the end of the run only if this is it. Collective.
+     *
+     * @param others see what the tables see.
+     * @param state The start, then the end.
+     * @param summary that more is added to, and which is written.
+     * @throw NumericalError; after all that was computed has been written if
+     * the periodic state was not reached. */
+    template <int dim>
+    void
+    run_stage(const RunSetup<dim>           &setup,
+              const RunOutput               &output,
+              const std::vector<Observer *> &others,
+              RunState                      &state,
+              Summary                        summary)
+    {
+      const Scene   &scene = setup.scene;
+      Workspace<dim> work(setup, output, state);
+      const bool     any_periods = scene.periodic_state.maximum_periods > 0;
+      output.checkpoints.requests().stop_if_asked();
+      if (any_periods)
+        find_periodic_start(work);
+      if (!scene.contact.relaxation_table.empty() && !state.has_tables())
+        write_relaxation_table(work);
+      // Where nothing is marched, no tables are begun either.
+      std::vector<std::unique_ptr<Observer>> observers;
+      state.stage.ends_run = true;
+      if (any_periods)
+        {
+          observers = make_observers(work);
+          std::vector<Observer *> all;
+          for (const auto &observer : observers)
+            all.push_back(observer.get());
+          all.insert(all.end(), others.begin(), others.end());
+          compute_periods(work, all);
+        }
+      if (state.stage.ends_run)
+        {
+          summarise_run(work, summary);
+          for (const auto &observer : observers)
+            observer->summarise(summary);
+        }
+      state = work.state_so_far();
+      if (!state.stage.ends_run)
+        return;
+      write_summary(work, summary);
+      conclude(work, summary);
     }
   } // namespace
 
@@ -74,21 +131,11 @@ namespace Crevasse
 
 
   template <int dim>
-  const Body<dim> &
-  AdaptiveRun<dim>::discretised_body() const
-  {
-    return setup->body;
-  }
-
-
-
-  template <int dim>
   void
-  AdaptiveRun<dim>::run(const std::string             &directory,
-                        const std::vector<Observer *> &others)
+  AdaptiveRun<dim>::run(const std::string &directory, const bool stress_record)
   {
     const unsigned int n = scene.refinement.readapt_every;
-    const RunOutput    output{log, checkpoints, directory};
+    const RunOutput    output{log, checkpoints, directory, stress_record};
     RunState           state;
     state.timer = since_set_up;
     if (checkpoints.is_resuming())
@@ -100,7 +147,7 @@ namespace Crevasse
       add_seconds(adapted.seconds(), state);
     if (n == 0)
       {
-        run_stage(*setup, output, others, state, summary);
+        run_stage(*setup, output, {}, state, summary);
         return;
       }
     while (true)
@@ -111,9 +158,7 @@ namespace Crevasse
           std::make_unique<PeriodEstimate<dim>>(scene,
                                                 setup->body,
                                                 state.stage.last_period);
-        std::vector<Observer *> observers = others;
-        observers.push_back(estimate.get());
-        run_stage(*setup, output, observers, state, summary);
+        run_stage(*setup, output, {estimate.get()}, state, summary);
         if (state.stage.ends_run)
           return;
         const dealii::Vector<float> squares = estimate->estimator().squares();
@@ -150,21 +195,21 @@ namespace Crevasse
     const unsigned int n_branches = old.law.branches().size();
 
     const FieldNorms<dim> before =
-      field_norms(old.space, old.points, state.viscous_strain, n_branches);
-    if (scene.refinement.tolerance > 0. && error <= scene.refinement.tolerance)
-      adapted.keep();
-    else
+      field_norms(old.space, state.viscous_strain, n_branches);
+    if (scene.refinement.tolerance == 0. || error > scene.refinement.tolerance)
       adapted.flag(squares);
-    StateTransfer<dim> transfer(*adapted.mesh(),
+    const std::shared_ptr<Mesh<dim>> mesh = adapted.mesh();
+    StateTransfer<dim>               transfer(*mesh,
                                 old.space,
                                 old.points,
                                 state.displacement,
                                 state.viscous_strain,
                                 n_branches);
-    const double       moved_before =
+    const double                     moved_before =
       old.space.nodal_values(state.displacement).linfty_norm();
     setup.reset(); // its mesh is about to change
     transfer.adapt();
+    adapted.renew();
     setup = std::make_unique<const RunSetup<dim>>(scene, adapted.mesh());
 
     const Body<dim> &body = setup->body;
@@ -175,24 +220,24 @@ namespace Crevasse
                   state.displacement,
                   state.viscous_strain);
     const FieldNorms<dim> after =
-      field_norms(body.space, body.points, state.viscous_strain, n_branches);
+      field_norms(body.space, state.viscous_strain, n_branches);
 
-    const Sizes sizes(body);
-    char        text[200];
+    const Summary sizes = sizes_of(body);
+    char          text[200];
     std::snprintf(text,
                   sizeof(text),
                   "  mesh adapted: %lu cells, %lu unknowns; estimated error "
                   "before %.2e; viscous strain: norm %.6e before, %.6e after",
-                  static_cast<unsigned long>(sizes.cells),
-                  static_cast<unsigned long>(sizes.unknowns),
+                  sizes["cells"].get<unsigned long>(),
+                  sizes["unknowns"].get<unsigned long>(),
                   error,
                   before.l2,
                   after.l2);
     log.line(text);
     summary["refinement"]["readaptations"].push_back(
       {{"after_period", state.result.periods},
-       {"cells", sizes.cells},
-       {"unknowns", sizes.unknowns},
+       {"cells", sizes["cells"]},
+       {"unknowns", sizes["unknowns"]},
        {"estimated_error", error},
        {"viscous_strain_before", as_summary(before)},
        {"viscous_strain_after", as_summary(after)},

@@ -15,8 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 namespace Crevasse
 {
@@ -43,15 +41,6 @@ namespace Crevasse
 
 
 
-    /** After which more may be wanted, for a periodic state is; or 0. */
-    unsigned int
-    last_period_of_search(const PeriodicStateParameters &parameters)
-    {
-      return parameters.tolerance > 0. ? parameters.maximum_periods : 0;
-    }
-
-
-
     /** The bounds that a displacement touches. */
     std::vector<bool>
     touching_bounds(const UnilateralBounds &bounds, const Vector &displacement)
@@ -67,36 +56,36 @@ namespace Crevasse
 
 
 
-    const SecularFlow *
-    flow_of(const PeriodicStart &start)
+    template <int dim>
+    typename ObservedPeriods<dim>::SolveCount
+    solve_count(const Workspace<dim> &work)
     {
-      return start.flow ? &*start.flow : nullptr;
+      return [&work]() { return work.systems.statistics().vi_solves; };
     }
 
 
 
     template <int dim>
     void
-    prepare_evolution(const RunSetup<dim> &setup,
-                      Workspace<dim>      &work,
-                      RunState            &state)
+    prepare_evolution(Workspace<dim> &work)
     {
-      const Body<dim> &body = setup.body;
-      if (work.start.flow && work.start.split.is_split)
-        work.evolution.split_off(*work.start.flow);
+      const Body<dim>     &body  = work.setup.body;
+      const PeriodicStart &start = work.start;
+      Vector              &r     = work.state.viscous_strain;
+      if (start.flow && start.split.is_split)
+        work.evolution.split_off(*start.flow);
       if (work.integrator != nullptr &&
-          setup.scene.time_integration.step_control ==
+          work.setup.scene.time_integration.step_control ==
             StepControlType::adaptive)
         work.evolution.set_scales(instants_of_scale(body, work.steps));
-      if (state.displacement.size() > 0)
+      if (work.state.displacement.size() > 0)
         work.systems.system_at(0.).contact_solver().start_from(
           touching_bounds(unilateral_bounds(body.lip, body.space),
-                          state.displacement));
-      if (work.start.direct)
-        state.viscous_strain = work.start.direct->motion.viscous_strain.front();
-      else if (body.effects.viscosity.on && state.viscous_strain.size() == 0)
-        body.points.initialize(state.viscous_strain,
-                               body.law.branches().size());
+                          work.state.displacement));
+      if (start.direct)
+        r = start.direct->motion.viscous_strain.front();
+      else if (body.effects.viscosity.on && r.size() == 0)
+        body.points.initialize(r, body.law.branches().size());
     }
 
 
@@ -105,28 +94,23 @@ namespace Crevasse
      * converged if they differ and another method may take over. */
     template <int dim>
     PeriodicResult
-    show_motion(const RunSetup<dim>           &setup,
-                Workspace<dim>                &work,
+    show_motion(Workspace<dim>                &work,
                 const std::vector<Observer *> &observers,
-                Checkpointer                  &checkpointer,
-                Log                           &log)
+                Checkpointer                  &checkpointer)
     {
-      constexpr double     tolerable = 1e-8;
-      const FourierResult &direct    = *work.start.direct;
-      FixedSteps           as_they_are;
-      PrescribedMotion     motion(direct.motion,
+      constexpr double        tolerable = 1e-8;
+      const FourierResult    &direct    = *work.start.direct;
+      StepControl             as_they_are;
+      PrescribedMotion        motion(direct.motion,
                               direct.rule,
                               work.steps.step(0),
-                              GridTools::diameter(setup.body.space.mesh()),
-                              setup.largest_nodal_force);
-      PeriodMap<dim>       period_map(
-        work.evolution, &motion, as_they_are, work.steps, &checkpointer);
-
+                              GridTools::diameter(work.setup.body.space.mesh()),
+                              work.setup.largest_nodal_force);
       std::vector<Observer *> all = observers;
       all.push_back(&motion);
       ObservedPeriods<dim> periods(
-        period_map,
-        [&work]() { return work.systems.statistics().vi_solves; },
+        {work.evolution, &motion, as_they_are, work.steps, &checkpointer},
+        solve_count(work),
         all,
         1);
       Vector r = direct.motion.viscous_strain.front();
@@ -134,15 +118,14 @@ namespace Crevasse
       periods.finish(r);
       const double defect = motion.largest_defect();
       periods.report(defect);
-      log.line("  harmonic balance: states and samples differ by " +
-               Text::from_number(defect) + " at most");
+      work.output.log.line("  harmonic balance: states and samples differ by " +
+                           Text::from_number(defect) + " at most");
       PeriodicResult result = periods.result();
       result.converged      = defect <= tolerable;
       if (!result.converged && !work.start.choice.may_fall_back)
         throw NumericalError(
-          "[Periodic state] Method = fourier: the periodic motion that was "
-          "found "
-          "is not one: its states differ from those of the same viscous strain "
+          "[Periodic state] Method = fourier: the motion found is not "
+          "periodic: its states differ from those of the same viscous strain "
           "by " +
           Text::from_number(defect) +
           " of their size. Look for moduli or relaxation times that differ by "
@@ -152,111 +135,77 @@ namespace Crevasse
 
 
 
-    /** Nothing if the viscous strain need not come back, or nobody asks. */
+    /** Whether the viscous strain has to come back after a period. */
     template <int dim>
-    std::optional<ReturnDefect<dim>>
-    return_defect(const RunSetup<dim>      &setup,
-                  const PeriodicStart      &start,
-                  const MaterialState<dim> &material,
-                  const UnilateralBounds   &bounds)
+    bool
+    requires_return(const Workspace<dim> &work)
     {
-      const Body<dim> &body = setup.body;
-      const bool       returns =
-        body.effects.viscosity.on &&
-        (start.split.strain_returns || body.law.has_spring());
+      const Body<dim> &body = work.setup.body;
       // What bears no stress matters to a march where a lip may touch.
-      if (!returns || (start.choice.method == PeriodicMethodType::march &&
-                       !body.effects.contact.on))
-        return {};
-      return std::optional<ReturnDefect<dim>>(
-        std::in_place,
-        body.points,
-        material,
-        flow_of(start),
-        start.split.is_split,
-        setup.relaxation_times.mean_fluidity_factor,
-        setup.scene.loads.period,
-        bounds);
-    }
-
-
-
-    /** Anderson::Settings::slowness */
-    template <int dim>
-    double
-    slowness(const RunSetup<dim> &setup)
-    {
-      // Infinite where nothing relaxes; what does not relax does not change
-      // either.
-      const double slowest = setup.relaxation_times.longest_in_mean;
-      return std::isfinite(slowest)
-               ? slowness_of_relaxation(setup.scene.loads.period / slowest)
-               : 1.;
+      return body.effects.viscosity.on &&
+             (work.start.split.strain_returns || body.law.has_spring()) &&
+             (work.start.choice.method != PeriodicMethodType::march ||
+              body.effects.contact.on);
     }
 
 
 
     template <int dim>
     ConvergenceStatus
-    accelerate(const RunSetup<dim>  &setup,
-               const bool            may_fall_back,
+    accelerate(Workspace<dim>       &work,
                ObservedPeriods<dim> &periods,
-               Log                  &log,
-               Vector               &r)
+               const double          slowness)
     {
-      const PeriodicStateParameters   &parameters = setup.scene.periodic_state;
-      const EnergyCoordinates<dim>     coordinates(setup.body.space,
-                                               setup.body.points,
-                                               setup.body.material.at(0.));
-      typename Anderson<dim>::Settings settings;
-      settings.acceleration     = {parameters.anderson_depth,
-                                   parameters.anderson_damping};
-      settings.delay            = parameters.anderson_delay;
-      settings.tolerance        = parameters.tolerance;
-      settings.slowness         = slowness(setup);
-      settings.patience         = 2 * parameters.anderson_depth;
-      settings.most_stagnations = std::numeric_limits<unsigned int>::max();
-      if (may_fall_back)
-        {
-          // Leaves most of the periods to what goes on.
-          settings.patience =
-            std::min(settings.patience, 1 + parameters.maximum_periods / 4);
-          settings.most_stagnations = 0;
-        }
-      Anderson<dim>           method(periods, coordinates, settings);
-      const ConvergenceStatus status = method.run(r);
+      const Body<dim>             &body = work.setup.body;
+      const EnergyCoordinates<dim> coordinates(body.space,
+                                               body.points,
+                                               body.material.at(0.));
+      Anderson<dim>                method(periods,
+                           coordinates,
+                           work.setup.scene.periodic_state,
+                           slowness,
+                           work.start.choice.may_fall_back);
+      const ConvergenceStatus status = method.run(work.state.viscous_strain);
       if (const unsigned int n = method.n_restarts(); n > 0)
-        log.line("  anderson began anew " +
-                 (n == 1 ? "once" : std::to_string(n) + " times") +
-                 ": residuals did not fall, or a step went astray");
+        work.output.log.line("  anderson began anew " +
+                             (n == 1 ? "once" : std::to_string(n) + " times") +
+                             ": residuals did not fall, or a step went astray");
       return status;
     }
 
 
 
-    /** The state at the end of the last period: seen by the observers if the
-     * run ends, or else where the next stage begins. */
+    /** @param left_at_last RunState::methods_left once only march is left. */
     template <int dim>
-    void
-    finish_stage(ObservedPeriods<dim> &periods,
-                 PeriodMap<dim>       &period_map,
-                 const Evolution<dim> &evolution,
-                 const unsigned int    maximum_periods,
-                 RunState             &state)
+    ConvergenceStatus
+    search(Workspace<dim>       &work,
+           ObservedPeriods<dim> &periods,
+           const unsigned int    left_at_last)
     {
-      const PeriodicResult &result = state.result;
-      state.stage.ends_run         = result.converged ||
-                             result.periods < state.stage.last_period ||
-                             result.periods >= maximum_periods;
-      if (state.stage.ends_run)
-        periods.finish(state.viscous_strain);
-      else
+      // Infinite where nothing relaxes; what does not relax does not change
+      // either.
+      const double slowest = work.setup.relaxation_times.longest_in_mean;
+      const double slowness =
+        std::isfinite(slowest)
+          ? slowness_of_relaxation(work.setup.scene.loads.period / slowest)
+          : 1.;
+      if (work.start.choice.method != PeriodicMethodType::march)
         {
-          period_map.finish(result.periods,
-                            state.viscous_strain,
-                            [](const Sample &) {});
-          state.displacement = evolution.state().displacement;
+          if (work.state.methods_left < left_at_last)
+            {
+              const ConvergenceStatus status =
+                accelerate(work, periods, slowness);
+              if (status != ConvergenceStatus::stagnant ||
+                  !work.start.choice.may_fall_back)
+                return status;
+              work.output.log.line("  anderson stagnates: march");
+            }
+          work.state.methods_left = left_at_last;
         }
+      return march(periods,
+                   work.setup.scene.periodic_state.tolerance,
+                   slowness,
+                   work.state.viscous_strain);
     }
   } // namespace
 
@@ -264,97 +213,82 @@ namespace Crevasse
 
   template <int dim>
   void
-  compute_periods(const RunSetup<dim>           &setup,
-                  Workspace<dim>                &work,
-                  const RunOutput               &output,
-                  const std::vector<Observer *> &observers,
-                  RunState                      &state)
+  compute_periods(Workspace<dim>                &work,
+                  const std::vector<Observer *> &observers)
   {
-    output.checkpoints.requests().stop_if_asked();
+    work.output.checkpoints.requests().stop_if_asked();
     TimerOutput::Scope             phase(work.phases, "time stepping");
+    const Body<dim>               &body       = work.setup.body;
     const PeriodicStart           &start      = work.start;
-    const PeriodicStateParameters &parameters = setup.scene.periodic_state;
+    const PeriodicStateParameters &parameters = work.setup.scene.periodic_state;
+    RunState                      &state      = work.state;
 
-    CheckpointWriter<dim>    writer(output.checkpoints,
-                                 setup.body,
-                                 n_stresses_of_checkpoint(setup, start.choice),
-                                 last_period_of_search(parameters),
-                                 [&](StateArchive &archive) {
-                                   work.add_to(state).serialize(archive);
-                                 });
-    const SerializationScope systems(&writer, [&](StateArchive &archive) {
+    CheckpointWriter<dim> writer(
+      work.output.checkpoints,
+      body,
+      n_stresses_of_checkpoint(work.setup, start.choice),
+      parameters.tolerance > 0. ? parameters.maximum_periods : 0,
+      [&work](StateArchive &archive) {
+        work.state_so_far().serialize(archive);
+      });
+    const SerializationScope systems(&writer, [&work](StateArchive &archive) {
       work.systems.serialize(archive);
     });
-    PeriodMap<dim>           period_map(work.evolution,
-                              work.integrator.get(),
-                              *work.step_control,
-                              work.steps,
-                              &writer);
-    prepare_evolution(setup, work, state);
+    prepare_evolution(work);
 
     const bool shows =
       start.choice.method == PeriodicMethodType::fourier && start.direct;
     PeriodicResult before = state.result;
     if (shows && state.methods_left == 0)
       {
-        before = show_motion(setup, work, observers, writer, output.log);
+        before = show_motion(work, observers, writer);
         if (before.converged)
           {
             state.result         = before;
             state.stage.ends_run = true;
             return;
           }
-        output.log.line("  anderson takes over");
+        work.output.log.line("  anderson takes over");
         ++state.methods_left;
       }
 
-    const UnilateralBounds bounds =
-      unilateral_bounds(setup.body.lip, setup.body.space);
-    const MaterialState<dim> material = setup.body.material.at(0.);
-    const auto           defect = return_defect(setup, start, material, bounds);
-    ObservedPeriods<dim> periods(
-      period_map,
-      [&work]() { return work.systems.statistics().vi_solves; },
-      observers,
-      std::min(parameters.maximum_periods, state.stage.last_period),
-      before,
-      !state.has_begun(),
-      defect ? &*defect : nullptr);
-    March<dim> march(periods, parameters.tolerance, slowness(setup));
-
-    Vector            &r            = state.viscous_strain;
-    const unsigned int left_at_last = shows ? 2 : 1;
-    ConvergenceStatus  status       = ConvergenceStatus::stagnant;
-    if (start.choice.method == PeriodicMethodType::march)
-      status = march.run(r);
-    else if (state.methods_left < left_at_last)
-      status =
-        accelerate(setup, start.choice.may_fall_back, periods, output.log, r);
-    if (status == ConvergenceStatus::stagnant && start.choice.may_fall_back)
-      {
-        if (state.methods_left < left_at_last)
-          output.log.line("  anderson stagnates: march");
-        state.methods_left = left_at_last;
-        status             = march.run(r);
-      }
-    state.result           = periods.result();
-    state.result.converged = status == ConvergenceStatus::converged;
-    finish_stage(
-      periods, period_map, work.evolution, parameters.maximum_periods, state);
+    const UnilateralBounds   bounds   = unilateral_bounds(body.lip, body.space);
+    const MaterialState<dim> material = body.material.at(0.);
+    const ReturnDefect<dim>  defect{
+      body.points.n_local_points(),
+      material,
+      start.flow ? &*start.flow : nullptr,
+      start.split.is_split,
+      work.setup.relaxation_times.mean_fluidity_factor,
+      work.setup.scene.loads.period,
+      bounds};
+    ObservedPeriods<dim>    periods({work.evolution,
+                                     work.integrator.get(),
+                                     *work.step_control,
+                                     work.steps,
+                                     &writer},
+                                 solve_count(work),
+                                 observers,
+                                 std::min(parameters.maximum_periods,
+                                          state.stage.last_period),
+                                 before,
+                                 !state.has_begun(),
+                                 requires_return(work) ? &defect : nullptr);
+    const ConvergenceStatus status = search(work, periods, shows ? 2 : 1);
+    state.result                   = periods.result();
+    state.result.converged         = status == ConvergenceStatus::converged;
+    state.stage.ends_run           = state.result.converged ||
+                           state.result.periods < state.stage.last_period ||
+                           state.result.periods >= parameters.maximum_periods;
+    periods.finish(state.viscous_strain, state.stage.ends_run);
+    if (!state.stage.ends_run) // where the next stage begins
+      state.displacement = work.evolution.state().displacement;
   }
 
 
 
   template void
-  compute_periods<2>(const RunSetup<2> &,
-                     Workspace<2> &,
-                     const RunOutput &,
-                     const std::vector<Observer *> &,
-                     RunState &);
+  compute_periods(Workspace<2> &, const std::vector<Observer *> &);
   template void
-  compute_periods<3>(const RunSetup<3> &,
-                     Workspace<3> &,
-                     const RunOutput &,
-                     const std::vector<Observer *> &,
-                     RunState &);
+  compute_periods(Workspace<3> &, const std::vector<Observer *> &);
 } // namespace Crevasse

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
+#include <crevasse/base/libraries.h>
+#include <crevasse/base/machine_memory.h>
+#include <crevasse/base/text.h>
+#include <crevasse/base/version.h>
 #include <crevasse/simulation/conclusion.h>
+#include <crevasse/simulation/setup_report.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <numeric>
 
 namespace Crevasse
 {
@@ -15,70 +21,172 @@ namespace Crevasse
 
   namespace
   {
-    /** How many periods more a march takes if the error goes on to shrink as
-     * its estimate supposes, in brackets; nothing as long as this cannot be
-     * told.
-     *
-     * @param is_iterative whether contact problems are solved to their
-     * tolerance only. */
-    std::string
-    periods_to_go(const PeriodicResult &result,
-                  const double          tolerance,
-                  const bool            is_iterative)
+    /** What integrator and step control have counted. */
+    template <int dim>
+    void
+    summarise_steps(const Workspace<dim> &work, Log &log, Summary &summary)
     {
-      constexpr double small  = 1e-8; // direct solvers stay far below it
-      const double     change = result.stress_change.back();
-      const double     error  = result.stress_error_estimate.back();
-      // What the strain still lacks does not fall with the changes.
-      if (result.periods < 3 || result.return_defect >= error)
-        return "";
-      std::ostringstream text;
-      if (std::isfinite(error))
-        text << " (about "
-             << std::ceil(std::log(tolerance / error) /
-                          std::log(error / (change + error)))
-             << " more at the current rate)";
-      else if (is_iterative && change <= small)
-        text << " (the changes do not shrink at present; so small, they may be "
-                "those of the solutions: lower [Contact] Tolerance, or set "
-                "Solver = automatic)";
-      else
-        text << " (the changes do not shrink steadily at present)";
-      return text.str();
-    }
-
-
-
-    /** The first period after which the change of stress was within the
-     * tolerance, as the paper asks; 0: none. */
-    unsigned int
-    end_by_change(const PeriodicResult &result, const double tolerance)
-    {
-      for (unsigned int k = 1; k < result.stress_change.size(); ++k)
-        if (result.stress_change[k] <= tolerance)
-          return k + 1;
-      return 0;
+      if (work.integrator == nullptr)
+        return;
+      IntegratorStatistics statistics = work.integrator->statistics();
+      for (const auto &entry : work.step_control->statistics())
+        statistics.push_back(entry);
+      if (statistics.empty())
+        return;
+      std::vector<std::string> parts;
+      for (const auto &[name, number] : statistics)
+        {
+          summary["time_integration"][name] = number;
+          parts.push_back(std::to_string(number) + ' ' + name);
+          std::replace(parts.back().begin(), parts.back().end(), '_', ' ');
+        }
+      log.line("");
+      log.line("  " + Text::join(parts, ", "));
     }
 
 
 
     void
+    describe_certificate(const SolverStatistics &statistics,
+                         const double            tolerance,
+                         Log                    &log)
+    {
+      if (statistics.certified == 0)
+        return; // nothing to certify
+      log.line("");
+      log.line("  certificate of " + std::to_string(statistics.certified) +
+               " solves: " + statistics.certificate.describe() +
+               Text::format(" (accepted up to %.2g)", statistics.accuracy));
+      constexpr double poor = 1e-6;
+      if (statistics.accuracy > std::max(poor, tolerance))
+        log.line(
+          "  Beware: the stiffness is badly conditioned. Rounding leaves "
+          "an accuracy of " +
+          Text::from_number(statistics.accuracy) +
+          " only, not [Contact] Tolerance = " + Text::from_number(tolerance) +
+          ". Very flat cells, a Poisson ratio close to its limits or moduli "
+          "that differ by many orders of magnitude do this.");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  summarise_run(const Workspace<dim> &work, Summary &summary)
+  {
+    const RunSetup<dim> &setup = work.setup;
+    Log                 &log   = work.output.log;
+    summary["version"]         = CREVASSE_VERSION;
+    summary["git"]             = CREVASSE_GIT_REVISION;
+    summary["libraries"]       = library_versions();
+    summary["dimension"]       = dim;
+    summary.update(sizes_of(setup.body));
+    for (const Effects::Effect &effect : setup.active_effects(work.start.split))
+      summary["effects"][effect.name] = {{"on", effect.on},
+                                         {"why", effect.why}};
+
+    summary["periodic_method"] = work.start.choice.describe();
+    std::vector<std::string> all_warnings =
+      warnings(setup, work.start.choice, work.start.split);
+    all_warnings.insert(all_warnings.end(),
+                        work.start.warnings.begin(),
+                        work.start.warnings.end());
+    summary["warnings"] = all_warnings;
+
+    work.systems.summarise(summary);
+    summary["counters"]["rate_evaluations"] =
+      work.state.rate_evaluations + work.evolution.n_rate_evaluations();
+    summarise_steps(work, log, summary);
+    describe_certificate(work.systems.statistics(),
+                         setup.scene.contact.tolerance,
+                         log);
+  }
+
+
+
+  template <int dim>
+  void
+  write_summary(const Workspace<dim> &work, Summary &summary)
+  {
+    const RunState       &state        = work.state;
+    const PeriodicResult &result       = state.result;
+    const MPI_Comm        communicator = work.setup.body.space.communicator();
+    if (work.start.direct)
+      work.start.direct->add_to(summary);
+    // By which --resume tells whether they are of the scene that is asked for.
+    if (work.output.checkpoints.is_on())
+      summary["scene"] = work.output.checkpoints.scene();
+    summary["stress_change"]         = result.stress_change;
+    summary["stress_error_estimate"] = result.stress_error_estimate;
+    summary["periods"]               = result.periods;
+    summary["converged"]             = // null: nothing was marched
+      result.periods > 0 ? Summary(result.converged) : Summary();
+    const double total = state.seconds.at("total");
+    for (const auto &[name, seconds] : state.seconds)
+      if (name != "total")
+        summary["seconds"][name] = seconds;
+    summary["seconds"]["total"] = total;
+    summary["processor_seconds"] =
+      Utilities::MPI::max(state.timer.cpu_time(), communicator);
+    const std::vector<double> peaks = peak_memory_of_ranks(communicator);
+    if (!peaks.empty())
+      {
+        summary["peak_memory_bytes"] =
+          *std::max_element(peaks.begin(), peaks.end());
+        summary["peak_memory_bytes_of_ranks"] = peaks;
+      }
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      write_summary(summary, work.output.directory + "/summary.json");
+    work.output.log.line(Text::format("  Time = %.2f s", total));
+  }
+
+
+
+  namespace
+  {
+    /** How many periods more a march takes if the error goes on to shrink as
+     * its estimate supposes, in brackets; nothing as long as this cannot be
+     * told. */
+    std::string
+    periods_to_go(const PeriodicResult &result, const double tolerance)
+    {
+      const double change = result.stress_change.back();
+      const double error  = result.stress_error_estimate.back();
+      // What the strain still lacks does not fall with the changes.
+      if (result.periods < 3 || result.return_defect >= error ||
+          !std::isfinite(error))
+        return "";
+      return Text::Message() << " (about "
+                             << std::ceil(std::log(tolerance / error) /
+                                          std::log(error / (change + error)))
+                             << " more at the current rate)";
+    }
+
+
+
+    /** Tells after which period the change of stress was within the tolerance,
+     * as the paper asks, unless that is the last one. */
+    void
     report_end_by_change(const PeriodicResult &result,
                          const double          tolerance,
                          Log                  &log)
     {
-      const unsigned int early = end_by_change(result, tolerance);
-      if (tolerance == 0. || early == 0 || early == result.periods)
+      if (tolerance == 0.)
         return;
-      std::ostringstream text;
-      text
-        << "  The change of stress alone (the paper's test) would have ended "
-           "the march after "
-        << early << " periods";
-      if (const double error = result.stress_error_estimate[early - 1];
-          std::isfinite(error))
-        text << ", with an estimated error of " << error;
-      log.line(text.str() + '.');
+      for (unsigned int k = 1; k + 1 < result.periods; ++k)
+        if (result.stress_change[k] <= tolerance)
+          {
+            const double  error = result.stress_error_estimate[k];
+            Text::Message text;
+            text << "  The change of stress alone (the paper's test) would "
+                    "have ended the march after "
+                 << k + 1 << " periods";
+            if (std::isfinite(error))
+              text << ", with an estimated error of " << error;
+            log.line(text << '.');
+            return;
+          }
     }
 
 
@@ -86,14 +194,14 @@ namespace Crevasse
     void
     require_meaning(const double stress_rounding, const bool is_split, Log &log)
     {
-      constexpr double   doubtful = 1e-6, worthless = 1e-2;
-      std::ostringstream rounding;
-      rounding
+      constexpr double  doubtful = 1e-6, worthless = 1e-2;
+      const std::string text =
+        Text::Message()
         << "Rounding leaves errors of " << stress_rounding
         << " of its maximum in the stress, which is the difference of total "
-           "and "
-           "viscous strain times the stiffness: the body has flown too far, or "
-           "is too stiff against changes of volume (Poisson ratio near 0.5). "
+           "and viscous strain times the stiffness: the body has flown too "
+           "far, or is too stiff against changes of volume (Poisson ratio near "
+           "0.5). "
         << (is_split
               ? "Look"
               : "Split off the mean flow ([Periodic state] Secular split = "
@@ -101,55 +209,64 @@ namespace Crevasse
         << " at the relaxation times, whether they are many orders below the "
            "period, and at the Poisson ratios.";
       if (stress_rounding > worthless)
-        throw NumericalError(rounding.str());
+        throw NumericalError(text);
       if (stress_rounding > doubtful)
-        log.line("  Beware: " + rounding.str());
+        log.line("  Beware: " + text);
+    }
+
+
+
+    /** @param reason with what to do besides. */
+    [[noreturn]] void
+    throw_another_state(const std::string &reason)
+    {
+      throw NotPeriodicError(
+        "The stress repeats, but it is not the periodic one: " + reason +
+        " march with [Periodic state] Tolerance = 0 over more periods, or, if "
+        "nothing but the loads depends on time, use Method = fourier with "
+        "Scheme = trapezoid. All results so far are written.");
     }
 
 
 
     template <int dim>
     void
-    require_contact_forces(const RunSetup<dim> &setup,
-                           const PeriodicStart &start,
-                           const Summary       &summary)
+    require_contact_forces(const Workspace<dim> &work, const Summary &summary)
     {
-      const auto &secular = summary["secular"];
+      const RunSetup<dim> &setup   = work.setup;
+      const PeriodicStart &start   = work.start;
+      const auto          &secular = summary["secular"];
       if (!start.flow || !setup.body.effects.contact.on || //
           setup.body.effects.varying_viscosity.on ||
           !secular.contains("mean_contact_force_of_last_period"))
         return;
       // Much more than the error of any reasonable steps, and not that small
-      // part of the load that a scheme's quadrature may miss.
-      constexpr double far = 0.5, part_of_load = 0.05;
+      // part of the load that a scheme's quadrature may miss; the forces are as
+      // exact as the solver finds them.
+      constexpr double far = 0.5, part_of_load = 0.05, rounding = 1e-10;
+      const MPI_Comm   communicator = setup.body.space.communicator();
+      const auto       forces       = start.flow->contact_forces.begin();
+      const auto       n_nodes      = setup.body.lip.nodes().size();
       const double     measured = secular["mean_contact_force_of_last_period"];
-      double           expected = 0.;
-      for (unsigned int k = 0; k < setup.body.lip.nodes().size(); ++k)
-        expected += start.flow->contact_forces[k];
-      expected = Utilities::MPI::sum(expected, setup.body.space.communicator());
+      const double     expected =
+        Utilities::MPI::sum(std::accumulate(forces, forces + n_nodes, 0.),
+                            communicator);
       const double difference = std::abs(measured - expected);
-      // As exactly as the solver finds them.
-      constexpr double rounding = 1e-10;
-      const double     error_of_forces =
-        std::max(rounding, setup.scene.contact.tolerance) *
-        setup.largest_nodal_force *
-        Utilities::MPI::sum(setup.body.lip.nodes().size(),
-                            setup.body.space.communicator());
+      const double error = std::max(rounding, setup.scene.contact.tolerance) *
+                           setup.largest_nodal_force *
+                           Utilities::MPI::sum(n_nodes, communicator);
       if (difference <= far * std::max(measured, expected) ||
           difference <= part_of_load * start.split.mean_load.l1_norm() ||
-          difference <= error_of_forces)
+          difference <= error)
         return;
-      std::ostringstream message;
-      message
-        << "The stress repeats, but it is not the periodic one: the lip bears "
-        << measured << " in the mean of the last period, and " << expected
+      throw_another_state(
+        Text::Message()
+        << "the lip bears " << measured
+        << " in the mean of the last period, and " << expected
         << " once its flow has become steady (mean contact force of the "
-           "secular problem). It still approaches contact, or leaves it, "
-           "or touches within a step only. All results so far are written. "
-           "Raise [Time integration] Steps per period, use [Periodic state] "
-           "Method = fourier with Scheme = trapezoid, or march with "
-           "Tolerance = 0 over more periods.";
-      throw NotPeriodicError(message.str());
+           "secular problem). It still approaches contact, or leaves it, or "
+           "touches within a step only; raise [Time integration] Steps per "
+           "period,");
     }
 
 
@@ -169,63 +286,45 @@ namespace Crevasse
       const double opening = summary["extremes"]["opening"];
       if (rate * scene.loads.period <= part * opening)
         return;
-      std::ostringstream message;
-      message
-        << "The stress repeats, but it is not the periodic one: the lip goes "
-           "on to close, by up to "
-        << rate * scene.loads.period << " in the last period, of an opening of "
-        << opening
-        << " at most. It will touch some time, and then the stress changes. "
-           "All results so far are written. Use [Periodic state] Method = "
-           "march with Tolerance = 0 over more periods, or, if nothing but "
-           "the loads depends on time, fourier with Scheme = trapezoid.";
-      throw NotPeriodicError(message.str());
+      throw_another_state(
+        Text::Message()
+        << "the lip goes on to close, by up to " << rate * scene.loads.period
+        << " in the last period, of an opening of " << opening
+        << " at most. It will touch some time, and then the stress changes;");
     }
 
 
 
     /** What a run that is not periodic yet has come to, and what to do. */
-    template <int dim>
     std::string
-    message_of_failure(const RunSetup<dim>  &setup,
-                       const PeriodicChoice &choice,
-                       const PeriodicResult &result,
-                       const bool            can_resume)
+    message_of_failure(const PeriodicStateParameters &parameters,
+                       const PeriodicChoice          &choice,
+                       const PeriodicResult          &result,
+                       const bool                     can_resume)
     {
-      const bool         marches = choice.method == PeriodicMethodType::march;
-      const double       error   = result.stress_error_estimate.back();
-      std::ostringstream message;
+      const bool    marches = choice.method == PeriodicMethodType::march;
+      const double  error   = result.stress_error_estimate.back();
+      Text::Message message;
       message << "The stress is not yet periodic: after " << result.periods
-              << " period" << (result.periods == 1 ? "" : "s");
-      if (!result.steps_repeat)
-        message << " its change cannot be told, for the adaptive steps of the "
-                   "last period are not those of the one before";
+              << (result.periods == 1 ? " period" : " periods");
+      message << " it still changes by " << result.stress_change.back()
+              << " of its maximum, and its error is ";
+      if (std::isfinite(error))
+        message << "estimated as " << error << ", more than ";
       else
-        {
-          message << " it still changes by " << result.stress_change.back()
-                  << " of its maximum, and its error is ";
-          if (std::isfinite(error))
-            message << "estimated as " << error << ", more than ";
-          else
-            message << "not known to be within ";
-          message << "[Periodic state] Tolerance = "
-                  << setup.scene.periodic_state.tolerance;
-          if (result.periods > 1 &&
-              result.return_defect > setup.scene.periodic_state.tolerance)
-            message
-              << ", for the viscous strain does not yet come back after a "
-                 "period";
-        }
+        message << "not known to be within ";
+      message << "[Periodic state] Tolerance = " << parameters.tolerance;
+      if (!result.steps_repeat)
+        message << ", for adaptive steps do not repeat";
+      else if (result.periods > 1 &&
+               result.return_defect > parameters.tolerance)
+        message << ", for the viscous strain does not yet return";
       message << ". All results so far are written. Raise \"Maximum periods\"";
       if (marches && result.steps_repeat)
-        message << periods_to_go(result,
-                                 setup.scene.periodic_state.tolerance,
-                                 setup.body.effects.contact.on &&
-                                   traits(setup.scene.contact.solver).relaxes);
-      message << " or \"Tolerance\"";
-      if (can_resume)
-        message << " and continue by --resume";
-      if (setup.scene.periodic_state.method == PeriodicMethodType::march)
+        message << periods_to_go(result, parameters.tolerance);
+      message << " or \"Tolerance\""
+              << (can_resume ? " and continue by --resume" : "");
+      if (parameters.method == PeriodicMethodType::march)
         message
           << ", set Method = automatic, which mostly needs fewer periods,";
       else if (choice.method == PeriodicMethodType::anderson)
@@ -233,7 +332,7 @@ namespace Crevasse
           << ", set Method = fourier with Scheme = trapezoid if nothing but "
              "the loads depends on time,";
       message << " or set Tolerance = 0 to compute a fixed number of periods.";
-      return message.str();
+      return message;
     }
   } // namespace
 
@@ -241,43 +340,40 @@ namespace Crevasse
 
   template <int dim>
   void
-  conclude(const RunSetup<dim>  &setup,
-           const PeriodicStart  &start,
-           const PeriodicResult &result,
-           const Summary        &summary,
-           const bool            can_resume,
-           Log                  &log)
+  conclude(const Workspace<dim> &work, const Summary &summary)
   {
-    const double tolerance = setup.scene.periodic_state.tolerance;
-    if (setup.body.effects.viscosity.on && result.periods > 0)
+    const PeriodicResult &result = work.state.result;
+    if (result.periods == 0)
+      return;
+    Log                           &log        = work.output.log;
+    const PeriodicStateParameters &parameters = work.setup.scene.periodic_state;
+    if (work.setup.body.effects.viscosity.on)
       require_meaning(summary["certificate"]["stress_rounding"],
-                      start.split.is_split,
+                      work.start.split.is_split,
                       log);
-    if (start.choice.method == PeriodicMethodType::march)
-      report_end_by_change(result, tolerance, log);
-    if (!result.converged && tolerance > 0. && result.periods > 0)
+    if (work.start.choice.method == PeriodicMethodType::march)
+      report_end_by_change(result, parameters.tolerance, log);
+    if (!result.converged && parameters.tolerance > 0.)
       throw NotPeriodicError(
-        message_of_failure(setup, start.choice, result, can_resume));
+        message_of_failure(parameters,
+                           work.start.choice,
+                           result,
+                           work.output.checkpoints.is_on()));
     if (!result.converged)
       return;
-    require_contact_forces(setup, start, summary);
-    require_lip_at_rest(setup.scene, summary);
+    require_contact_forces(work, summary);
+    require_lip_at_rest(work.setup.scene, summary);
   }
 
 
 
-  template void
-  conclude<2>(const RunSetup<2> &,
-              const PeriodicStart &,
-              const PeriodicResult &,
-              const Summary &,
-              const bool,
-              Log &);
-  template void
-  conclude<3>(const RunSetup<3> &,
-              const PeriodicStart &,
-              const PeriodicResult &,
-              const Summary &,
-              const bool,
-              Log &);
+#define INSTANTIATE(dim)                                               \
+  template void summarise_run<dim>(const Workspace<dim> &, Summary &); \
+  template void write_summary<dim>(const Workspace<dim> &, Summary &); \
+  template void conclude<dim>(const Workspace<dim> &, const Summary &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
 } // namespace Crevasse

@@ -1,166 +1,347 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/postprocess/contact_onset.h>
-#include <crevasse/postprocess/drift.h>
-#include <crevasse/postprocess/elastic_reference.h>
+#include <crevasse/base/csv_table.h>
+#include <crevasse/base/format.h>
+#include <crevasse/base/state_archive.h>
+#include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/field_writer.h>
-#include <crevasse/postprocess/load_work.h>
-#include <crevasse/postprocess/progress.h>
+#include <crevasse/postprocess/lip_state.h>
+#include <crevasse/postprocess/stress_writer.h>
+#include <crevasse/simulation/elastic_comparison.h>
 #include <crevasse/simulation/observers.h>
+#include <crevasse/simulation/secular_motion.h>
 
+#include <deal.II/base/bounding_box.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
 #include <utility>
 
 namespace Crevasse
 {
   using namespace dealii;
 
-  template <int dim>
-  template <typename Derived, typename... Arguments>
-  Derived *
-  Observers<dim>::add(Arguments &&...arguments)
+  namespace
   {
-    auto observer =
-      std::make_unique<Derived>(std::forward<Arguments>(arguments)...);
-    Derived *view = observer.get();
-    all.push_back(view);
-    owned.push_back(std::move(observer));
-    return view;
-  }
+    /** The largest stress, displacement, opening and viscous strain of a run,
+     * or of its last period, and what rounding leaves of the stress. */
+    template <int dim>
+    class Extremes : public Observer
+    {
+    public:
+      /** Follows the largest values in the state of the run, on this mesh after
+       * others. */
+      explicit Extremes(Workspace<dim> &work)
+        : body(work.setup.body)
+        , of_last_period(work.start.choice.periods_are_iterates())
+        , run(work.state)
+        , log(work.output.log)
+      {
+      }
 
+      void
+      observe(const Sample &sample) override
+      {
+        if (of_last_period && sample.step == 0)
+          run.largest_displacement = run.largest_opening = viscous_strain = 0.;
+        run.largest_displacement =
+          std::max(run.largest_displacement,
+                   sample.state.displacement.linfty_norm());
+        if (sample.viscous_strain.size() > 0)
+          viscous_strain =
+            std::max(viscous_strain, sample.viscous_strain.linfty_norm());
+        if (body.effects.contact.on)
+          lip = lip_state(body.lip, sample.state);
+        run.largest_opening =
+          std::max(run.largest_opening, lip.largest_opening);
+      }
 
+      void
+      end_of_period(const PeriodReport &report) override
+      {
+        run.largest_stress = std::max(of_last_period ? 0. : run.largest_stress,
+                                      report.largest_stress);
+      }
 
-  template <int dim>
-  Observers<dim>::Observers(const RunSetup<dim> &setup,
-                            Workspace<dim>      &work,
-                            const RunOutput     &output,
-                            const RunState      &state)
-  {
-    const Scene     &scene = setup.scene;
-    const Body<dim> &body  = setup.body;
-    Log             &log   = output.log;
-    const bool       writes =
-      Utilities::MPI::this_mpi_process(body.space.communicator()) == 0;
-    const auto file = [&](const std::string &name) {
-      names_of_tables.push_back(name);
-      return writes ? output.directory + '/' + name : std::string();
+      void
+      serialize(StateArchive &archive) override
+      {
+        archive.common(viscous_strain);
+      }
+
+      /** "stress_rounding" is relative to the maximum: the stress is K times
+       * the small difference of strains that may be large. */
+      void
+      summarise(Summary &summary) override
+      {
+        Summary &extremes  = summary["extremes"];
+        extremes["stress"] = run.largest_stress;
+        // With singular functions some unknowns are no displacements.
+        if (body.space.singular_shapes() == nullptr)
+          {
+            extremes["displacement"] = run.largest_displacement;
+            warn_of_large_displacements();
+          }
+        if (body.effects.contact.on)
+          extremes["opening"] = run.largest_opening;
+        if (!body.effects.viscosity.on)
+          return;
+        double     stiffness = 0.;
+        const auto material  = body.material.at(0.);
+        for (const VoigtMatrix<dim> &K : material.stiffness->distinct())
+          stiffness = std::max(stiffness, K.norm());
+        stiffness = Utilities::MPI::max(stiffness, body.space.communicator());
+        summary["certificate"]["stress_rounding"] =
+          run.largest_stress == 0.
+            ? 0.
+            : std::numeric_limits<double>::epsilon() * stiffness *
+                viscous_strain / run.largest_stress;
+      }
+
+      LipState lip; ///< of the last sample, with contact
+
+    private:
+      void
+      warn_of_large_displacements() const
+      {
+        constexpr double       small = 0.1;
+        const BoundingBox<dim> box(body.space.mesh().get_vertices());
+        const auto            &corners = box.get_boundary_points();
+        const double diagonal          = corners.first.distance(corners.second);
+        if (run.largest_displacement > small * diagonal)
+          log.line(Text::Message()
+                   << "  Beware: displacements reach "
+                   << run.largest_displacement << ", and the body is "
+                   << diagonal
+                   << " from corner to corner: the theory is one of small "
+                      "strains. Have loads, lengths and moduli one system of "
+                      "units, and may the body flow for so long?");
+      }
+
+      const Body<dim> &body;
+      const bool       of_last_period;
+      RunState        &run;
+      Log             &log;
+      double           viscous_strain = 0.; ///< largest component
     };
-    const bool is_continuing = state.has_tables();
-    const bool of_last       = work.start.choice.periods_are_iterates();
 
-    extremes = add<Extremes<dim>>(body, of_last, state, log);
+
+
+    /** A table with one row for each accepted step. */
+    class SampleTable : public Observer
+    {
+    public:
+      /** Collective, also on ranks that do not write. */
+      using Row = std::function<std::vector<double>(const Sample &)>;
+
+      SampleTable(CsvTable &&table, const Row &row)
+        : table(std::move(table))
+        , row(row)
+      {
+      }
+
+      void
+      observe(const Sample &sample) override
+      {
+        table.add_row(row(sample));
+      }
+
+    private:
+      CsvTable  table;
+      const Row row;
+    };
+
+
+
+    /** periods.csv: how the run approached its periodic state, at which cost.
+     * The same as lines of the log, and a line that moves on a terminal. */
+    class PeriodTable : public Observer
+    {
+    public:
+      PeriodTable(CsvTable      &&table,
+                  const Scene    &scene,
+                  const LipState &lip,
+                  Log            &log)
+        : table(std::move(table))
+        , scene(scene)
+        , lip(lip)
+        , log(log)
+      {
+        log.line("");
+        log.line("  period        t  change of stress  estimated error  VIs");
+      }
+
+      void
+      observe(const Sample &sample) override
+      {
+        if (!log.on_terminal())
+          return;
+        // A few lines a second are enough.
+        const double seconds = timer.wall_time();
+        if (seconds <= last_shown + 0.2)
+          return;
+        last_shown = seconds;
+        // In periods; no time is left to be told before anything is done.
+        const double done =
+          sample.period - 1. + sample.instant / scene.loads.period;
+        const double most = scene.periodic_state.maximum_periods;
+        log.progress(Text::format(
+          "  period %u of at most %.0f, step %u at t = %g, %u of the lip's "
+          "nodes closed, at most %.0f s left",
+          sample.period,
+          most,
+          sample.step + 1,
+          sample.time,
+          lip.closed_nodes,
+          done > 0. ? seconds * (most / done - 1.) : 0.));
+      }
+
+      void
+      end_of_period(const PeriodReport &report) override
+      {
+        table.add_row({double(report.period),
+                       report.end_time,
+                       report.stress_change,
+                       report.stress_error_estimate,
+                       double(report.vi_solves),
+                       report.seconds});
+        // The first period has none before it from which its stress could
+        // change, and adaptive steps may not be those of the period before.
+        const auto shown =
+          [](const char *pattern, const double value, const bool is_known) {
+            return is_known && std::isfinite(value)
+                     ? Text::format(pattern, value)
+                     : "-";
+          };
+        log.line(Text::format(
+          "  %6u %8g  %16s  %15s %4zu",
+          report.period,
+          report.end_time,
+          shown("%.6e", report.stress_change, report.period > 1).c_str(),
+          shown("%.1e", report.stress_error_estimate, true).c_str(),
+          report.vi_solves));
+      }
+
+    private:
+      CsvTable        table;
+      const Scene    &scene;
+      const LipState &lip;
+      Log            &log;
+      const Timer     timer;
+      double          last_shown = 0.;
+    };
+
+
+
+    template <int dim>
+    std::unique_ptr<FieldWriter<dim>>
+    make_field_writer(const Workspace<dim> &work)
+    {
+      std::set<double> instants = {work.steps.period()}; // the end of the run
+      for (const double t : work.setup.scene.output.field_times)
+        instants.insert(work.steps.instant(work.steps.nearest(t)));
+      return std::make_unique<FieldWriter<dim>>(work.setup.body,
+                                                work.setup.recovery,
+                                                instants,
+                                                work.output.directory,
+                                                work.output.log);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<std::unique_ptr<Observer>>
+  make_observers(Workspace<dim> &work)
+  {
+    const RunSetup<dim> &setup = work.setup;
+    const Body<dim>     &body  = setup.body;
+    Log                 &log   = work.output.log;
+
+    std::vector<std::unique_ptr<Observer>> all;
+    const auto                             add = [&all](auto observer) {
+      const auto view = observer.get();
+      all.push_back(std::move(observer));
+      return view;
+    };
+    std::vector<std::string> tables;
+    const bool               is_continuing = work.state.has_tables();
+    const auto               file          = [&](const std::string &name) {
+      tables.push_back(name);
+      const bool writes =
+        Utilities::MPI::this_mpi_process(body.space.communicator()) == 0;
+      return writes ? work.output.directory + '/' + name : std::string();
+    };
+    const auto table = [&](const std::string              &name,
+                           const std::vector<std::string> &columns) {
+      return CsvTable(file(name), columns, is_continuing);
+    };
+
+    const auto extremes = add(std::make_unique<Extremes<dim>>(work));
     for (const ProbeEvaluator<dim> &probe : setup.probes)
-      add<ProbeTable<dim>>(probe,
-                           file("probe_" + probe.name() + ".csv"),
-                           is_continuing);
+      add(std::make_unique<SampleTable>(
+        table("probe_" + probe.name() + ".csv", probe.columns()),
+        [&probe](const Sample &sample) { return probe.row(sample); }));
     if (body.effects.contact.on)
-      contact_table = add<ContactTable<dim>>(body.lip,
-                                             file("contact.csv"),
-                                             of_last,
-                                             is_continuing,
-                                             state.largest_opening);
-    add_drift(setup, work, state, log);
+      add(std::make_unique<SampleTable>(
+        table("contact.csv",
+              {"t", "closed_nodes", "force", "largest_pressure"}),
+        [&lip = extremes->lip](const Sample &sample) -> std::vector<double> {
+          return {sample.time,
+                  double(lip.closed_nodes),
+                  lip.force,
+                  lip.largest_pressure};
+        }));
+    const auto motion = add(std::make_unique<SecularMotion<dim>>(work));
+    if (setup.load_factors)
+      add(std::make_unique<ElasticComparison<dim>>(work, motion->drift()));
     if constexpr (dim == 2)
       if (setup.crack_tip != nullptr)
-        {
-          owned.push_back(
-            setup.crack_tip->make_table(work.systems,
+        add(setup.crack_tip->make_table(work.systems,
                                         work.steps,
                                         work.start.flow,
                                         {file("crack_tip.csv"), is_continuing},
                                         log));
-          all.push_back(owned.back().get());
-        }
     if (body.effects.field_output.on)
-      add<FieldWriter<dim>>(body.space,
-                            setup.recovery,
-                            body.lip,
-                            FieldTimes{work.steps, scene.output.field_times},
-                            output.directory,
-                            log);
-    if (scene.output.load_work)
-      add<LoadWork<dim>>(body.loads,
-                         work.steps,
-                         file("load_work.csv"),
-                         is_continuing);
-    add<PeriodTable>(file("periods.csv"), is_continuing);
-    add<Progress<dim>>(log,
-                       body.lip,
-                       work.steps.period(),
-                       scene.periodic_state.maximum_periods,
-                       body.space.communicator());
-  }
-
-
-
-  template <int dim>
-  void
-  Observers<dim>::add_drift(const RunSetup<dim> &setup,
-                            Workspace<dim>      &work,
-                            const RunState      &state,
-                            Log                 &log)
-  {
-    const Body<dim> &body  = setup.body;
-    const Vector    *drift = nullptr;
-    if (body.effects.viscosity.on)
-      drift =
-        &add<Drift<dim>>(work.steps, body.lip, setup.probes, contact_table)
-           ->last_period();
-    // The lip's nodes before were others.
-    if (body.effects.contact.on && work.start.flow && !state.has_begun())
-      add<ContactOnset<dim>>(body.lip, *work.start.flow, log);
-    if (setup.scene.output.elastic_comparison != ComparedLip::none)
-      add<ElasticComparison>(elastic_reference(setup.scene,
-                                               body,
-                                               work.systems,
-                                               work.steps,
-                                               setup.integrator.get()),
-                             drift,
-                             log);
-  }
-
-
-
-  template <int dim>
-  const std::vector<Observer *> &
-  Observers<dim>::list() const
-  {
+      add(make_field_writer(work));
+    if (setup.scene.output.load_work)
+      // ∫ loads · u (force times length, per thickness in the plane). For an
+      // elastic body whose lip has no gap half of it is the strain energy, and
+      // minus that half the least potential energy, against which errors in
+      // the energy norm are measured.
+      add(std::make_unique<SampleTable>(
+        table("load_work.csv", {"t", "load_work"}),
+        [&work](const Sample &sample) -> std::vector<double> {
+          const double t = work.steps.within_period(sample.instant);
+          return {sample.time,
+                  loads_at(work.setup.body, t) * sample.state.displacement};
+        }));
+    if (work.output.stress_record)
+      add(std::make_unique<StressWriter<dim>>(body,
+                                              work.output.directory +
+                                                "/stress_samples.bin"));
+    add(std::make_unique<PeriodTable>(table("periods.csv",
+                                            {"period",
+                                             "t_end",
+                                             "stress_change",
+                                             "stress_error_estimate",
+                                             "vi_solves",
+                                             "seconds"}),
+                                      setup.scene,
+                                      extremes->lip,
+                                      log));
+    work.output.checkpoints.set_tables(tables);
     return all;
   }
 
 
 
-  template <int dim>
-  const std::vector<std::string> &
-  Observers<dim>::tables() const
-  {
-    return names_of_tables;
-  }
-
-
-
-  template <int dim>
-  void
-  Observers<dim>::summarise(Summary &summary)
-  {
-    for (Observer *observer : all)
-      observer->summarise(summary);
-  }
-
-
-
-  template <int dim>
-  void
-  Observers<dim>::export_state(RunState &state) const
-  {
-    state.largest_stress       = extremes->largest_stress();
-    state.largest_displacement = extremes->largest_displacement();
-    if (contact_table != nullptr)
-      state.largest_opening = contact_table->largest_opening();
-  }
-
-
-
-  template class Observers<2>;
-  template class Observers<3>;
+  template std::vector<std::unique_ptr<Observer>>
+  make_observers(Workspace<2> &);
+  template std::vector<std::unique_ptr<Observer>>
+  make_observers(Workspace<3> &);
 } // namespace Crevasse

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
-#include <crevasse/linear/abandoned_factors.h>
-#include <crevasse/simulation/periodic_start.h>
+#include <crevasse/linear/mumps_instance.h>
+#include <crevasse/simulation/workspace.h>
 
 namespace Crevasse
 {
@@ -11,45 +11,19 @@ namespace Crevasse
 
   namespace
   {
-    /** Does without the flow, or throws. */
-    void
-    do_without_flow(const Scene       &scene,
-                    const std::string &what,
-                    PeriodicStart     &start)
-    {
-      SecularSplit &split = start.split;
-      if (scene.periodic_state.secular_split == SecularSplitType::on)
-        throw NumericalError("[Periodic state] Secular split = on: " + what);
-      if (split.is_split && !start.choice.may_fall_back)
-        throw NumericalError(what +
-                             " [Periodic state] Method = march does "
-                             "without.");
-      if (split.is_split)
-        start.choice = {PeriodicMethodType::march,
-                        false,
-                        true,
-                        "automatic: the flow was not found"};
-      // Nothing else of the run needs it.
-      split.is_split       = false;
-      split.strain_returns = false;
-      split.effect.on      = false;
-      split.effect.why     = what;
-    }
-
-
-
+    /** Does without the flow if it is not found, or throws. */
     template <int dim>
     void
-    find_secular_flow(const RunSetup<dim>     &setup,
-                      ContactSystemCache<dim> &systems,
-                      Log                     &log,
-                      PeriodicStart           &start)
+    find_secular_flow(Workspace<dim> &work)
     {
-      TimerOutput::Scope phase(systems.settings().phases, "secular problem");
+      PeriodicStart     &start = work.start;
+      TimerOutput::Scope phase(work.phases, "secular problem");
+      SecularSplit      &split = start.split;
       try
         {
-          start.flow =
-            solve_secular_problem(setup.body, start.split.mean_load, systems);
+          start.flow = solve_secular_problem(work.setup.body,
+                                             split.mean_load,
+                                             work.systems);
         }
       catch (const NumericalError &error)
         {
@@ -59,8 +33,22 @@ namespace Crevasse
               "the stationary contact problem for beta, with the "
               "viscosity for the stiffness, was not solved: ") +
             error.what();
-          do_without_flow(setup.scene, what, start);
-          log.line("  warning: " + what);
+          if (work.setup.scene.periodic_state.secular_split ==
+              SecularSplitType::on)
+            throw NumericalError("[Periodic state] Secular split = on: " +
+                                 what);
+          if (split.is_split && !start.choice.may_fall_back)
+            throw NumericalError(
+              what + " [Periodic state] Method = march does without.");
+          if (split.is_split)
+            start.choice = {PeriodicMethodType::march,
+                            false,
+                            true,
+                            "automatic: the flow was not found"};
+          // Nothing else of the run needs it.
+          split.is_split = split.strain_returns = split.effect.on = false;
+          split.effect.why                                        = what;
+          work.output.log.line("  warning: " + what);
         }
     }
 
@@ -90,19 +78,19 @@ namespace Crevasse
 
     template <int dim>
     void
-    balance_harmonics(const RunSetup<dim>     &setup,
-                      ContactSystemCache<dim> &systems,
-                      Log                     &log,
-                      PeriodicStart           &start)
+    balance_harmonics(Workspace<dim> &work)
     {
-      TimerOutput::Scope phase(systems.settings().phases, "harmonic balance");
+      const RunSetup<dim> &setup = work.setup;
+      PeriodicStart       &start = work.start;
+      Log                 &log   = work.output.log;
+      TimerOutput::Scope   phase(work.phases, "harmonic balance");
       try
         {
           FourierResult result =
             solve_fourier_problem(setup.scene,
                                   setup.body,
                                   setup.steps,
-                                  systems,
+                                  work.systems,
                                   setup.relaxation_times.smallest);
           for (const std::string &line : result.describe())
             log.line(line);
@@ -129,25 +117,22 @@ namespace Crevasse
 
 
   template <int dim>
-  PeriodicStart
-  find_periodic_start(const RunSetup<dim>     &setup,
-                      ContactSystemCache<dim> &systems,
-                      Log                     &log)
+  void
+  find_periodic_start(Workspace<dim> &work)
   {
-    PeriodicStart start{setup.periodic_choice, setup.secular_split, {}, {}, {}};
+    PeriodicStart &start = work.start;
     if (start.choice.uses_fourier())
-      balance_harmonics(setup, systems, log, start);
+      balance_harmonics(work);
     if (start.direct && start.choice.method == PeriodicMethodType::fourier)
-      take_flow(start, log);
+      take_flow(start, work.output.log);
     else if (start.split.effect.on)
-      find_secular_flow(setup, systems, log, start);
-    return start;
+      find_secular_flow(work);
   }
 
 
 
-  template PeriodicStart
-  find_periodic_start<2>(const RunSetup<2> &, ContactSystemCache<2> &, Log &);
-  template PeriodicStart
-  find_periodic_start<3>(const RunSetup<3> &, ContactSystemCache<3> &, Log &);
+  template void
+  find_periodic_start(Workspace<2> &);
+  template void
+  find_periodic_start(Workspace<3> &);
 } // namespace Crevasse

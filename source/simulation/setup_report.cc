@@ -1,45 +1,205 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
+#include <crevasse/base/machine_memory.h>
+#include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/model/jumps.h>
-#include <crevasse/parameters/formulas_of_scene.h>
-#include <crevasse/parameters/unused_parameters.h>
+#include <crevasse/model/largest_load.h>
+#include <crevasse/parameters/effects.h>
 #include <crevasse/simulation/setup_report.h>
-#include <crevasse/simulation/sizes.h>
 
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace Crevasse
 {
+  using namespace dealii;
+
   namespace
   {
-    /** A-priori bound of the periods that a march takes, where there is one. */
+    /** What is kept at quadrature points and unknowns, on this rank. */
+    template <int dim>
+    double
+    bytes_of_fields(const RunSetup<dim> &setup)
+    {
+      const Body<dim>      &body    = setup.body;
+      const Scene          &scene   = setup.scene;
+      const PeriodicChoice &choice  = setup.periodic_choice;
+      const double          n_steps = setup.steps.n_steps();
+      const double vector = body.space.locally_owned_unknowns().n_elements();
+      const double stress =
+        n_stress_components<dim> * double(body.points.n_local_points());
+      const double strain =
+        body.effects.viscosity.on ? body.law.branches().size() * stress : 0.;
+      // The stress of all samples of a period, compared with the next; stages
+      // and work space.
+      double values = (n_steps + 8.) * stress + 5. * strain + 30. * vector;
+      if (choice.method == PeriodicMethodType::anderson)
+        values += 4. * (scene.periodic_state.anderson_depth + 2.) * strain;
+      if (choice.uses_fourier())
+        values += n_steps * (strain + 2. * vector);
+      // Instants of the output, and one being written: patches and text.
+      if (body.effects.field_output.on)
+        values +=
+          (1. + scene.output.field_times.size()) * (vector + stress + strain) +
+          10. * stress;
+      return sizeof(double) * values;
+    }
+
+
+
+    /** Of all stiffnesses that are kept, on this rank: more than one if it
+     * varies. */
+    template <int dim>
+    double
+    bytes_of_solvers(const RunSetup<dim> &setup, const unsigned int n_ranks)
+    {
+      const Body<dim>       &body = setup.body;
+      const LinearSolverType type = setup.solvers.linear.type;
+      double                 one  = bytes_of_solver<dim>(type,
+                                        body.space.n_unknowns(),
+                                        n_unknowns_of_first_mesh(body),
+                                        body.space.finite_element().degree,
+                                        n_ranks) /
+                   n_ranks;
+      // Without a matrix, K of each point.
+      constexpr int n = n_stress_components<dim>;
+      if (type == LinearSolverType::gmg &&
+          body.material.at(0.).stiffness->is_individual())
+        one +=
+          0.5 * n * (n + 1) * sizeof(double) * body.points.n_local_points();
+      if (!body.material.stiffness_varies())
+        return one;
+      constexpr double mebibyte = 1024. * 1024.;
+      return one +
+             std::min(2. * setup.steps.n_steps() * one,
+                      setup.scene.linear_solver.memory_for_instants * mebibyte);
+    }
+
+
+
+    struct Part
+    {
+      const char *name;
+      double      bytes;
+      const char *advice; ///< if it is the largest
+    };
+
+
+
+    /** Otherwise the run would end without a message, or take the machine with
+     * it.
+     *
+     * @param total bytes on this rank, and @p libraries those of libraries. */
+    void
+    require_enough(const double   total,
+                   const double   libraries,
+                   const Part    &largest,
+                   const double   n_unknowns,
+                   const MPI_Comm communicator)
+    {
+      const double all   = sum_on_machine(total, communicator);
+      const double there = available_memory(communicator);
+      if (Utilities::MPI::max(all / there, communicator) <= memory_uncertainty)
+        return;
+      // Factors shrink faster than the unknowns.
+      const double of_all = sum_on_machine(libraries, communicator);
+      const double fitting =
+        n_unknowns *
+        Utilities::MPI::min(std::max(0., (there - of_all) / (all - of_all)),
+                            communicator);
+      throw SceneError(
+        "The run needs about " +
+        gigabytes(Utilities::MPI::max(all, communicator)) +
+        " of memory on a machine that has " +
+        gigabytes(Utilities::MPI::min(there, communicator)) +
+        " left, most of it for: " + largest.name + ". To change that, " +
+        largest.advice +
+        ", or use processes on more machines. With these settings about " +
+        std::to_string(static_cast<unsigned long>(fitting)) +
+        " unknowns fit; the mesh has " +
+        std::to_string(static_cast<unsigned long>(n_unknowns)) + ".");
+    }
+
+
+
+    /** Prints how much memory a run needs at its peak, on the process that
+     * needs most, by what needs it. Collective.
+     * @throw SceneError if the processes on a machine need more than it has
+     * left, with what would fit. */
     template <int dim>
     void
-    describe_decay(const RunSetup<dim> &setup, Log &log)
+    report_memory(const RunSetup<dim> &setup, Log &log)
     {
-      const double tolerance = setup.scene.periodic_state.tolerance;
-      if (setup.body.effects.contact.on || setup.integrator == nullptr ||
-          setup.body.law.has_spring() || tolerance == 0. ||
-          !setup.relaxation_times.all ||
-          setup.periodic_choice.method == PeriodicMethodType::fourier ||
-          setup.body.effects.varying_stiffness.on ||
-          setup.body.effects.varying_viscosity.on ||
-          setup.steps.largest_step() > 2. * setup.relaxation_times.smallest)
-        return;
-      // What differs from the periodic stress does no work: its energy falls at
-      // least as fast as that of the slowest point.
-      std::ostringstream text;
-      text << "  without contact the stress is periodic to " << tolerance
-           << ", in the norm of its energy, within "
-           << std::ceil(-std::log(tolerance) * setup.relaxation_times.largest /
-                        setup.scene.loads.period)
-           << " periods (slowest relaxation time "
-           << setup.relaxation_times.largest << ')';
-      log.line(text.str());
+      const Space<dim>  &space        = setup.body.space;
+      const MPI_Comm     communicator = space.communicator();
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(communicator);
+      const Part parts[] = {
+        // Of the smallest scene, measured.
+        {"libraries", n_ranks == 1 ? 180e6 : 195e6, "take fewer processes"},
+        {"mesh",
+         double(space.mesh().memory_consumption() +
+                space.dof_handler().memory_consumption()),
+         "make it coarser"},
+        {"fields",
+         bytes_of_fields(setup),
+         "make the mesh coarser, or lower [Time integration] Steps per period, "
+         "[Periodic state] Anderson depth or the number of [Output] Field "
+         "times"},
+        {"solver",
+         bytes_of_solvers(setup, n_ranks),
+         "make the mesh coarser, lower [Linear solver] Memory for instants, or "
+         "take Type = gmg or amg where it is allowed"}};
+      const auto megabytes = [communicator](const double bytes) {
+        return std::lround(1e-6 * Utilities::MPI::max(bytes, communicator));
+      };
+      double      total   = 0.;
+      const Part *largest = parts;
+      std::string list;
+      for (const Part &part : parts)
+        {
+          total += part.bytes;
+          if (part.bytes > largest->bytes)
+            largest = &part;
+          if (const long size = megabytes(part.bytes); size > 0)
+            list += (list.empty() ? ": " : ", ") + std::string(part.name) +
+                    ' ' + std::to_string(size);
+        }
+      log.line("  memory: about " + std::to_string(megabytes(total)) + " MB" +
+               (n_ranks > 1 ? " on each process" : "") + list);
+      require_enough(
+        total, parts[0].bytes, *largest, space.n_unknowns(), communicator);
+    }
+
+
+
+    template <int dim>
+    std::string
+    describe_time(const RunSetup<dim> &setup)
+    {
+      const TimeIntegrationParameters &time = setup.scene.time_integration;
+      const double                     step = setup.steps.largest_step();
+      Text::Message                    text;
+      if (time.step_control == StepControlType::adaptive)
+        text << "  time: adaptive steps, relative tolerance "
+             << time.relative_tolerance << ", at first none longer than "
+             << step;
+      else
+        text << "  time: " << setup.steps.n_steps()
+             << " steps a period, the largest " << step;
+      if (setup.integrator == nullptr)
+        return text;
+      const IntegratorProperties &integrator = setup.integrator->properties;
+      const double                limit =
+        integrator.stability_limit * setup.relaxation_times.smallest;
+      text << "; " << integrator.name << ", stable ";
+      return std::isfinite(limit) ? text << "below " << limit
+                                  : text << "with any step";
     }
 
 
@@ -56,28 +216,43 @@ namespace Crevasse
         setup.steps.largest_step() / setup.relaxation_times.smallest;
       if (setup.integrator == nullptr || in_relaxation_times <= 2.)
         return;
+      const std::string steps = Text::Message()
+                                << " with steps of " << in_relaxation_times
+                                << " relaxation times";
       if (!choice.uses_fourier() && time.scheme == Scheme::trapezoid)
-        {
-          std::ostringstream text;
-          text << "[Time integration] Scheme = trapezoid with steps of "
-               << in_relaxation_times
-               << " relaxation times: what relaxes so fast oscillates instead "
-                  "of decaying; with Scheme = sdirk2 it decays";
-          all.push_back(text.str());
-        }
+        all.push_back("[Time integration] Scheme = trapezoid" + steps +
+                      ": what relaxes so fast oscillates instead of decaying; "
+                      "with Scheme = sdirk2 it decays");
       if (time.scheme == Scheme::exponential &&
           time.step_control != StepControlType::adaptive)
-        {
-          std::ostringstream text;
-          text << "[Time integration] Scheme = exponential with steps of "
-               << in_relaxation_times
-               << " relaxation times is stable, but what creeps under given "
-                  "loads creeps by about one elastic strain a step at most; "
-                  "Scheme = sdirk2 is exact there";
-          all.push_back(text.str());
-        }
+        all.push_back("[Time integration] Scheme = exponential" + steps +
+                      " is stable, but what creeps under given loads creeps by "
+                      "about one elastic strain a step at most; Scheme = "
+                      "sdirk2 is exact there");
     }
   } // namespace
+
+
+
+  template <int dim>
+  Summary
+  sizes_of(const Body<dim> &body)
+  {
+    const Mesh<dim> &mesh         = body.space.mesh();
+    const MPI_Comm   communicator = body.space.communicator();
+    return {{"cells", mesh.n_global_active_cells()},
+            {"unknowns", body.space.n_unknowns()},
+            {"quadrature_points", body.points.n_points()},
+            {"contact_nodes",
+             Utilities::MPI::sum(body.lip.nodes().size(), communicator)},
+            {"cells_of_ranks",
+             Utilities::MPI::gather(communicator,
+                                    mesh.n_locally_owned_active_cells())},
+            {"levels", mesh.n_global_levels()},
+            // Longest diagonals.
+            {"smallest_cell", GridTools::minimal_cell_diameter(mesh)},
+            {"largest_cell", GridTools::maximal_cell_diameter(mesh)}};
+  }
 
 
 
@@ -90,30 +265,26 @@ namespace Crevasse
     std::vector<std::string> all   = unused_parameters(setup.scene);
     constexpr double         small = 0.1;
     if (setup.largest_thermal_strain > small)
-      {
-        std::ostringstream text;
-        text << "[Material] Thermal expansion and [Loads] Temperature: the "
-                "thermal strain is up to "
-             << setup.largest_thermal_strain
-             << "; the theory is one of small strains, much less than 1";
-        all.push_back(text.str());
-      }
+      all.push_back(
+        Text::Message()
+        << "[Material] Thermal expansion and [Loads] Temperature: the thermal "
+           "strain is up to "
+        << setup.largest_thermal_strain
+        << "; the theory is one of small strains, much less than 1");
     constexpr double      too_much = 0.5;
     const StepControlType control  = setup.scene.time_integration.step_control;
     if (setup.missed_load > too_much && control != StepControlType::adaptive)
-      {
-        std::ostringstream text;
-        text << "[Time integration]: within a step the loads differ by "
-             << std::lround(100. * setup.missed_load)
-             << " % of their largest from a straight line between its ends; "
-                "steps that are too few, or that meet a load at its zeros, "
-             << (setup.integrator == nullptr
-                   ? "show another load than the scene's. "
-                   : "compute with another load than the scene's. ")
-             << (control == StepControlType::list ? "Add instants to Steps"
-                                                  : "Raise Steps per period");
-        all.push_back(text.str());
-      }
+      all.push_back(Text::Message()
+                    << "[Time integration]: within a step the loads differ by "
+                    << std::lround(100. * setup.missed_load)
+                    << " % of their largest from a straight line between its "
+                       "ends; steps that "
+                       "are too few, or that meet a load at its zeros, "
+                    << (setup.integrator == nullptr ? "show" : "compute with")
+                    << " another load than the scene's. "
+                    << (control == StepControlType::list
+                          ? "Add instants to Steps"
+                          : "Raise Steps per period"));
     if (setup.steps.jumps_at(setup.steps.period()) &&
         !formulas_can_jump(setup.scene))
       all.push_back(
@@ -139,38 +310,31 @@ namespace Crevasse
   void
   describe(const RunSetup<dim> &setup, Log &log)
   {
-    if (!setup.scene.title.empty())
-      log.line(setup.scene.title);
-    describe_sizes(setup, log);
-    log.line("  boundaries: " + describe_boundaries<dim>(setup.scene));
+    const Scene &scene = setup.scene;
+    if (!scene.title.empty())
+      log.line(scene.title);
+    const Summary sizes = sizes_of(setup.body);
+    log.line(Text::Message()
+             << "  mesh: " << sizes["cells"] << " cells, " << sizes["unknowns"]
+             << " unknowns, " << sizes["quadrature_points"]
+             << " quadrature points, " << sizes["contact_nodes"]
+             << " contact nodes");
+    if (scene.refinement.strategy != RefinementStrategy::none)
+      log.line(
+        Text::format("  refinement: %s, %u levels, cells from %.3g to %.3g",
+                     traits(scene.refinement.strategy).name,
+                     sizes["levels"].get<unsigned int>(),
+                     sizes["smallest_cell"].get<double>(),
+                     sizes["largest_cell"].get<double>()));
+    report_memory(setup, log);
+    log.line("  boundaries: " + describe_boundaries<dim>(scene));
     for (const Effects::Effect &effect :
          setup.active_effects(setup.secular_split))
-      {
-        std::ostringstream text;
-        text << "  " << std::left << std::setw(19) << effect.name
-             << std::setw(4) << (effect.on ? "on" : "off") << '('
-             << Text::shorten(effect.why) << ')';
-        log.line(text.str());
-      }
-    std::ostringstream time;
-    if (setup.scene.time_integration.step_control == StepControlType::adaptive)
-      time << "  time: adaptive steps, relative tolerance "
-           << setup.scene.time_integration.relative_tolerance
-           << ", at first none longer than " << setup.steps.largest_step();
-    else
-      time << "  time: " << setup.steps.n_steps()
-           << " steps a period, the largest " << setup.steps.largest_step();
-    if (setup.integrator != nullptr)
-      {
-        const double limit =
-          setup.integrator->stability_limit() * setup.relaxation_times.smallest;
-        time << "; " << setup.integrator->description() << ", stable ";
-        if (std::isfinite(limit))
-          time << "below " << limit;
-        else
-          time << "with any step";
-      }
-    log.line(time.str());
+      log.line(Text::format("  %-19s%-4s(%s)",
+                            effect.name.c_str(),
+                            effect.on ? "on" : "off",
+                            Text::shorten(effect.why).c_str()));
+    log.line(describe_time(setup));
     log.line("  periodic state: " + setup.periodic_choice.describe());
     if (!traits(setup.solvers.contact.type).relaxes)
       log.line("  linear solver: " + setup.solvers.linear.describe());
@@ -178,7 +342,6 @@ namespace Crevasse
       log.line("  contact solver: " + setup.solvers.contact.describe());
     if (setup.crack_tip != nullptr)
       log.line(setup.crack_tip->describe());
-    describe_decay(setup, log);
     for (const std::string &warning :
          warnings(setup, setup.periodic_choice, setup.secular_split))
       log.line("  warning: " + warning);
@@ -187,6 +350,7 @@ namespace Crevasse
 
 
 #define INSTANTIATE(dim)                                                  \
+  template Summary                  sizes_of<dim>(const Body<dim> &);     \
   template std::vector<std::string> warnings<dim>(const RunSetup<dim> &,  \
                                                   const PeriodicChoice &, \
                                                   const SecularSplit &);  \

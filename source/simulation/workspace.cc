@@ -10,10 +10,15 @@ namespace Crevasse
   using namespace dealii;
 
   template <int dim>
-  Workspace<dim>::Workspace(const RunSetup<dim> &setup, Log &log)
+  Workspace<dim>::Workspace(const RunSetup<dim> &setup,
+                            const RunOutput     &output,
+                            RunState            &state)
+    : setup(setup)
+    , output(output)
+    , state(state)
     // Of this rank alone: with a communicator it would talk while an exception
     // is on its way.
-    : phases(std::cout, TimerOutput::never, TimerOutput::wall_times)
+    , phases(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , steps(setup.steps)
     , integrator(setup.make_integrator())
     , step_control(setup.make_step_control())
@@ -22,7 +27,7 @@ namespace Crevasse
               setup.solvers,
               steps,
               setup.largest_nodal_force,
-              log,
+              output.log,
               phases)
     , evolution(setup.body.strain_operator,
                 setup.body.points,
@@ -30,21 +35,23 @@ namespace Crevasse
                 systems)
     , start{setup.periodic_choice, setup.secular_split, {}, {}, {}}
   {
+    systems.add(state.solvers);
   }
 
 
 
   template <int dim>
   RunState
-  Workspace<dim>::add_to(RunState state) const
+  Workspace<dim>::state_so_far() const
   {
-    state.solvers = systems.statistics();
-    state.rate_evaluations += evolution.n_rate_evaluations();
+    RunState so_far = state;
+    so_far.solvers  = systems.statistics();
+    so_far.rate_evaluations += evolution.n_rate_evaluations();
     for (const auto &[name, seconds] :
          phases.get_summary_data(TimerOutput::total_wall_time))
-      state.seconds[name] += seconds;
-    state.seconds["total"] += timer.wall_time();
-    return state;
+      so_far.seconds[name] += seconds;
+    so_far.seconds["total"] += timer.wall_time();
+    return so_far;
   }
 
 

@@ -4,7 +4,6 @@
 #include <crevasse/temperature/simplex_locator.h>
 
 #include <algorithm>
-#include <boost/functional/hash.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -12,16 +11,6 @@
 namespace Crevasse
 {
   using namespace dealii;
-
-  template <int dim>
-  std::size_t
-  SimplexLocator<dim>::Hash::operator()(
-    const std::array<double, dim> &coordinates) const
-  {
-    return boost::hash_range(coordinates.begin(), coordinates.end());
-  }
-
-
 
   template <int dim>
   SimplexLocator<dim>::SimplexLocator(std::vector<Point<dim>> all_vertices,
@@ -128,7 +117,7 @@ namespace Crevasse
                                    const std::vector<double> &values,
                                    double                    &value) const
   {
-    std::array<double, dim> coordinates;
+    Coordinates coordinates;
     for (unsigned int d = 0; d < dim; ++d)
       coordinates[d] = point[d];
 

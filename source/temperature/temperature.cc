@@ -9,17 +9,15 @@
 namespace Crevasse
 {
   template <int dim>
-  Temperature<dim>::Temperature(const std::string &source, const double period)
+  Temperature<dim>::Temperature(const std::optional<Expression> &formula,
+                                const std::string               &file_name,
+                                const double                     period)
+    : formula(formula)
   {
-    if (Text::suffix(source) == ".csv")
-      file = std::make_unique<TemperatureTable<dim>>(source, period);
-    else if (is_file(source))
-      file = std::make_unique<TemperatureSeries<dim>>(source, period);
-    else
-      formula =
-        std::make_unique<Expression>(source,
-                                     Expression::Variables::space_and_time,
-                                     "[Loads] Temperature");
+    if (!formula && Text::suffix(file_name) == ".csv")
+      file = std::make_unique<TemperatureTable<dim>>(file_name, period);
+    else if (!formula)
+      file = std::make_unique<TemperatureSeries<dim>>(file_name, period);
   }
 
 
@@ -55,28 +53,10 @@ namespace Crevasse
 
   template <int dim>
   bool
-  Temperature<dim>::is_zero() const
-  {
-    return formula != nullptr && formula->is_zero();
-  }
-
-
-
-  template <int dim>
-  bool
   Temperature<dim>::depends_on_time() const
   {
     return file != nullptr ? file->n_instants() > 1
                            : formula->depends_on_time();
-  }
-
-
-
-  template <int dim>
-  bool
-  Temperature<dim>::depends_on_space() const
-  {
-    return file != nullptr || formula->depends_on_space();
   }
 
 

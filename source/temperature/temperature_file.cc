@@ -11,19 +11,8 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  template <int dim>
-  TemperatureFile<dim>::TemperatureFile(const std::string &file_name,
-                                        const double       period)
-    : file_name(file_name)
-    , period(period)
-  {
-  }
-
-
-
-  template <int dim>
   void
-  TemperatureFile<dim>::throw_error(const std::string &reason) const
+  refuse_temperature(const std::string &file_name, const std::string &reason)
   {
     throw SceneError("[Loads] Temperature = " + file_name + ": " + reason);
   }
@@ -36,20 +25,12 @@ namespace Crevasse
   {
     instants = std::move(new_instants);
     if (instants.front() < 0. || instants.back() > period)
-      throw_error(
+      refuse_temperature(
+        file_name,
         "its instants go from " + Text::from_number(instants.front()) + " to " +
-        Text::from_number(instants.back()) +
-        "; they must be within the period, from 0 to [Loads] Period = " +
-        Text::from_number(period) + ".");
-  }
-
-
-
-  template <int dim>
-  std::size_t
-  TemperatureFile<dim>::n_instants() const
-  {
-    return instants.size();
+          Text::from_number(instants.back()) +
+          "; they must be within the period, from 0 to [Loads] Period = " +
+          Text::from_number(period) + ".");
   }
 
 

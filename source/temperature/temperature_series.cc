@@ -18,16 +18,13 @@ namespace Crevasse
 
   namespace
   {
-    /** @throw SceneError */
-    using ThrowError = std::function<void(const std::string &)>;
-
     /** The arrays of numbers of an HDF5 file. deal.II's classes check nothing
      * in the optimised flavour. */
     class NumberFile
     {
     public:
-      NumberFile(const std::string &name, const ThrowError &throw_error)
-        : throw_error(throw_error)
+      NumberFile(const std::string &name)
+        : file_name(name)
       {
         if (const std::string why = why_unreadable(name); !why.empty())
           throw FileError("[Loads] Temperature = " + name + ": " + why);
@@ -93,8 +90,14 @@ namespace Crevasse
         return numbers;
       }
 
+      [[noreturn]] void
+      throw_error(const std::string &reason) const
+      {
+        refuse_temperature(file_name, reason);
+      }
+
     private:
-      const ThrowError &throw_error;
+      const std::string file_name;
       hid_t             file;
     };
 
@@ -102,9 +105,7 @@ namespace Crevasse
 
     template <int dim>
     std::shared_ptr<const SimplexLocator<dim>>
-    read_simplices(const NumberFile  &file,
-                   const std::string &number,
-                   const ThrowError  &throw_error)
+    read_simplices(const NumberFile &file, const std::string &number)
     {
       const auto coordinates = file.read("points_" + number, dim);
       const auto corners     = file.read("cells_" + number, dim + 1);
@@ -117,10 +118,11 @@ namespace Crevasse
       for (std::size_t i = 0; i < corners.size(); ++i)
         {
           if (!(corners[i] >= 0. && corners[i] < points.size()))
-            throw_error("its dataset \"cells_" + number + "\" has the entry " +
-                        Text::from_number(corners[i]) +
-                        "; allowed are integers from 0 to " +
-                        std::to_string(points.size() - 1) + ".");
+            file.throw_error("its dataset \"cells_" + number +
+                             "\" has the entry " +
+                             Text::from_number(corners[i]) +
+                             "; allowed are integers from 0 to " +
+                             std::to_string(points.size() - 1) + ".");
           cells[i / (dim + 1)][i % (dim + 1)] = corners[i];
         }
       return std::make_shared<const SimplexLocator<dim>>(std::move(points),
@@ -135,36 +137,31 @@ namespace Crevasse
                                             const double       period)
     : TemperatureFile<dim>(file_name, period)
   {
-    const ThrowError throw_error = [this](const std::string &reason) {
-      this->throw_error(reason);
-    };
-    const NumberFile file(file_name, throw_error);
+    const NumberFile file(file_name);
     const auto       times = file.read("times", 1);
     if (std::adjacent_find(times.begin(),
                            times.end(),
                            std::greater_equal<>()) != times.end())
-      throw_error("its dataset \"times\" must be ascending.");
+      file.throw_error("its dataset \"times\" must be ascending.");
     this->set_instants(times);
 
     const auto mesh_of = file.read("mesh_of", 1);
     if (mesh_of.size() != times.size())
-      throw_error(
+      file.throw_error(
         "its dataset \"mesh_of\" must have as many entries as \"times\".");
     std::map<double, std::shared_ptr<const SimplexLocator<dim>>> meshes;
     for (std::size_t i = 0; i < times.size(); ++i)
       {
         auto &locator = meshes[mesh_of[i]];
         if (locator == nullptr)
-          locator = read_simplices<dim>(file,
-                                        Text::from_number(mesh_of[i]),
-                                        throw_error);
+          locator = read_simplices<dim>(file, Text::from_number(mesh_of[i]));
         const std::string name = "theta_" + std::to_string(i);
         snapshots.push_back({locator, file.read(name, 1)});
         if (const std::size_t n = snapshots.back().values.size();
             n != locator->n_vertices())
-          throw_error("its dataset \"" + name + "\" has " + std::to_string(n) +
-                      " rows for " + std::to_string(locator->n_vertices()) +
-                      " points.");
+          file.throw_error("its dataset \"" + name + "\" has " +
+                           std::to_string(n) + " rows for " +
+                           std::to_string(locator->n_vertices()) + " points.");
       }
   }
 
@@ -178,16 +175,18 @@ namespace Crevasse
     const Snapshot &snapshot = snapshots[instant];
     double          value    = 0.;
     if (!snapshot.locator->interpolate(point, snapshot.values, value))
-      this->throw_error(
+      refuse_temperature(
+        this->file_name,
         "the body has the point " + Text::from_point(point) +
-        ", which lies outside of the mesh" +
-        (snapshots.size() == 1 ? ""
-                               : " of instant " + std::to_string(instant + 1) +
-                                   " of " + std::to_string(snapshots.size())) +
-        ", further than " +
-        Text::from_number(SimplexLocator<dim>::largest_gap) +
-        " of the size of the cells there; the mesh must cover the "
-        "body, in the same unit of length.");
+          ", which lies outside of the mesh" +
+          (snapshots.size() == 1
+             ? ""
+             : " of instant " + std::to_string(instant + 1) + " of " +
+                 std::to_string(snapshots.size())) +
+          ", further than " +
+          Text::from_number(SimplexLocator<dim>::largest_gap) +
+          " of the size of the cells there; the mesh must cover the "
+          "body, in the same unit of length.");
     return value;
   }
 

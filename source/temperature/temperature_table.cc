@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -26,36 +25,20 @@ namespace Crevasse
 
 
     template <int dim>
-    std::string
-    header()
-    {
-      return dim == 2 ? "t,x,y,theta" : "t,x,y,z,theta";
-    }
-
-
-
-    [[noreturn]] void
-    refuse_table(const std::string &file_name, const std::string &reason)
-    {
-      throw SceneError("[Loads] Temperature = " + file_name + ": " + reason);
-    }
-
-
-
-    template <int dim>
     std::vector<Row<dim>>
     read_rows(const std::string &file_name)
     {
+      const std::string  header = dim == 2 ? "t,x,y,theta" : "t,x,y,z,theta";
       std::istringstream file(read_text_file(file_name));
       std::string        line;
       if (!std::getline(file, line))
-        refuse_table(file_name, "is empty.");
+        refuse_temperature(file_name, "is empty.");
       line.erase(std::remove_if(line.begin(), line.end(), ::isspace),
                  line.end());
-      if (line != header<dim>())
-        refuse_table(file_name,
-                     "line 1 must be \"" + header<dim>() + "\", not \"" +
-                       Text::shorten(line) + "\".");
+      if (line != header)
+        refuse_temperature(file_name,
+                           "line 1 must be \"" + header + "\", not \"" +
+                             Text::shorten(line) + "\".");
 
       std::vector<Row<dim>> rows;
       for (unsigned int number = 2; std::getline(file, line); ++number)
@@ -64,16 +47,16 @@ namespace Crevasse
             continue;
           const auto values = Text::to_numbers(line);
           if (!values || values->size() != dim + 2)
-            refuse_table(file_name,
-                         "line " + std::to_string(number) + " must be " +
-                           std::to_string(dim + 2) +
-                           " numbers separated by commas, not \"" +
-                           Text::shorten(line) + "\".");
+            refuse_temperature(file_name,
+                               "line " + std::to_string(number) + " must be " +
+                                 std::to_string(dim + 2) +
+                                 " numbers separated by commas, not \"" +
+                                 Text::shorten(line) + "\".");
           rows.emplace_back();
           std::copy(values->begin(), values->end(), rows.back().begin());
         }
       if (rows.empty())
-        refuse_table(file_name, "has no rows below its header.");
+        refuse_temperature(file_name, "has no rows below its header.");
       return rows;
     }
 
@@ -89,15 +72,6 @@ namespace Crevasse
         values.insert(row[column]);
       return {values.begin(), values.end()};
     }
-
-
-
-    std::size_t
-    index_of(const std::vector<double> &values, const double value)
-    {
-      return std::lower_bound(values.begin(), values.end(), value) -
-             values.begin();
-    }
   } // namespace
 
 
@@ -107,8 +81,9 @@ namespace Crevasse
                                           const double       period)
     : TemperatureFile<dim>(file_name, period)
   {
-    const std::vector<Row<dim>> rows     = read_rows<dim>(file_name);
-    const std::vector<double>   instants = values_of<dim>(rows, 0);
+    std::vector<Row<dim>> rows = read_rows<dim>(file_name);
+    std::sort(rows.begin(), rows.end());
+    const std::vector<double> instants = values_of<dim>(rows, 0);
     this->set_instants(instants);
 
     std::array<std::vector<double>, dim> coordinates;
@@ -118,42 +93,44 @@ namespace Crevasse
       {
         coordinates[d] = values_of<dim>(rows, d + 1);
         if (coordinates[d].size() < 2)
-          this->throw_error("its points do not differ in coordinate " +
-                            std::to_string(d + 1) +
-                            "; a grid needs two at least.");
+          refuse_temperature(this->file_name,
+                             "its points do not differ in coordinate " +
+                               std::to_string(d + 1) +
+                               "; a grid needs two at least.");
         size[d] = coordinates[d].size();
         n_points *= coordinates[d].size();
         lower[d] = coordinates[d].front();
         upper[d] = coordinates[d].back();
       }
     if (rows.size() != n_points * instants.size())
-      this->throw_error("has " + std::to_string(rows.size()) + " rows; " +
-                        std::to_string(instants.size()) +
-                        " instants of a grid of " + std::to_string(n_points) +
-                        " points make " +
-                        std::to_string(instants.size() * n_points) + ".");
+      refuse_temperature(this->file_name,
+                         "has " + std::to_string(rows.size()) + " rows; " +
+                           std::to_string(instants.size()) +
+                           " instants of a grid of " +
+                           std::to_string(n_points) + " points make " +
+                           std::to_string(instants.size() * n_points) + ".");
 
-    std::vector<Table<dim, double>> tables(instants.size());
-    for (Table<dim, double> &table : tables)
-      table.reinit(size);
-    std::set<std::pair<std::size_t, std::size_t>> filled;
+    const auto twice = std::adjacent_find(
+      rows.begin(), rows.end(), [](const Row<dim> &a, const Row<dim> &b) {
+        return std::equal(a.begin(), a.begin() + dim + 1, b.begin());
+      });
+    if (twice != rows.end())
+      refuse_temperature(this->file_name,
+                         "has two rows for t = " +
+                           Text::from_number((*twice)[0]) +
+                           " at the same point.");
+
+    // In the order of the rows, z varies fastest: as in an array of C.
+    std::vector<double> values;
     for (const Row<dim> &row : rows)
+      values.push_back(row.back());
+    for (std::size_t k = 0; k < instants.size(); ++k)
       {
-        TableIndices<dim> place;
-        std::size_t       number = 0;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            place[d] = index_of(coordinates[d], row[d + 1]);
-            number   = number * size[d] + place[d];
-          }
-        const std::size_t instant = index_of(instants, row[0]);
-        if (!filled.emplace(instant, number).second)
-          this->throw_error("has two rows for t = " +
-                            Text::from_number(row[0]) + " at the same point.");
-        tables[instant](place) = row[dim + 1];
+        Table<dim, double> table;
+        table.reinit(size);
+        table.fill(values.begin() + k * n_points, true);
+        grids.push_back(std::make_unique<const Grid>(coordinates, table));
       }
-    for (Table<dim, double> &table : tables)
-      grids.push_back(std::make_unique<const Grid>(coordinates, table));
   }
 
 
@@ -166,10 +143,11 @@ namespace Crevasse
     for (unsigned int d = 0; d < dim; ++d)
       if (const double margin = 1e-10 * (upper[d] - lower[d]);
           point[d] < lower[d] - margin || point[d] > upper[d] + margin)
-        this->throw_error("the body has the point " + Text::from_point(point) +
-                          ", which lies outside of the grid from " +
-                          Text::from_point(lower) + " to " +
-                          Text::from_point(upper) + ".");
+        refuse_temperature(this->file_name,
+                           "the body has the point " + Text::from_point(point) +
+                             ", which lies outside of the grid from " +
+                             Text::from_point(lower) + " to " +
+                             Text::from_point(upper) + ".");
     return grids[instant]->value(point);
   }
 

@@ -1,17 +1,120 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/time/arkode.h>
+#include <crevasse/time/arkode_driver.h>
 
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <arkode/arkode_butcher_dirk.h>
+#include <arkode/arkode_butcher_erk.h>
 #include <cmath>
-#include <sstream>
 
 namespace Crevasse
 {
   namespace
   {
+    struct Choice
+    {
+      const char *name;
+      int         id;
+      /** How many times larger than the error of the stress over periods the
+       * estimate of a step is, which is that of the embedded method of lower
+       * order: measured (doc/time_schemes.md). */
+      double excess;
+      double limit = no_stability_limit;
+    };
+
+    // By order, from 2 on. The implicit ones are L-stable and have one γ on the
+    // diagonal, so that equal steps have equal matrices, and the last stage at
+    // the end of the step (Kennedy and Carpenter, Appl. Numer. Math. 44, 2003
+    // and 146, 2019). Not ARKODE's own choices: its SDIRK-2-1-2 is not
+    // L-stable, and the estimates of the others grow with stiffness.
+    constexpr Choice explicit_choices[] = {
+      {"Heun-Euler 2(1)", ARKODE_HEUN_EULER_2_1_2, 5., 2.},
+      {"Bogacki-Shampine 3(2)",
+       ARKODE_BOGACKI_SHAMPINE_4_2_3,
+       4.,
+       2.512745326618329},
+      {"Zonneveld 4(3)", ARKODE_ZONNEVELD_5_3_4, 20., 2.785293563405282},
+      {"Dormand-Prince 5(4)",
+       ARKODE_DORMAND_PRINCE_7_4_5,
+       1.,
+       3.306567892634947}};
+
+    /** The first is the method of "sdirk2". */
+    constexpr Choice implicit_choices[] = {
+      {"SDIRK2(1)", ARKODE_DIRK_NONE, 10.},
+      {"ESDIRK3(2)5L[2]SA", ARKODE_ESDIRK325L2SA_5_2_3, 1.},
+      {"ARK4(3)6L[2]SA-ESDIRK", ARKODE_ARK436L2SA_DIRK_6_3_4, 1.},
+      {"ESDIRK5(4)7L[2]SA2", ARKODE_ESDIRK547L2SA2_7_4_5, 1.}};
+
+
+
+    const Choice &
+    choice_of(const TimeIntegrationParameters &parameters)
+    {
+      return (parameters.scheme == Scheme::arkode_implicit
+                ? implicit_choices
+                : explicit_choices)[parameters.order - 2];
+    }
+
+
+
+    using Table =
+      std::unique_ptr<ARKodeButcherTableMem, void (*)(ARKodeButcherTable)>;
+
+    Table
+    make_table(const TimeIntegrationParameters &parameters)
+    {
+      const int          id    = choice_of(parameters).id;
+      ARKodeButcherTable table = nullptr;
+      if (parameters.scheme == Scheme::arkode_explicit)
+        table = ARKodeButcherTable_LoadERK(static_cast<ARKODE_ERKTableID>(id));
+      else if (parameters.order == 2)
+        {
+          // The weights of the embedded method differ by ±γ²: what it makes of
+          // a stiff component is −(1−γ) of it, so that the estimate stays
+          // bounded.
+          constexpr double gamma = 1. - dealii::numbers::SQRT1_2;
+          constexpr double shift = gamma * gamma;
+          double           c[]   = {gamma, 1.};
+          double           a[]   = {gamma, 0., 1. - gamma, gamma};
+          double           b[]   = {1. - gamma, gamma};
+          double           d[]   = {1. - gamma + shift, gamma - shift};
+          table = ARKodeButcherTable_Create(2, 2, 1, c, a, b, d);
+        }
+      else
+        table =
+          ARKodeButcherTable_LoadDIRK(static_cast<ARKODE_DIRKTableID>(id));
+      return {table, &ARKodeButcherTable_Free};
+    }
+
+
+
+    IntegratorProperties
+    properties_of(const TimeIntegrationParameters &parameters)
+    {
+      const Choice     &choice = choice_of(parameters);
+      const Table       table  = make_table(parameters);
+      const int         n      = table->stages;
+      const std::string name =
+        name_of(parameters.scheme) + " with " + choice.name;
+      if (parameters.step_control == StepControlType::adaptive)
+        return {name + ", adaptive steps",
+                choice.limit,
+                {{0., 0.5, 1.}, {}},
+                false,
+                true};
+      return {name,
+              choice.limit,
+              {{table->c, table->c + n}, {table->b, table->b + n}}};
+    }
+
+
+
     /** How much larger the largest entry of the rate of stress is than the root
      * mean square of all, for the elastic body over a period; at least 1. */
     double
@@ -34,168 +137,146 @@ namespace Crevasse
         }
       return mean > 0. ? std::sqrt(largest / mean) : 1.;
     }
+
+
+
+    class Arkode : public Integrator
+    {
+    public:
+      Arkode(const TimeIntegrationParameters &parameters, const double period)
+        : Integrator(properties_of(parameters))
+        , parameters(parameters)
+        , period(period)
+      {
+      }
+
+      void
+      start(RateEquation &f,
+            const double  t,
+            const Vector &r,
+            Vector       &rate) override
+      {
+        equation.attach(f);
+        if (!is_continuing)
+          equation.forget();
+        equation.show(t, r, rate);
+      }
+
+      void
+      advance(const TimeStep &step) override
+      {
+        equation.attach(step.f);
+        if (driver == nullptr)
+          make_driver(step);
+        else if (!is_continuing || driver->time() != step.t)
+          // A step of a list may be tried again with another length.
+          driver->restart(step.t, step.r, properties.controls_steps);
+        is_continuing = true;
+        if (properties.controls_steps)
+          take_own_steps(step.t + step.length, 1e-10 * step.length);
+        else
+          driver->fixed_step(step.length);
+        step.r = driver->state();
+      }
+
+      IntegratorStatistics
+      statistics() const override
+      {
+        if (driver == nullptr)
+          return {};
+        IntegratorStatistics all = driver->statistics();
+        all.emplace_back("evaluations", equation.n_evaluations());
+        if (properties.controls_steps && parameters.locate_contact_events)
+          all.emplace_back("contact_events", n_events);
+        return all;
+      }
+
+      void
+      serialize(StateArchive &archive) override
+      {
+        archive.section("arkode");
+        equation.serialize(archive);
+        archive.at_points(allowed_errors);
+        archive.common(is_continuing);
+        archive.common(n_events);
+        if (archive.is_loading())
+          driver.reset(); // made anew where it is needed
+      }
+
+    private:
+      /** Which begins with this step. */
+      void
+      make_driver(const TimeStep &step)
+      {
+        if (properties.controls_steps && allowed_errors.size() == 0)
+          allowed_errors = tolerances(step.f, step.r);
+        driver = std::make_unique<ArkodeDriver>(parameters.scheme ==
+                                                  Scheme::arkode_implicit,
+                                                make_table(parameters).get(),
+                                                equation,
+                                                step.t,
+                                                step.r);
+        if (!properties.controls_steps)
+          return;
+        driver->control_steps(allowed_errors, period / 4.);
+        if (parameters.locate_contact_events)
+          driver->seek_events();
+      }
+
+      /** The error of r that a step may make, see above. Solves for the elastic
+       * body at some instants. */
+      Vector
+      tolerances(const RateEquation &f, const Vector &r)
+      {
+        double stress = parameters.relative_tolerance * f.stress_scale() +
+                        parameters.absolute_tolerance;
+        if (stress == 0.) // No load at all: any will do.
+          stress = 1.;
+        Vector result;
+        f.strain_per_stress(r, result);
+        result *= choice_of(parameters).excess * stress /
+                  peak_of_elastic_rates(equation, result, period);
+        return result;
+      }
+
+      /** ARKODE's own steps, samples and events up to @p end. None goes beyond
+       * an instant at which the scene has a step end. */
+      void
+      take_own_steps(const double end, const double rounding)
+      {
+        while (driver->time() < end - rounding)
+          {
+            const double after = driver->end_of_step() + 1e-12 * period;
+            const auto   stop =
+              std::find_if(parameters.steps.begin(),
+                           parameters.steps.end(),
+                           [&](const double t) { return t > after; });
+            if (driver->evolve(end,
+                               stop != parameters.steps.end()
+                                 ? std::min(*stop, period)
+                                 : period))
+              {
+                ++n_events;
+                driver->restart(driver->time(), Vector(driver->state()), false);
+              }
+          }
+      }
+
+      const TimeIntegrationParameters parameters;
+      const double                    period;
+
+      CachedRate                    equation;
+      std::unique_ptr<ArkodeDriver> driver;         ///< once there is an r
+      Vector                        allowed_errors; ///< see tolerances()
+      std::size_t                   n_events = 0;
+    };
   } // namespace
 
 
 
-  Arkode::Arkode(const TimeIntegrationParameters &parameters,
-                 const double                     period)
-    : parameters(parameters)
-    , period(period)
-    , is_implicit(parameters.scheme == Scheme::arkode_implicit)
-    , is_adaptive(parameters.step_control == StepControlType::adaptive)
-    , table(is_implicit, parameters.order)
+  std::unique_ptr<Integrator>
+  make_arkode(const TimeIntegrationParameters &parameters, const double period)
   {
-  }
-
-
-
-  void
-  Arkode::start(RateEquation &f, const double t, const Vector &r, Vector &rate)
-  {
-    equation.attach(f);
-    if (!is_continuing)
-      equation.forget();
-    equation.show(t, r, rate);
-  }
-
-
-
-  ArkodeDriver::Settings
-  Arkode::settings(const RateEquation &f, const Vector &r)
-  {
-    if (is_adaptive && allowed_errors.size() == 0)
-      allowed_errors = tolerances(f, r);
-    constexpr double longest = 1. / 4.; // of the period
-    return {is_implicit,
-            longest * period,
-            allowed_errors,
-            is_adaptive && parameters.locate_contact_events};
-  }
-
-
-
-  void
-  Arkode::advance(RateEquation &f,
-                  const double  t,
-                  const double  time_step,
-                  const Vector &,
-                  Vector &r,
-                  Vector *)
-  {
-    equation.attach(f);
-    if (driver == nullptr)
-      driver =
-        std::make_unique<ArkodeDriver>(settings(f, r), table, equation, t, r);
-    else if (!is_continuing || driver->time() != t)
-      // A step of a list may be tried again with another length.
-      driver->restart(t, r, is_adaptive);
-    is_continuing = true;
-    if (is_adaptive)
-      take_own_steps(t + time_step, time_step);
-    else
-      driver->fixed_step(time_step);
-    r = driver->state();
-  }
-
-
-
-  Vector
-  Arkode::tolerances(const RateEquation &f, const Vector &r)
-  {
-    const double scale = f.stress_scale();
-    double       stress =
-      parameters.relative_tolerance * scale + parameters.absolute_tolerance;
-    constexpr double rounding = 1e-13;
-    if (stress < rounding * scale)
-      {
-        std::ostringstream message;
-        message << "[Time integration] Relative tolerance = "
-                << parameters.relative_tolerance
-                << " is below what rounding leaves of the stress. Set it, or "
-                   "Absolute tolerance, to at least "
-                << rounding << " times the largest stress.";
-        throw NumericalError(message.str());
-      }
-    if (stress == 0.) // No load at all: any will do.
-      stress = 1.;
-    Vector result;
-    f.strain_per_stress(r, result);
-    result *= table.excess_of_estimate() * stress /
-              peak_of_elastic_rates(equation, result, period);
-    return result;
-  }
-
-
-
-  double
-  Arkode::next_stop(const double t) const
-  {
-    const double rounding = 1e-12 * period;
-    for (const double stop : parameters.steps)
-      if (stop > t + rounding && stop < period)
-        return stop;
-    return period;
-  }
-
-
-
-  void
-  Arkode::take_own_steps(const double end, const double time_step)
-  {
-    const double rounding = 1e-10 * time_step;
-    while (driver->time() < end - rounding)
-      if (driver->evolve(end, next_stop(driver->end_of_step())))
-        {
-          ++n_events;
-          driver->restart(driver->time(), Vector(driver->state()), false);
-        }
-  }
-
-
-
-  void
-  Arkode::serialize(StateArchive &archive)
-  {
-    archive.section("arkode");
-    equation.serialize(archive);
-    archive.at_points(allowed_errors);
-    archive.common(is_continuing);
-    archive.common(n_events);
-    if (archive.is_loading())
-      driver.reset(); // made anew where it is needed
-  }
-
-
-
-  TimeQuadrature
-  Arkode::quadrature() const
-  {
-    if (is_adaptive)
-      return {{0., 0.5, 1.}, {}};
-    return table.quadrature();
-  }
-
-
-
-  std::string
-  Arkode::description() const
-  {
-    return name_of(parameters.scheme) + " with " + table.name() +
-           (is_adaptive ? ", adaptive steps" : "");
-  }
-
-
-
-  IntegratorStatistics
-  Arkode::statistics() const
-  {
-    if (driver == nullptr)
-      return {};
-    IntegratorStatistics all = driver->statistics();
-    all.emplace_back("evaluations", equation.n_evaluations());
-    if (is_adaptive && parameters.locate_contact_events)
-      all.emplace_back("contact_events", n_events);
-    return all;
+    return std::make_unique<Arkode>(parameters, period);
   }
 } // namespace Crevasse

@@ -30,44 +30,7 @@ namespace Crevasse
 #else
       SUNContext_Create(nullptr, &context);
 #endif
-      AssertThrow(context != nullptr, dealii::ExcOutOfMemory(0));
       return context;
-    }
-
-
-
-    const char *
-    advice(const int code)
-    {
-      switch (code)
-        {
-          case ARK_TOO_MUCH_ACC:
-            return "the tolerances are below the rounding of the viscous "
-                   "strain. Raise [Time integration] Relative tolerance or "
-                   "Absolute tolerance; under a mean load [Periodic state] "
-                   "Secular split = on keeps the strain small";
-          case ARK_TOO_MUCH_WORK:
-            return "there are more than 1000000 steps from one sample to the "
-                   "next. Raise [Time integration] Relative tolerance, or "
-                   "choose Scheme = arkode implicit or sdirk2";
-          case ARK_ERR_FAILURE:
-            return "no step is short enough for the tolerances. Raise [Time "
-                   "integration] Relative tolerance or Absolute tolerance "
-                   "above the accuracy of the contact problems ([Contact] "
-                   "Tolerance), look at what jumps in time at this instant, or "
-                   "choose Step control = uniform";
-          case ARK_CONV_FAILURE:
-            return "an implicit stage was not solved. Choose Scheme = sdirk2";
-          case ARK_RHSFUNC_FAIL:
-          case ARK_FIRST_RHSFUNC_ERR:
-          case ARK_REPTD_RHSFUNC_ERR:
-          case ARK_UNREC_RHSFUNC_ERR:
-          case ARK_RTFUNC_FAIL:
-            return "a contact problem was not solved";
-          default:
-            return "this is an internal error. Choose Scheme = sdirk2 or heun, "
-                   "and report it";
-        }
     }
   } // namespace
 
@@ -79,8 +42,26 @@ namespace Crevasse
                           const std::string &words)
   {
     std::ostringstream text;
-    text << "ARKODE stopped at t = " << t << " (code " << code
-         << "): " << advice(code) << '.';
+    text << "ARKODE stopped at t = " << t << " (code " << code << "): ";
+    if (code == ARK_TOO_MUCH_ACC)
+      text << "the tolerances are below the rounding of the viscous strain. "
+              "Raise [Time integration] Relative tolerance or Absolute "
+              "tolerance; under a mean load [Periodic state] Secular split = "
+              "on keeps the strain small.";
+    else if (code == ARK_TOO_MUCH_WORK)
+      text << "there are more than " << TimeIntegrationParameters::most_steps
+           << " steps from one sample to the next. Raise [Time integration] "
+              "Relative tolerance, or choose Scheme = arkode implicit or "
+              "sdirk2.";
+    else if (code == ARK_ERR_FAILURE)
+      text << "no step is short enough for the tolerances. Raise [Time "
+              "integration] Relative tolerance or Absolute tolerance above "
+              "the accuracy of the contact problems ([Contact] Tolerance), "
+              "look at what jumps in time at this instant, or choose Step "
+              "control = uniform.";
+    else
+      text << "this is an internal error. Choose Scheme = sdirk2 or heun, and "
+              "report it.";
     if (!words.empty())
       text << " In its own words: " << words;
     return text.str();
@@ -119,31 +100,34 @@ namespace Crevasse
 
 
 
-  ArkodeDriver::ArkodeDriver(const Settings    &settings,
-                             const ArkodeTable &table,
-                             CachedRate        &equation,
-                             const double       t,
-                             const Vector      &r)
-    : settings(settings)
-    , equation(equation)
+  ArkodeDriver::ArkodeDriver(const bool               is_implicit,
+                             const ARKodeButcherTable table,
+                             CachedRate              &equation,
+                             const double             t,
+                             const Vector            &r)
+    : equation(equation)
     , context(make_context(),
               [](SUNContext pointer) { SUNContext_Free(&pointer); })
     , current_time(t)
     , current(r)
     , view(make_nvector_view(current, context.get()))
-    , memory(ARKStepCreate(settings.is_implicit ? nullptr : &right_hand_side,
-                           settings.is_implicit ? &right_hand_side : nullptr,
+    , memory(ARKStepCreate(is_implicit ? nullptr : &right_hand_side,
+                           is_implicit ? &right_hand_side : nullptr,
                            t,
                            view,
                            context.get()),
              [](void *pointer) { ARKStepFree(&pointer); })
+    , solver(SUNNonlinSolNewEmpty(context.get()), &SUNNonlinSolFreeEmpty)
   {
-    AssertThrow(memory != nullptr, dealii::ExcOutOfMemory(0));
     collect_messages();
     check(ARKStepSetUserData(memory.get(), this));
-    set_method(table);
-    if (settings.tolerances.size() > 0)
-      set_step_control();
+    check(ARKStepSetTables(memory.get(),
+                           table->q,
+                           table->p,
+                           is_implicit ? table : nullptr,
+                           is_implicit ? nullptr : table));
+    if (is_implicit)
+      solve_stages_exactly();
   }
 
 
@@ -176,45 +160,102 @@ namespace Crevasse
 
 
 
+  // What ARKODE takes for a nonlinear solver: the stages z = z_p + z_c of a
+  // diagonally implicit method are the solutions of
+  //
+  //     z_c = d + γΔt f(z_p + z_c, t)
+  //
+  // with what is known, d, from the earlier stages (SUNDIALS 6.4, ARKODE,
+  // "Nonlinear solver methods"). That is r = r̂ + c f(r,t) with r̂ = z_p + d and
+  // c = γΔt: RateEquation::implicit_rate solves it, once and exactly.
   void
-  ArkodeDriver::set_method(const ArkodeTable &table)
+  ArkodeDriver::solve_stages_exactly()
   {
-    const ARKodeButcherTable tables = table.table();
-    check(ARKStepSetTables(memory.get(),
-                           tables->q,
-                           tables->p,
-                           settings.is_implicit ? tables : nullptr,
-                           settings.is_implicit ? nullptr : tables));
-    if (!settings.is_implicit)
-      return;
-    exact_stage = std::make_unique<ExactStage>(
-      [this](
-        const double t, const Vector &known, const double c, Vector &rate) {
-        return guarded([&]() { equation.implicit_rate(t, known, c, rate); });
-      },
-      context.get());
-    check(ARKStepSetNonlinearSolver(memory.get(), exact_stage->solver()));
-    // An exact stage has told its rate.
+    solver->content = this;
+    // One that needs no linear solver of ARKODE's.
+    solver->ops->gettype = [](SUNNonlinearSolver) {
+      return SUNNONLINEARSOLVER_FIXEDPOINT;
+    };
+    // The system is known without that.
+    solver->ops->setsysfn = [](SUNNonlinearSolver, SUNNonlinSolSysFn) {
+      return 0;
+    };
+    solver->ops->solve = [](SUNNonlinearSolver self,
+                            N_Vector,
+                            N_Vector correction,
+                            N_Vector,
+                            sunrealtype,
+                            sunbooleantype,
+                            void *) {
+      return static_cast<ArkodeDriver *>(self->content)
+        ->solve_stage(correction);
+    };
+    check(ARKStepSetNonlinearSolver(memory.get(), solver.get()));
+    // An exact stage has its rate.
     check(ARKStepSetDeduceImplicitRhs(memory.get(), 1));
   }
 
 
 
-  void
-  ArkodeDriver::set_step_control()
+  // To ARKODE what is negative is a failure that no other step mends.
+  int
+  ArkodeDriver::solve_stage(N_Vector correction)
   {
-    check(ARKStepSVtolerances(
-      memory.get(), 0., make_nvector_view(settings.tolerances, context.get())));
+    double   t, c;
+    N_Vector predicted, state, implicit_rate, data;
+    void    *user_data;
+    return guarded([&]() {
+      check(ARKStepGetNonlinearSystemData(memory.get(),
+                                          &t,
+                                          &predicted,
+                                          &state,
+                                          &implicit_rate,
+                                          &c,
+                                          &data,
+                                          &user_data));
+      known = *unwrap_nvector_const<Vector>(predicted);
+      known += *unwrap_nvector_const<Vector>(data);
+      rate.reinit(known, true);
+      equation.implicit_rate(t, known, c, rate);
+      Vector &z_c = *unwrap_nvector<Vector>(correction);
+      z_c         = *unwrap_nvector_const<Vector>(data);
+      z_c.add(c, rate);
+    });
+  }
+
+
+
+  void
+  ArkodeDriver::control_steps(Vector tolerances, const double longest_step)
+  {
+    check(ARKStepSVtolerances(memory.get(),
+                              0.,
+                              make_nvector_view(tolerances, context.get())));
     // What is constant for a while asks for steps that miss what comes after.
-    check(ARKStepSetMaxStep(memory.get(), settings.longest_step));
+    check(ARKStepSetMaxStep(memory.get(), longest_step));
     check(ARKStepSetMaxNumSteps(memory.get(),
                                 TimeIntegrationParameters::most_steps));
     // A jump of the load is met by steps of the size of the tolerance.
     check(ARKStepSetMaxErrTestFails(memory.get(), 50));
-    if (!settings.seeks_events)
-      return;
+  }
+
+
+
+  void
+  ArkodeDriver::seek_events()
+  {
+    const ARKRootFn functions =
+      [](sunrealtype t, N_Vector y, sunrealtype *values, void *user_data) {
+        auto *self = static_cast<ArkodeDriver *>(user_data);
+        return self->guarded([&]() {
+          self->rate.reinit(self->current, true);
+          self->equation.show(t, *unwrap_nvector_const<Vector>(y), self->rate);
+          const std::vector<double> all = self->switching_functions();
+          std::copy(all.begin(), all.end(), values);
+        });
+      };
     const int n = switching_functions().size();
-    check(ARKStepRootInit(memory.get(), n, n > 0 ? &root_function : nullptr));
+    check(ARKStepRootInit(memory.get(), n, n > 0 ? functions : nullptr));
     check(ARKStepSetNoInactiveRootWarn(memory.get()));
   }
 
@@ -245,23 +286,6 @@ namespace Crevasse
       self->equation.rate(t,
                           *unwrap_nvector_const<Vector>(y),
                           *unwrap_nvector<Vector>(f));
-    });
-  }
-
-
-
-  int
-  ArkodeDriver::root_function(sunrealtype  t,
-                              N_Vector     y,
-                              sunrealtype *values,
-                              void        *user_data)
-  {
-    auto *self = static_cast<ArkodeDriver *>(user_data);
-    return self->guarded([&]() {
-      Vector rate(self->current);
-      self->equation.show(t, *unwrap_nvector_const<Vector>(y), rate);
-      const std::vector<double> all = self->switching_functions();
-      std::copy(all.begin(), all.end(), values);
     });
   }
 

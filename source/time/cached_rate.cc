@@ -13,39 +13,20 @@
 
 namespace Crevasse
 {
-  void
-  CachedRate::attach(RateEquation &new_equation)
-  {
-    equation = &new_equation;
-  }
-
-
-
-  void
-  CachedRate::forget()
-  {
-    of_method.is_known = of_sample.is_known = false;
-    latest                                  = nullptr;
-  }
-
-
-
   bool
-  CachedRate::matches(const Evaluation &evaluation,
-                      const double      t,
-                      const Vector     &r)
+  CachedRate::Evaluation::is_of(const double time, const Vector &strain) const
   {
     // The last stage of a step is its end but for the order of summation.
     constexpr double rounding = 1e-13;
-    if (!evaluation.is_known ||
-        std::abs(t - evaluation.t) > rounding * std::abs(t))
+    if (!is_known || std::abs(time - t) > rounding * std::abs(time))
       return false;
     double difference = 0., size = 0.;
     for (std::size_t i = 0; i < r.locally_owned_size(); ++i)
       {
-        const double known = evaluation.r.local_element(i);
-        difference = std::max(difference, std::abs(r.local_element(i) - known));
-        size       = std::max(size, std::abs(known));
+        const double known = r.local_element(i);
+        difference =
+          std::max(difference, std::abs(strain.local_element(i) - known));
+        size = std::max(size, std::abs(known));
       }
     // Relative to what a rank has: one reduction is enough.
     const int differs = difference > rounding * size ? 1 : 0;
@@ -55,8 +36,18 @@ namespace Crevasse
 
 
   void
-  CachedRate::keep(const double t, const Vector &rate, Evaluation &evaluation)
+  CachedRate::evaluate(Evaluation   &evaluation,
+                       const double  t,
+                       const Vector &known,
+                       const double  c,
+                       Vector       &rate)
   {
+    evaluation.is_known = false;
+    latest              = nullptr;
+    if (c > 0.)
+      equation->implicit_rate(t, known, c, rate);
+    else
+      equation->rate(t, known, rate);
     ++evaluations;
     if (!std::isfinite(rate.l1_norm()))
       {
@@ -66,7 +57,10 @@ namespace Crevasse
                    "formulas of [Material] and [Loads] at this instant.";
         throw NumericalError(message.str());
       }
-    evaluation.t        = t;
+    evaluation.t = t;
+    evaluation.r = known;
+    if (c > 0.)
+      evaluation.r.add(c, rate);
     evaluation.rate     = rate;
     evaluation.is_known = true;
     latest              = &evaluation;
@@ -75,30 +69,15 @@ namespace Crevasse
 
 
   void
-  CachedRate::evaluate(const double  t,
-                       const Vector &r,
-                       Vector       &rate,
-                       Evaluation   &evaluation)
-  {
-    evaluation.is_known = false;
-    latest              = nullptr;
-    equation->rate(t, r, rate);
-    evaluation.r = r;
-    keep(t, rate, evaluation);
-  }
-
-
-
-  void
   CachedRate::rate(const double t, const Vector &r, Vector &rate)
   {
     for (const Evaluation *evaluation : {&of_method, &of_sample})
-      if (matches(*evaluation, t, r))
+      if (evaluation->is_of(t, r))
         {
           rate = evaluation->rate;
           return;
         }
-    evaluate(t, r, rate, of_method);
+    evaluate(of_method, t, r, 0., rate);
   }
 
 
@@ -106,26 +85,10 @@ namespace Crevasse
   void
   CachedRate::show(const double t, const Vector &r, Vector &rate)
   {
-    if (latest != nullptr && matches(*latest, t, r))
+    if (latest != nullptr && latest->is_of(t, r))
       rate = latest->rate;
     else
-      evaluate(t, r, rate, of_sample);
-  }
-
-
-
-  void
-  CachedRate::implicit_rate(const double  t,
-                            const Vector &known,
-                            const double  c,
-                            Vector       &rate)
-  {
-    of_method.is_known = false;
-    latest             = nullptr;
-    equation->implicit_rate(t, known, c, rate);
-    of_method.r = known;
-    of_method.r.add(c, rate);
-    keep(t, rate, of_method);
+      evaluate(of_sample, t, r, 0., rate);
   }
 
 

@@ -1,22 +1,57 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/state_archive.h>
 #include <crevasse/time/evolution.h>
-#include <crevasse/time/inelastic_strain.h>
 
 #include <algorithm>
 
 namespace Crevasse
 {
-  void
-  State::serialize(StateArchive &archive)
+  /** The strains of a material that are not elastic, at one point. */
+  template <int dim>
+  class InelasticStrain
   {
-    archive.nodal(displacement);
-    archive.at_points(stress);
-    archive.on_bounds(contact_forces);
-    archive.common(stiffness_factor);
-  }
+  public:
+    using Field                     = QuadratureField<dim>;
+    static constexpr unsigned int n = Field::n_components;
+
+    /** @param r empty: there is no viscous strain. */
+    InelasticStrain(const MaterialState<dim> &material, const Vector &r)
+      : material(material)
+      , r(r)
+      , n_branches(r.size() == 0 ? 0 : material.fluidity.size())
+    {
+    }
+
+    std::size_t
+    place(const std::size_t offset, const unsigned int i) const
+    {
+      return offset * n_branches + i * n;
+    }
+
+    /** χθ */
+    VoigtVector<dim>
+    thermal(const std::size_t offset) const
+    {
+      return material.thermal_strain == nullptr
+               ? VoigtVector<dim>()
+               : (*material.thermal_strain)[offset / n];
+    }
+
+    /** Σ wᵢ rᵢ + χθ */
+    VoigtVector<dim>
+    operator()(const std::size_t offset) const
+    {
+      VoigtVector<dim> strain = thermal(offset);
+      for (unsigned int i = 0; i < n_branches; ++i)
+        strain += material.fractions[i] * Field::get(r, place(offset, i));
+      return strain;
+    }
+
+    const MaterialState<dim> &material;
+    const Vector             &r;
+    const unsigned int        n_branches;
+  };
 
 
 
@@ -37,33 +72,6 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  Evolution<dim>::split_off(const SecularFlow &secular_flow)
-  {
-    flow = &secular_flow;
-  }
-
-
-
-  template <int dim>
-  void
-  Evolution<dim>::repeat(const StepList &steps)
-  {
-    period = &steps;
-  }
-
-
-
-  template <int dim>
-  void
-  Evolution<dim>::begin_step(const double t)
-  {
-    step_begin = t;
-  }
-
-
-
-  template <int dim>
   double
   Evolution<dim>::instant_of(const double t) const
   {
@@ -77,36 +85,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  Evolution<dim>::assemble_loading(const double                t,
-                                   const MaterialState<dim>   &material,
-                                   const InelasticStrain<dim> *inelastic_strain)
-  {
-    const double k = material.stiffness_factor;
-    loads.evaluate(t, loading);
-    if (inelastic_strain != nullptr)
-      {
-        const auto &K = *material.stiffness;
-        if (material.is_plain())
-          strain_operator.add_transpose(
-            loading,
-            [&r = inelastic_strain->r,
-             kK = k * K[0]](const std::size_t offset) {
-              return kK * QuadratureField<dim>::get(r, offset);
-            });
-        else
-          strain_operator.add_transpose(loading, [&](const std::size_t offset) {
-            return k * (K[offset / QuadratureField<dim>::n_components] *
-                        (*inelastic_strain)(offset));
-          });
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  Evolution<dim>::solve_for_displacement(ContactSolver &contact_solver,
-                                         const double   k)
+  Evolution<dim>::solve(ContactSolver &contact_solver, const double k)
   {
     contact_solver.solve(loading, last.displacement, last.contact_forces, k);
     last.stiffness_factor = k;
@@ -117,18 +96,53 @@ namespace Crevasse
 
   template <int dim>
   void
+  Evolution<dim>::solve_explicitly(const double        t,
+                                   const Instant<dim> &instant,
+                                   const Vector       &r)
+  {
+    using Field                         = QuadratureField<dim>;
+    const MaterialState<dim>  &material = instant.material;
+    const auto                &K        = *material.stiffness;
+    const double               k        = material.stiffness_factor;
+    const InelasticStrain<dim> inelastic(material, r);
+    loads.evaluate(t, loading);
+    if (r.size() > 0 && material.is_plain())
+      strain_operator.add_transpose(loading,
+                                    [&r,
+                                     kK = k * K[0]](const std::size_t offset) {
+                                      return kK * Field::get(r, offset);
+                                    });
+    else if (r.size() > 0 || material.thermal_strain != nullptr)
+      strain_operator.add_transpose(loading, [&](const std::size_t offset) {
+        return k * (K[offset / Field::n_components] * inelastic(offset));
+      });
+    solve(instant.contact_solver, k);
+  }
+
+
+
+  template <int dim>
+  void
   Evolution<dim>::rate(const double time, const Vector &r, Vector &rate)
   {
-    const double               t        = instant_of(time);
-    const Instant<dim>         instant  = instants.at(t);
-    const MaterialState<dim>  &material = instant.material;
-    const InelasticStrain<dim> inelastic(material, r);
-    assemble_loading(t, material, &inelastic);
-    solve_for_displacement(instant.contact_solver, material.stiffness_factor);
+    const double              t        = instant_of(time);
+    const Instant<dim>        instant  = instants.at(t);
+    const MaterialState<dim> &material = instant.material;
+    solve_explicitly(t, instant, r);
     if (material.is_plain() && flow == nullptr)
       plain_rate(material, r, rate);
     else
-      general_rate(inelastic, rate);
+      stress_and_rates(
+        InelasticStrain<dim>(material, r),
+        [&](const std::size_t       point,
+            const unsigned int      i,
+            const std::size_t       place,
+            const VoigtVector<dim> &mechanical) {
+          return material.fractions[i] *
+                 ((*material.stiffness)[point] *
+                  (mechanical - QuadratureField<dim>::get(r, place)));
+        },
+        rate);
     ++rate_evaluations;
   }
 
@@ -158,26 +172,163 @@ namespace Crevasse
 
 
   template <int dim>
+  template <typename BranchStress>
+  void
+  Evolution<dim>::stress_and_rates(const InelasticStrain<dim> &inelastic,
+                                   const BranchStress         &branch_stress,
+                                   Vector                     &rate)
+  {
+    using Field                        = QuadratureField<dim>;
+    const MaterialState<dim> &material = inelastic.material;
+    const double              k        = material.stiffness_factor;
+    const double              factor   = k / material.viscosity_factor;
+    strain_operator.for_each_strain(
+      last.displacement,
+      [&](const std::size_t offset, const VoigtVector<dim> &strain) {
+        const std::size_t      point      = offset / Field::n_components;
+        const VoigtVector<dim> mechanical = strain - inelastic.thermal(offset);
+        VoigtVector<dim>       sum;
+        if (material.spring != 0.)
+          sum = material.spring * ((*material.stiffness)[point] * mechanical);
+        for (unsigned int i = 0; i < inelastic.n_branches; ++i)
+          {
+            const std::size_t      place = inelastic.place(offset, i);
+            const VoigtVector<dim> stress =
+              branch_stress(point, i, place, mechanical);
+            sum += stress;
+            VoigtVector<dim> branch_rate =
+              factor * ((*material.fluidity[i])[point] * stress);
+            if (flow != nullptr)
+              branch_rate -= Field::get(flow->strain_rate, place);
+            Field::set(rate, place, branch_rate);
+          }
+        Field::set(last.stress, offset, k * sum);
+      });
+  }
+
+
+
+  template <int dim>
+  VoigtVector<dim>
+  Evolution<dim>::known_strain(const Vector     &known,
+                               const std::size_t place,
+                               const double      c) const
+  {
+    VoigtVector<dim> strain = QuadratureField<dim>::get(known, place);
+    if (flow != nullptr)
+      strain -= c * QuadratureField<dim>::get(flow->strain_rate, place);
+    return strain;
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::implicit_rate(const double  time,
+                                const Vector &known,
+                                const double  c,
+                                Vector       &rate)
+  {
+    const double                  t       = instant_of(time);
+    const ImplicitInstant<dim>    instant = instants.implicit_at(t, c);
+    const AlgorithmicModuli<dim> &moduli  = instant.moduli;
+    const double                  k       = instant.material.stiffness_factor;
+    const InelasticStrain<dim>    inelastic(instant.material, known);
+
+    loads.evaluate(t, loading);
+    strain_operator.add_transpose(loading, [&](const std::size_t offset) {
+      const std::size_t point  = offset / inelastic.n;
+      VoigtVector<dim>  stress = moduli.sum[point] * inelastic.thermal(offset);
+      for (unsigned int i = 0; i < inelastic.n_branches; ++i)
+        stress += moduli.branches[i][point] *
+                  known_strain(known, inelastic.place(offset, i), c);
+      return k * stress;
+    });
+    solve(*instant.contact_solver, k);
+    implicit_rates(instant, known, c, rate);
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::semi_implicit_rate(const double  time,
+                                     const Vector &predicted,
+                                     const Vector &known,
+                                     const double  c,
+                                     Vector       &rate)
+  {
+    const double t = instant_of(time);
+    solve_explicitly(t, instants.at(t), predicted);
+    implicit_rates(instants.implicit_material_at(t, c), known, c, rate);
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::implicit_rates(const ImplicitInstant<dim> &instant,
+                                 const Vector               &known,
+                                 const double                c,
+                                 Vector                     &rate)
+  {
+    stress_and_rates(
+      InelasticStrain<dim>(instant.material, known),
+      [&](const std::size_t       point,
+          const unsigned int      i,
+          const std::size_t       place,
+          const VoigtVector<dim> &mechanical) {
+        return instant.moduli.branches[i][point] *
+               (mechanical - known_strain(known, place, c));
+      },
+      rate);
+    ++rate_evaluations;
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::apply_relaxation(const unsigned int order,
+                                   const double       t,
+                                   const double       c,
+                                   Vector            &values)
+  {
+    using Field             = QuadratureField<dim>;
+    const auto &branches    = instants.relaxation_at(instant_of(t), c).branches;
+    const std::size_t n     = Field::n_components;
+    const std::size_t block = n * branches.size();
+    for (std::size_t place = 0; place < values.locally_owned_size(); place += n)
+      {
+        const PhiFunctions<dim> &phi =
+          branches[place % block / n][place / block];
+        Field::set(values,
+                   place,
+                   (order == 1 ? phi.first : phi.second) *
+                     Field::get(values, place));
+      }
+  }
+
+
+
+  template <int dim>
   void
   Evolution<dim>::elastic_state(const double t)
   {
+    using Field                         = QuadratureField<dim>;
     const Instant<dim>         instant  = instants.at(t);
     const MaterialState<dim>  &material = instant.material;
     const Vector               none;
     const InelasticStrain<dim> inelastic(material, none);
-    const bool   has_thermal_strain = material.thermal_strain != nullptr;
-    const auto  &K                  = *material.stiffness;
-    const double k                  = material.stiffness_factor;
-    assemble_loading(t, material, has_thermal_strain ? &inelastic : nullptr);
-    solve_for_displacement(instant.contact_solver, k);
+    solve_explicitly(t, instant, none);
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {
-        using Field = QuadratureField<dim>;
         Field::set(last.stress,
                    offset,
-                   k * (K[offset / Field::n_components] *
-                        (strain - inelastic.thermal(offset))));
+                   material.stiffness_factor *
+                     ((*material.stiffness)[offset / Field::n_components] *
+                      (strain - inelastic.thermal(offset))));
       });
   }
 
@@ -230,17 +381,6 @@ namespace Crevasse
                                            last.contact_forces,
                                            last.stiffness_factor,
                                            values);
-  }
-
-
-
-  template <int dim>
-  void
-  Evolution<dim>::serialize(StateArchive &archive)
-  {
-    archive.section("evolution");
-    last.serialize(archive);
-    archive.nodal(loading);
   }
 
 

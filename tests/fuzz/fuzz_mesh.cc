@@ -47,7 +47,7 @@ namespace
     scene.boundary.contact  = list_ids(ids, 2);
     scene.boundary.symmetry = list_ids(ids, 3);
     scene.boundary.loaded   = list_ids(ids, 0);
-    if (scene.boundary.loaded != "none")
+    if (scene.boundary.loaded.text() != "none")
       scene.loads.traction = dim == 2 ? "0; 1" : "0; 0; 1";
     const Body<dim> body(scene, mesh);
   }

@@ -48,7 +48,8 @@ namespace
   void
   evaluate(const Scene &scene)
   {
-    const Temperature<dim> temperature(scene.loads.temperature.text(),
+    const Temperature<dim> temperature(*scene.loads.temperature,
+                                       scene.loads.temperature.text(),
                                        scene.loads.period);
     const MaxwellLaw<dim>  law(scene.material);
     const Effects          effects(scene,

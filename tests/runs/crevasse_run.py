@@ -2,9 +2,9 @@
 with the paths of the program and of the source tree; it asserts, and prints
 the figures on which it judges.
 
-Runs are requests to a server that has loaded the program and forks
-(tests/runner); start() starts the program itself, for tests of the command
-line, signals, pipes and of the environment."""
+Runs are requests to a server that has loaded the program and forks (crevasse
+serve); start() starts the program itself, for tests of the command line,
+signals, pipes and of the environment."""
 
 import atexit
 import csv
@@ -24,6 +24,10 @@ from mpi_environment import ENVIRONMENT
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
 
+sys.path.insert(0, str(SOURCE / "source/python"))
+from crevasse.program import Server  # noqa: E402: where it is, is known now
+
+SECONDS = [0.]  # CPU time, of the server's runs
 SESSIONS = tempfile.TemporaryDirectory(prefix="crevasse_")
 
 # The tier: the preset "full" sets this.
@@ -64,45 +68,27 @@ class Results:
 
 @functools.cache
 def server():
-    """The scene server of this test, which ends with it. Open MPI removes a
-    directory that other tests may just be using, unless each has its own."""
-    process = subprocess.Popen(
-        [PROGRAM.parent / "tests/runner/scene_server"], text=True,
-        stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-        env=dict(ENVIRONMENT, OMPI_MCA_orte_tmpdir_base=SESSIONS.name))
-    process.n_runs = 0
-    atexit.register(lambda: process.communicate())
-    return process
+    """The server of this test, which ends with it. Open MPI removes a directory that
+    other tests may just be using, unless each has its own."""
+    return Server(PROGRAM, dict(ENVIRONMENT, OMPI_MCA_orte_tmpdir_base=SESSIONS.name))
 
 
 @atexit.register
 def print_cost():
-    """Called after the server has ended: it counts like other children."""
+    n_runs = server().n_calls if server.cache_info().currsize else 0
     used = [resource.getrusage(who)
             for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-    n_runs = server().n_runs if server.cache_info().currsize else 0
-    print(f"{n_runs} runs of the scene server, in all "
-          f"{sum(u.ru_utime + u.ru_stime for u in used):.1f} s of CPU time")
-
-
-# These start a script in place of the program, found beside it.
-SCRIPTS = ("advise", "figures", "report", "temperature")
+    print(f"{n_runs} runs of the server, in all "
+          f"{SECONDS[0] + sum(u.ru_utime + u.ru_stime for u in used):.1f} s of CPU time")
 
 
 def execute(*arguments, cwd=".", seconds=300):
     """Runs the program; returns exit status (or minus the signal that ended it),
     standard output and error."""
-    if arguments and arguments[0] in SCRIPTS:
-        return start(*arguments, cwd=cwd)
-    request = {"arguments": list(map(str, arguments)),
-               "directory": os.path.abspath(cwd), "seconds": seconds}
-    print(json.dumps(request), file=server().stdin, flush=True)
-    line = server().stdout.readline()
-    if not line:
-        raise Failure(f"the scene server ended: {server().wait()}")
-    answer = json.loads(line)
-    server().n_runs += 1
-    return answer["status"], answer["output"], answer["error"]
+    call = server().start(arguments, directory=os.path.abspath(cwd), seconds=seconds)
+    server().wait(call)
+    SECONDS[0] += call.seconds
+    return call.status, call.output, call.error
 
 
 def start(*arguments, **options):

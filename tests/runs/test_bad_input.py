@@ -86,11 +86,11 @@ CASES = [
          [r"\[Geometry\] Subdivisions = 4, 2: must be 3 integers",
           r"\[Loads\] Traction = 0; 1: must be 3 formulas",
           r'\[Boundary\] Fixed points = 0, 0: "0, 0" must be 3 coordinates',
-          r'\[Output\] Probes = A: 1, 0: "A: 1, 0" must be "name: x, y, z"'],
+          r'\[Output\] Probes = A: 1, 0: "1, 0" must be 3 coordinates'],
          ["Dimension=3", "Geometry/Subdivisions=4, 2", "Loads/Traction=0; 1",
           "Boundary/Fixed points=0, 0", "Output/Probes=A: 1, 0"]),
     Case("no_thickness", 2,
-         [r"\[Geometry\] Thickness = 0: must be greater than 0"],
+         [r"\[Geometry\] Thickness = 0: must be a number greater than 0"],
          ["Geometry/Thickness=0"]),
     Case("plane_mesh_in_space", 2,
          [r"Mesh file = .*edge_crack_2\.msh: .*there are no hexahedra",
@@ -272,16 +272,16 @@ CASES = [
           r"0"],
          ["Boundary/Gap=x-0.8"]),
     Case("sizes_beyond_all_numbers", 2,
-         [r"\[Geometry\] Width = 1e-200: must be from 1e-70 to 1e70; choose "
-          "other units"],
+         [r"\[Geometry\] Width = 1e-200: must be a number greater than 0, from "
+          "1e-70 to 1e70"],
          ["Geometry/Width=1e-200", "Geometry/Crack length=1e-201"]),
     Case("loads_beyond_all_numbers", 2,
          [r"\[Loads\]: the largest force on a node over a period is \S+; it "
           "must be from 1e-70 to 1e70. Choose other units"],
          ["Loads/Traction=0; 1e200*sin(t)"]),
     Case("instants_not_increasing", 2,
-         [r"\[Time integration\] Steps = 200: must be later than the instant "
-          r"before it, 300"],
+         [r"\[Time integration\] Steps = 300, 200: 200 must be later than the "
+          r"instant before it, 300"],
          ["Time integration/Step control=list",
           "Time integration/Steps=300, 200"]),
     Case("probe_outside", 2,
@@ -290,8 +290,8 @@ CASES = [
     Case("several_errors", 2,
          [r'^crevasse: 5 problems:\n'
           r'several_errors\.prm:2: \[Geometry\] unknown parameter "Depth".*\n'
-          r"several_errors\.prm:3: \[Geometry\] Height = 0: must be greater "
-          r"than 0\n"
+          r"several_errors\.prm:3: \[Geometry\] Height = 0: must be a number "
+          r"greater than 0, from 1e-70 to 1e70\n"
           r'several_errors\.prm:5: unknown section "Load"',
           r'--set "Material/Poisson ratio=0.6": \[Material\] Poisson ratio = '
           r"0.6: must be at least -0.999 and less than 0.5",
@@ -324,7 +324,7 @@ CASES = [
          [f"Geometry/Mesh file={MESHES}"], scene=MESH_SCENE),
     Case("missing_mesh_file_and_more", 2,
          [r"2 problems:\n", r"Mesh file = nowhere\.msh: cannot be read: No such",
-          "Period = -1: must be greater than 0"],
+          "Period = -1: must be a number greater than 0"],
          ["Geometry/Mesh file=nowhere.msh", "Loads/Period=-1"],
          scene=MESH_SCENE),
     Case("no_mesh_file", 2,
@@ -424,7 +424,7 @@ CASES = [
          ["Boundary/Loaded=none"]),
     Case("load_taken_away", 2,
          [r"\[Loads\] Traction = .*: no boundary has the role Loaded",
-          r"is the boundary id 3, which \[Boundary\] Clamped = 3 takes away"],
+          "is the boundary id 3, which has another role"],
          ["Boundary/Clamped=3"]),
     Case("comparison_with_a_gap", 2,
          [r"\[Output\] Elastic comparison", "without initial opening"],

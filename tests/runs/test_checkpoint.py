@@ -6,7 +6,9 @@ import functools
 import json
 import pathlib
 import random
+import resource
 import shutil
+import signal
 import subprocess
 import time
 import zlib
@@ -116,15 +118,20 @@ def test_damage():
     # As if it had been killed in its last period, while it wrote its summary.
     interrupted = copy(whole.directory, "damage")
     (interrupted / "summary.json").write_text('{\n  "version": ')
-    for number, damage in enumerate(("truncated", "flipped", "manifest",
-                                     "missing")):
-        directory = copy(interrupted, f"damage_{damage}")
-        victim = newest(directory) / ("manifest.json" if damage == "manifest"
-                                      else "fields_0.bin")
+    files = {path.name for path in newest(interrupted).iterdir()}
+    check(files == {"manifest.json", "common.bin", "mesh", "mesh.info",
+                    "mesh_fixed.data", "mesh_variable.data"}, str(files))
+    for number, (damage, name) in enumerate((
+            ("truncated", "mesh_variable.data"), ("flipped", "mesh_variable.data"),
+            ("flipped", "mesh"), ("flipped", "common.bin"),
+            ("flipped", "manifest.json"), ("missing", "mesh.info"))):
+        directory = copy(interrupted, f"damage_{number}")
+        victim = newest(directory) / name
         content = bytearray(victim.read_bytes())
-        if damage == "truncated":
+        damage = f"{name} {damage}"
+        if damage.endswith("truncated"):
             victim.write_bytes(content[:-100])
-        elif damage == "missing":
+        elif damage.endswith("missing"):
             victim.unlink()
         else:
             place = random.Random(number).randrange(len(content))
@@ -148,6 +155,25 @@ def test_damage():
     check(len(checkpoints(directory)) == 2, "nothing is renamed in vain")
 
 
+def test_full_disk():
+    """Without room for its checkpoints a run goes on, and says so."""
+    settings, whole = kept_march()
+    directory = fresh("full_disk")
+
+    def limit_files():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (2 ** 20, 2 ** 20))
+
+    process = subprocess.run(command(directory, settings), env=ENVIRONMENT,
+                             stdin=subprocess.DEVNULL, capture_output=True,
+                             text=True, timeout=300, preexec_fn=limit_files)
+    check(process.returncode in (0, 3)
+          and "no checkpoint was written" in process.stderr,
+          f"{process.returncode} {process.stderr}")
+    check(not any((directory / "checkpoint").iterdir()), "nothing is left over")
+    check_same_bytes(whole, Results(directory), "full disk")
+
+
 def test_other_format():
     """Of another version of the program: told, and left alone."""
     settings, whole = kept_march()
@@ -155,7 +181,7 @@ def test_other_format():
     (directory / "summary.json").unlink()
     manifest = newest(directory) / "manifest.json"
     content = manifest.read_text().split("\n", 1)[1].replace(
-        '"format": 6', '"format": 999')
+        '"format": 7', '"format": 999')
     manifest.write_text(f"{zlib.crc32(content.encode())}\n{content}")
     before = checkpoints(directory)
     code, error = execute(directory, settings, more=["--resume"])
@@ -285,5 +311,5 @@ def test_nobody_listens():
 
 for test in (test_two_runs, test_nobody_listens, test_out_of_periods, test_begun_anew,
              test_interruptions, test_signals, test_kills, test_damage,
-             test_other_format, test_other_scenes, test_finished, test_ranks):
+             test_full_disk, test_other_format, test_other_scenes, test_finished, test_ranks):
     test()

@@ -6,8 +6,9 @@ import pathlib
 import re
 import shutil
 import subprocess
+import time
 
-from crevasse_run import PROGRAM, SOURCE, check, execute, run, start
+from crevasse_run import PROGRAM, SOURCE, check, execute, run, server, start
 
 SCENE = """\
 set Title = A = b, c
@@ -343,6 +344,33 @@ def test_scripts():
           f"no library: {error}")
 
 
+def test_server():
+    """Of crevasse serve: runs at the same time in directories of their own, and a
+    signal that reaches one of them."""
+    place = remove("served")
+    place.mkdir()
+    write_scene(place / "long.prm")
+    long = server().start(("long.prm", "--set", "Periodic state/Maximum periods=100000"),
+                          directory="served", seconds=300)
+    log = place / "results/long/log.txt"
+    while not log.exists() and long.status is None:
+        time.sleep(0.01)
+    short = server().start(("--version",), set={"LANG": "C"}, unset=["HOME"])
+    server().wait(short)
+    check(short.status == 0 and "crevasse" in short.output and long.status is None,
+          f"beside a long run: {short.status} {short.output}{short.error}")
+    long.terminate()
+    server().wait(long)
+    check(long.status == 5 and "SIGTERM" in log.read_text(), f"{long.status}")
+    late = server().start(("long.prm",), directory="nowhere")
+    server().wait(late)
+    check(late.status == 4 and "nowhere" in late.error, f"{late.status} {late.error}")
+    killed = server().start(
+        ("served/long.prm", "--set", "Periodic state/Maximum periods=100000"), seconds=1)
+    server().wait(killed)
+    check(killed.status == -14, f"has had its second: {killed.status}")
+
+
 def test_round_trips():
     results = run(SCENE, "first")
     again = run(results.directory / "used.prm", "again")
@@ -413,4 +441,5 @@ test_tables()
 test_print_parameters()
 test_print_scene()
 test_scripts()
+test_server()
 test_round_trips()

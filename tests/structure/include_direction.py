@@ -8,7 +8,7 @@ import sys
 ORDER = ["base", "temperature", "parameters", "material", "grid",
          "discretisation", "linear", "contact", "time", "model", "checkpoint",
          "harmonic_balance", "periodic", "crack_tip", "postprocess",
-         "simulation", "app", "study"]
+         "simulation", "app"]
 INCLUDE = re.compile(r'#\s*include\s*[<"]crevasse/([^/>"]+)/')
 
 

@@ -9,15 +9,9 @@ import collections
 import pathlib
 import sys
 
-TARGET_LINES, TARGET_CODE = 50000, 36000
-LIMIT_LINES, LIMIT_CODE = 58600, 43420
+LIMIT_LINES, LIMIT_CODE = 50000, 36000
 LARGEST_SHARE = 1 / 7
 LONGEST_FILE = 400
-# Longer files and their lengths: they may only shrink.
-LONGER = {
-    "source/discretisation/stress_estimator.cc": 405,
-    "source/postprocess/crack_tip_analysis.cc": 412,
-}
 
 
 def lines_of_code(text):
@@ -48,7 +42,7 @@ def main(root):
     for name, row in sorted(folders.items(), key=lambda item: -item[1][1]):
         print(f"{name:18}{row[0]:6}{row[1]:8}{row[2]:8}{row[1] / lines:8.1%}")
     print(f"{'all':18}{files:6}{lines:8}{code:8}")
-    print(f"{'target':24}{TARGET_LINES:8}{TARGET_CODE:8}")
+    print(f"{'at most':24}{LIMIT_LINES:8}{LIMIT_CODE:8}")
     package = sorted((root / "source" / "python").rglob("*.py"))
     print(f"{'Python package':18}{len(package):6}"
           f"{sum(len(p.read_text().splitlines()) for p in package):8}")
@@ -66,12 +60,8 @@ def main(root):
     errors += [f"{name} has {row[1] / lines:.1%} of all lines, a seventh is "
                "allowed" for name, row in folders.items()
                if row[1] > LARGEST_SHARE * lines]
-    errors += [f"{name} has {length} lines, "
-               f"{LONGER.get(name, LONGEST_FILE)} are allowed"
-               for name, length in lengths.items()
-               if length > LONGER.get(name, LONGEST_FILE)]
-    errors += [f"{name} is no longer too long: remove it from LONGER"
-               for name in LONGER if lengths.get(name, 0) <= LONGEST_FILE]
+    errors += [f"{name} has {length} lines, {LONGEST_FILE} are allowed"
+               for name, length in lengths.items() if length > LONGEST_FILE]
     print(*errors, sep="\n", file=sys.stderr)
     return 1 if errors else 0
 

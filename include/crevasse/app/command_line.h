@@ -4,8 +4,6 @@
 #ifndef crevasse_app_command_line_h
 #define crevasse_app_command_line_h
 
-#include <crevasse/parameters/assignments.h>
-
 #include <string>
 #include <vector>
 
@@ -21,30 +19,19 @@ namespace Crevasse
     stopped           = 5 ///< on request; a checkpoint was written
   };
 
-  /** What `crevasse sweep` is asked, as it was written; see SweepPlan and
-   * Quantity for what it means. */
-  struct SweepRequest
-  {
-    std::vector<std::string> vary;      ///< "Section/Name=a,b & ..."
-    std::vector<std::string> reference; ///< "Section/Name=value"
-    std::vector<std::string> exact;     ///< "quantity=formula of t"
-    std::string              error;     ///< list of quantities
-  };
-
   /** What the command line says. */
   struct Command
   {
-    std::string           scene_file;
-    std::vector<Override> overrides; ///< "Section/Name=value"
-    std::string           output_directory;
-    std::string           print_format; ///< prm, json, markdown or nothing
-    bool                  check     = false;
-    bool                  quiet     = false;
-    bool                  resume    = false;
-    bool                  force     = false; ///< earlier results are replaced
-    double                wall_time = 0.;    ///< seconds; 0: any
-    bool                  sweep     = false; ///< a whole study of the scene
-    SweepRequest          sweep_request;
+    std::string              scene_file;
+    std::vector<std::string> overrides; ///< "Section/Name=value"
+    std::string              output_directory;
+    std::string              print_format; ///< prm, json, markdown or nothing
+    bool                     check  = false;
+    bool                     quiet  = false;
+    bool                     resume = false;
+    bool                     force  = false; ///< earlier results are replaced
+    double                   wall_time     = 0.;    ///< seconds; 0: any
+    bool                     stress_record = false; ///< see StressWriter
 
     /** Set if there is nothing to do but to exit: help, version, or a mistake,
      * about which the user has been told. */

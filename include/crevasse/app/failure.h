@@ -10,16 +10,6 @@
 
 namespace Crevasse
 {
-  /** Whether all ranks come here within some seconds; an error that one rank
-   * alone has leaves the others waiting elsewhere. Collective, unless they do
-   * not come. */
-  bool
-  all_ranks_arrive(const MPI_Comm communicator);
-
-  /** Says the error of a rank that is alone with it, and ends all ranks. */
-  [[noreturn]] void
-  abort_all_ranks(const std::exception &error, const MPI_Comm communicator);
-
   /**
    * The end of a run by an exception: writes its message and returns the exit
    * status of its kind (see interface: 2 for SceneError, 4 for FileError, 3 for

@@ -9,9 +9,6 @@ namespace Crevasse
   /** What follows the options in the output of --help. */
   extern const char *const examples_and_statuses;
 
-  /** The same for `crevasse sweep --help`. */
-  extern const char *const sweep_examples;
-
   /** For a call without arguments. */
   extern const char *const what_to_do_next;
 } // namespace Crevasse

@@ -23,7 +23,10 @@ namespace Crevasse
     OutputChoice(const Command &command, const Scene &scene);
 
     const std::string &
-    directory() const;
+    directory() const
+    {
+      return path;
+    }
 
     /** Finds without creating anything what would hinder a run: something on
      * the way that is no directory, or that forbids to write. What else a

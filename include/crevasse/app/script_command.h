@@ -4,6 +4,8 @@
 #ifndef crevasse_app_script_command_h
 #define crevasse_app_script_command_h
 
+#include <crevasse/app/server.h>
+
 #include <string>
 #include <vector>
 
@@ -27,12 +29,13 @@ namespace Crevasse
    * `/usr/bin/python3 -m crevasse NAME ...`. The package is looked for beside
    * the program: in `python` of a build directory, or in
    * `../share/crevasse/python` of an installation. The environment variable
-   * `CREVASSE_PROGRAM` tells the script where the program is.
+   * `CREVASSE_PROGRAM` tells the script where the program is; for its runs
+   * there is a server, see leave_server().
    *
    * @return the exit status if that is impossible; the user has been told why.
    */
   int
-  run_script_command(const int argc, char **argv);
+  run_script_command(const int argc, char **argv, const Program program_main);
 } // namespace Crevasse
 
 #endif

@@ -7,68 +7,36 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace Crevasse
 {
-  /** Size and checksum (CRC-32) of a file. */
-  struct FileCheck
-  {
-    std::size_t   bytes = 0;
-    std::uint32_t crc   = 0;
+  /** Size in bytes and checksum (CRC-32) of a file. */
+  using FileCheck = std::pair<std::size_t, std::uint32_t>;
 
-    /** For other ranks. */
-    template <typename Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
-    {
-      archive &bytes &crc;
-    }
-  };
-
-  /** A file that is on the disk once it was finished, and of which is known
-   * what it contains. */
-  class CheckedFile
-  {
-  public:
-    /** @throw FileError if it cannot be made. */
-    explicit CheckedFile(const std::string &name);
-
-    ~CheckedFile();
-
-    CheckedFile(const CheckedFile &) = delete;
-    CheckedFile &
-    operator=(const CheckedFile &) = delete;
-
-    /** @throw FileError */
-    void
-    write(const void *data, const std::size_t bytes);
-
-    /** Writes it through to the disk. @throw FileError */
-    FileCheck
-    finish();
-
-  private:
-    const std::string name;
-    int               descriptor;
-    FileCheck         check;
-  };
-
-  /** The whole file, or nothing and the reason why it is not what it was. */
-  std::vector<char>
-  read_checked(const std::string &name,
-               const FileCheck   &expected,
-               std::string       &fault);
+  /** @throw FileError if it cannot be opened. */
+  FileCheck
+  check_file(const std::string &name);
 
   /** The checksum of some text. */
   std::uint32_t
   checksum(const std::string &text);
+
+  /** Writes a file and makes sure that it is on the disk. @throw FileError */
+  void
+  write_file(const std::string &name, const std::string &content);
 
   /** Makes sure that names of files made or moved there, or what was written to
    * a file, survive a loss of power, where the file system is able to.
    * @throw FileError */
   void
   write_through(const std::string &name);
+
+  /** Makes sure that the disk has room for a file of so many bytes, where the
+   * file system can tell. The file is not left there.
+   * @throw FileError */
+  void
+  require_disk_space(const std::string &name, const std::size_t bytes);
 } // namespace Crevasse
 
 #endif

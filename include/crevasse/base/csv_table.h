@@ -16,7 +16,8 @@ namespace Crevasse
   class CsvTable
   {
   public:
-    /** @param is_continuing Whether there are rows already, which stay.
+    /** @param file_name empty on ranks that do not write.
+     * @param is_continuing Whether there are rows already, which stay.
      * @throw FileError if the file cannot be written. */
     CsvTable(const std::string              &file_name,
              const std::vector<std::string> &header,

@@ -32,20 +32,24 @@ namespace Crevasse
   class Expression
   {
   public:
-    /** What a formula may depend on: x, y, z and t, or theta and material as
-     * well, which only the properties of the material know. */
-    enum class Variables
+    /** What a formula may depend on. Only the properties of the material know
+     * theta and material. */
+    struct Variables
     {
-      space_and_time,
-      space_time_and_material
+      static constexpr const char *time           = "t";
+      static constexpr const char *space          = "x, y, z";
+      static constexpr const char *space_and_time = "x, y, z, t";
+      static constexpr const char *space_time_and_material =
+        "x, y, z, t, theta, material";
     };
 
     /** @param parameter that the formula was given for, "[Section] Name".
      * @throw SceneError with muParser's own words if the formula does not
      * parse or uses an unknown name. */
-    explicit Expression(const std::string &formula,
-                        const Variables variables = Variables::space_and_time,
-                        const std::string &parameter = "");
+    explicit Expression(
+      const std::string &formula,
+      const std::string &variables = Variables::space_and_time,
+      const std::string &parameter = "");
 
     /** @throw SceneError naming parameter, formula, point and instant when the
      * value is not finite: whoever evaluates a formula during a run looks at
@@ -85,15 +89,13 @@ namespace Crevasse
     const std::string &
     parameter() const;
 
-    /** Splits "a; b; c" at the semicolons and parses each part. */
+    /** Splits "a; b; c" at the separators that are not within brackets, and
+     * parses each part; nothing gives none. */
     static std::vector<Expression>
-    parse_list(const std::string &formulas, const std::string &parameter = "");
-
-    /** The same at commas, except those within brackets. */
-    static std::vector<Expression>
-    parse_row(const std::string &formulas,
-              const Variables    variables,
-              const std::string &parameter = "");
+    parse_list(const std::string &formulas,
+               const char         separator,
+               const std::string &variables = Variables::space_and_time,
+               const std::string &parameter = "");
 
   private:
     struct Parser; // keeps muParser.h out of every includer

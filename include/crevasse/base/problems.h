@@ -33,6 +33,18 @@ namespace Crevasse
     using std::runtime_error::runtime_error;
   };
 
+  /** Where something was set: in a file, or by an option of the command line.
+   */
+  struct Origin
+  {
+    std::string  source;   ///< "scene.prm", "--set \"Section/Name=value\""
+    unsigned int line = 0; ///< 0: none
+
+    /** "scene.prm:12" */
+    std::string
+    text() const;
+  };
+
   /**
    * Collects everything that is wrong with a scene, so that all of it is
    * reported at once.
@@ -42,7 +54,7 @@ namespace Crevasse
   public:
     /** A free-standing message. */
     void
-    add(const std::string &message);
+    add(const std::string &message, const Origin &origin = {});
 
     /** A parameter with its value and what would be allowed: "[Section] Name =
      * value: allowed", after the place where it was set, if that is known. */
@@ -52,29 +64,26 @@ namespace Crevasse
         const std::string &value,
         const std::string &allowed);
 
-    /** A file that cannot be read, found like a wrong parameter: the message
-     * of the parameter that names it, or a free-standing one. */
+    /** The same with the value that was noted. */
     void
-    add_unreadable(const std::string &section,
-                   const std::string &name,
-                   const std::string &file_name,
-                   const std::string &reason);
-    void
-    add_unreadable(const std::string &message);
+    add(const std::string &section,
+        const std::string &name,
+        const std::string &allowed);
 
-    /** Remembers where a parameter was set ("scene.prm:12"); what is added
-     * about it from now on begins with this place. */
+    /** The problem that was added last is a file that cannot be read. */
     void
-    locate(const std::string &section,
-           const std::string &name,
-           const std::string &place);
+    last_is_unreadable();
+
+    /** Remembers the value of a parameter and where it was set, for what is
+     * added about it from now on. */
+    void
+    note(const std::string &section,
+         const std::string &name,
+         const std::string &value,
+         const Origin      &origin = {});
 
     bool
     empty() const;
-
-    /** Whether something was reported about this section. */
-    bool
-    concern(const std::string &section) const;
 
     /** Whether something was reported about this parameter, so that a
      * comparison with others would only confuse. */
@@ -90,10 +99,11 @@ namespace Crevasse
   private:
     using Parameter = std::pair<std::string, std::string>;
 
-    std::vector<std::string>         messages;
-    std::size_t                      n_unreadable = 0; ///< of these
-    std::set<Parameter>              concerned;
-    std::map<Parameter, std::string> places;
+    std::vector<std::pair<Origin, std::string>> messages;
+    std::size_t                                 n_unreadable = 0; ///< of these
+    std::set<Parameter>                         concerned;
+    std::map<Parameter, Origin>                 origins;
+    std::map<Parameter, std::string>            values;
   };
 } // namespace Crevasse
 

@@ -4,19 +4,33 @@
 #ifndef crevasse_base_range_h
 #define crevasse_base_range_h
 
+#include <crevasse/base/text.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <limits>
+#include <memory>
+#include <string>
+
 namespace Crevasse
 {
   /** The values that a quantity may have, and how to say it. */
   struct Range
   {
     double      least, most;
-    const char *text;
+    const char *words; ///< "greater than 0"
 
     /** False for what is no number. */
     constexpr bool
     contains(const double value) const
     {
       return value >= least && value <= most;
+    }
+
+    std::string
+    text() const
+    {
+      return std::string("must be ") + words;
     }
   };
 
@@ -25,26 +39,62 @@ namespace Crevasse
     /** Products of four quantities, as the squares of norms hold, must be
      * numbers that a computer has. */
     constexpr double smallest = 1e-70, largest = 1e70;
+    /** Bounds that are not in the range. */
+    constexpr double above_0 = std::numeric_limits<double>::min();
+    constexpr double below_1 = 1. - std::numeric_limits<double>::epsilon();
 
-    constexpr Range size = {smallest, largest, "must be from 1e-70 to 1e70"};
-    constexpr Range positive   = {smallest,
-                                  largest,
-                                  "must be greater than 0, from 1e-70 to 1e70"};
-    constexpr Range any_number = {-largest,
-                                  largest,
-                                  "must be from -1e70 to 1e70"};
+    constexpr Range size         = {smallest, largest, "from 1e-70 to 1e70"};
+    constexpr Range positive     = {smallest,
+                                    largest,
+                                    "greater than 0, from 1e-70 to 1e70"};
+    constexpr Range not_negative = {0.,
+                                    std::numeric_limits<double>::max(),
+                                    "of at least 0"};
+    constexpr Range any_number   = {-largest, largest, "from -1e70 to 1e70"};
+    constexpr Range fraction     = {0., below_1, "of at least 0, less than 1"};
 
     // Close to -1 the shear modulus is all there is, and rounding eats the
     // rest.
     constexpr double least_ratio   = -0.999;
     constexpr Range  elastic_ratio = {least_ratio,
                                       0.5 - 1e-15,
-                                      "must be at least -0.999 and less than "
-                                       "0.5"};
+                                      "at least -0.999 and less than 0.5"};
     constexpr Range  viscous_ratio = {least_ratio,
                                       0.5,
-                                      "must be at least -0.999 and at most 0.5"};
+                                      "at least -0.999 and at most 0.5"};
   } // namespace Ranges
+
+  /** For ParameterHandler: a number in a range, described in words. */
+  class NumberPattern : public dealii::Patterns::PatternBase
+  {
+  public:
+    NumberPattern(const Range &range)
+      : range(range)
+    {
+    }
+
+    bool
+    match(const std::string &text) const override
+    {
+      const auto number = Text::to_number(text);
+      return number && range.contains(*number);
+    }
+
+    std::string
+    description(const OutputStyle = Machine) const override
+    {
+      return std::string("a number ") + range.words;
+    }
+
+    std::unique_ptr<PatternBase>
+    clone() const override
+    {
+      return std::make_unique<NumberPattern>(*this);
+    }
+
+  private:
+    const Range range;
+  };
 } // namespace Crevasse
 
 #endif

@@ -48,7 +48,7 @@ namespace Crevasse
     /** Catches the signals from now on, but for those to stop that the program
      * was begun to ignore; there is one such object.
      *
-     * @param wall_time in seconds since the program began; 0: any. */
+     * @param wall_time in seconds from now on; 0: any. */
     StopRequests(const MPI_Comm communicator, const double wall_time);
 
     /** Signals do again what they did before, but for SIGUSR1, which is
@@ -86,13 +86,16 @@ namespace Crevasse
     reason() const;
 
   private:
-    Request
-    of_signals();
+    // A request and the signal that brought it, if it was one, in one number.
+    static constexpr int first_request = 64;
 
-    Request
+    int
+    of_signals() const;
+
+    int
     of_file();
 
-    Request
+    int
     of_time(const double seconds_to_write);
 
     const MPI_Comm communicator;

@@ -4,6 +4,8 @@
 #ifndef crevasse_base_summary_h
 #define crevasse_base_summary_h
 
+#include <crevasse/base/text_file.h>
+
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -13,8 +15,11 @@ namespace Crevasse
   using Summary = nlohmann::ordered_json;
 
   /** As a whole or not at all. @throw FileError */
-  void
-  write_summary(const Summary &summary, const std::string &file_name);
+  inline void
+  write_summary(const Summary &summary, const std::string &file_name)
+  {
+    write_atomically(summary.dump(2) + '\n', file_name);
+  }
 } // namespace Crevasse
 
 #endif

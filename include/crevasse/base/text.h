@@ -40,10 +40,6 @@ namespace Crevasse
     std::string
     parameter(const std::string &section, const std::string &name);
 
-    /** Whether it is white space of the locale "C", as streams have it. */
-    bool
-    is_space(const char character);
-
     /** Whether it is a control character of ASCII, such as a tabulator. */
     bool
     is_control(const char character);
@@ -51,9 +47,10 @@ namespace Crevasse
     bool
     is_utf8(const std::string &text);
 
-    /** The shortest text that reads back as the same number. */
+    /** With so many digits; 0: the shortest text that reads back as the same
+     * number. */
     std::string
-    from_number(const double number);
+    from_number(const double number, const int n_digits = 0);
 
     /** "(x, y)" with six digits, for messages. */
     template <int dim>

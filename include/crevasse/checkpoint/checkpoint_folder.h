@@ -4,9 +4,10 @@
 #ifndef crevasse_checkpoint_checkpoint_folder_h
 #define crevasse_checkpoint_checkpoint_folder_h
 
+#include <crevasse/base/checked_file.h>
 #include <crevasse/base/summary.h>
-#include <crevasse/checkpoint/field_files.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,26 +21,29 @@ namespace Crevasse
     unsigned int period = 0, step = 0;
     unsigned int ranks = 0; ///< that wrote it
     Summary      scene;     ///< every parameter
+
+    /** The other files of the checkpoint, by name. */
+    std::map<std::string, FileCheck> files;
     /** The length of each table, by name: what was written later is cut off. */
     std::map<std::string, std::size_t> tables;
 
-    FileCheck              common;
-    std::vector<FieldFile> fields; ///< of each rank
+    std::size_t
+    bytes() const;
 
-    /** For other ranks. */
+    /** What other ranks need. */
     template <typename Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &number &period &step &ranks &common &fields;
+      archive &number &period &step &ranks;
     }
   };
 
   /**
    * The folder checkpoint/ of an output directory. A checkpoint is a folder in
    * it, named by its number: NUMBER.new while it is written, then renamed, so
-   * that it is there as a whole or not at all. The last two are kept. Files of
-   * the first rank only, but for those of fields.
+   * that it is there as a whole or not at all. The last two are kept. All
+   * functions are those of the first rank only, except the names.
    */
   class CheckpointFolder
   {
@@ -47,20 +51,27 @@ namespace Crevasse
     /** @param directory The output directory of the run. */
     explicit CheckpointFolder(const std::string &directory);
 
-    /** Makes the folder of a new checkpoint, and returns its number.
-     * @throw FileError */
-    unsigned int
-    begin() const;
-
-    /** Of a file of a checkpoint that is being written. */
+    /** Of the folder of a checkpoint. */
     std::string
-    new_file(const unsigned int number, const std::string &name) const;
+    name(const unsigned int number) const;
 
-    /** Writes the manifest, takes the checkpoint over, and removes those that
-     * are not needed any more. All its other files must be on the disk.
+    /** The same while it is written. */
+    std::string
+    new_name(const unsigned int number) const;
+
+    /** Makes the folder of a new checkpoint, and returns its number.
+     * @throw FileError, also if there is no room for so many bytes. */
+    unsigned int
+    begin(const std::size_t bytes) const;
+
+    /** Completes the manifest, takes the checkpoint over, and removes those
+     * that are not needed any more. All its other files must be there.
+     *
+     * @param tables of the run, which are written through to the disk.
      * @throw FileError */
     void
-    finish(const CheckpointManifest &manifest) const;
+    finish(CheckpointManifest             &manifest,
+           const std::vector<std::string> &tables) const;
 
     /** Removes what there is of a checkpoint that was begun, but not finished:
      * what cannot be used should not fill the disk. */
@@ -70,7 +81,8 @@ namespace Crevasse
     /** The newest checkpoint that is in order. Nothing is changed.
      *
      * @param[out] warnings about those that are damaged.
-     * @throw FileError if another version of the program wrote it. */
+     * @throw FileError if another version of the program wrote it, or if a file
+     * that is there cannot be opened. */
     std::optional<CheckpointManifest>
     newest(std::vector<std::string> &warnings) const;
 
@@ -78,42 +90,22 @@ namespace Crevasse
     bool
     has_any() const;
 
-    /** Renames those that are newer, which are damaged, to NUMBER.damaged, so
-     * that a run that goes on before them can use their numbers. */
-    void
-    set_aside_after(const unsigned int number) const;
-
-    /** Of a file of a checkpoint. */
-    std::string
-    file(const unsigned int number, const std::string &name) const;
-
-    std::string
-    name(const unsigned int number) const;
-
-    static constexpr const char *common_file = "common.bin";
-
-    /** The sizes of these tables of the run, which are written through to the
-     * disk; those that somebody has removed are left out.
-     * @throw FileError */
-    std::map<std::string, std::size_t>
-    measure_tables(const std::vector<std::string> &names) const;
-
-    /** Whether the run can go on in its files. Nothing is changed.
+    /** Whether the run can go on in its tables. Nothing is changed.
      * @throw FileError if one has less than when the checkpoint was written, or
      * cannot be written to. */
     void
     require_tables(const CheckpointManifest &manifest) const;
 
-    /** Cuts the tables to what they had. @throw FileError */
+    /** Cuts the tables to what they had. Renames checkpoints that are newer,
+     * which are damaged, to NUMBER.damaged, so that the run can use their
+     * numbers. @throw FileError */
     void
-    cut_tables(const CheckpointManifest &manifest) const;
+    go_back_to(const CheckpointManifest &manifest) const;
 
   private:
     std::vector<unsigned int>
     numbers() const;
 
-    /** @throw FileError if it is not in order, OtherFormat if it cannot be
-     * told. */
     CheckpointManifest
     read(const unsigned int number) const;
 

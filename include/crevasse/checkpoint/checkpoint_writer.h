@@ -8,30 +8,29 @@
 #include <crevasse/checkpoint/checkpoints.h>
 #include <crevasse/model/body.h>
 
-#include <functional>
-
 namespace Crevasse
 {
-  /** Writes the state of a run as a checkpoint, or takes it over from one: the
+  /**
+   * Writes the state of a run as a checkpoint, or takes it over from one: the
    * beginning that Checkpoints knows of, a header, and all SerializationScopes.
+   * What all ranks have alike is in common.bin; the mesh and the fields are in
+   * the files that Triangulation::save() writes.
    */
   template <int dim>
   class CheckpointWriter : public Checkpointer
   {
   public:
-    using Header = std::function<void(StateArchive &)>;
-
     /** All arguments must outlive this object.
      *
      * @param n_stresses the fields of a stress that a checkpoint may have.
      * @param last_period after which more periods may be wanted: then there
      * is a checkpoint; 0: never.
      * @param header which a resumed run has read already. */
-    CheckpointWriter(Checkpoints       &checkpoints,
-                     const Body<dim>   &body,
-                     const unsigned int n_stresses,
-                     const unsigned int last_period,
-                     const Header      &header);
+    CheckpointWriter(Checkpoints                  &checkpoints,
+                     const Body<dim>              &body,
+                     const unsigned int            n_stresses,
+                     const unsigned int            last_period,
+                     const Checkpoints::Serialize &header);
 
     /** @throw StoppedOnRequest if that is asked for, with a checkpoint. */
     void
@@ -49,10 +48,10 @@ namespace Crevasse
     bool
     write(const unsigned int period, const unsigned int step);
 
-    Checkpoints       &checkpoints;
-    const Body<dim>   &body;
-    const unsigned int last_period;
-    const Header       header;
+    Checkpoints                 &checkpoints;
+    const Body<dim>             &body;
+    const unsigned int           last_period;
+    const Checkpoints::Serialize header;
   };
 } // namespace Crevasse
 

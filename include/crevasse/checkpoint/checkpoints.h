@@ -11,8 +11,9 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace Crevasse
 {
@@ -21,6 +22,8 @@ namespace Crevasse
   class Checkpoints
   {
   public:
+    using Serialize = std::function<void(StateArchive &)>;
+
     /** None are written; the run can be stopped all the same. */
     Checkpoints(StopRequests &requests, Log &log);
 
@@ -44,86 +47,104 @@ namespace Crevasse
 
     /** Whether a run is to be resumed, as long as it has not been. */
     bool
-    is_resuming() const;
-
+    is_resuming() const
+    {
+      return archive != nullptr;
+    }
     /** What all ranks have alike of the resumed run. */
     CommonArchive &
-    resumed();
+    resumed()
+    {
+      return *archive;
+    }
+    /** The file that its mesh is loaded from. */
+    std::string
+    resumed_mesh() const;
 
+    /** After resume(), that one; afterwards the last one that was written. */
     const CheckpointManifest &
-    resumed_manifest() const;
+    last_manifest() const
+    {
+      return manifest;
+    }
 
     /** What a checkpoint begins with. */
     void
-    begin_with(const std::function<void(StateArchive &)> &serialize);
-
-    const std::function<void(StateArchive &)> &
-    beginning() const;
-
-    StopRequests &
-    requests();
-
-    /** What is to be done between two steps. Collective. */
-    StopRequests::Request
-    ask(const unsigned int period, const unsigned int step);
-
-    /** How large they may become, in bytes of all ranks: this tells how long
-     * the next one may take. */
-    void
-    expect(const double bytes);
-
+    begin_with(const Serialize &serialize)
+    {
+      first_part = serialize;
+    }
     /** Names the tables that the run writes, which go on when it is
      * resumed. */
     void
-    set_tables(const std::vector<std::string> &names);
-
-    const std::vector<std::string> &
-    tables() const;
+    set_tables(const std::vector<std::string> &names)
+    {
+      tables = names;
+    }
 
     /** Whether any are written. */
     bool
-    is_on() const;
-
+    is_on() const
+    {
+      return !directory.empty();
+    }
+    StopRequests &
+    requests() const
+    {
+      return stop_requests;
+    }
     const CheckpointFolder &
-    folder() const;
-
+    folder() const
+    {
+      return all;
+    }
     const Summary &
-    scene() const;
+    scene() const
+    {
+      return parameters;
+    }
+
+  private:
+    template <int dim>
+    friend class CheckpointWriter;
+
+    using Position = std::pair<unsigned int, unsigned int>; // period, step
+
+    static constexpr const char *common_file = "/common.bin";
+    static constexpr const char *mesh_file   = "/mesh"; ///< and its fields
+
+    /** What is to be done between two steps. Collective. */
+    StopRequests::Request
+    ask(const Position &position);
 
     /** Notes that the run was resumed. */
     void
-    has_resumed(const CheckpointManifest &from);
+    has_resumed();
 
     /** Notes that one was written, and what it took. */
     void
-    has_written(const CheckpointManifest &manifest, const double seconds);
+    has_written(const CheckpointManifest &written, const double seconds);
 
     /** Ends the run. */
     [[noreturn]] void
     stop() const;
 
-    Log &
-    log() const;
+    StopRequests          &stop_requests;
+    Log                   &log;
+    const std::string      directory;
+    const CheckpointFolder all;
+    const Summary          parameters;
+    const unsigned int     every;
 
-  private:
-    using Position = std::pair<unsigned int, unsigned int>; // period, step
+    Serialize                      first_part;
+    std::vector<std::string>       tables;
+    std::unique_ptr<CommonArchive> archive; ///< of the run to be resumed
+    CheckpointManifest             manifest;
+    Position                       last = {0, 0}; ///< of which there is one
 
-    StopRequests    &stop_requests;
-    Log             &run_log;
-    std::string      directory;
-    CheckpointFolder all;
-    Summary          parameters;
-    unsigned int     every = 0;
-
-    std::function<void(StateArchive &)> first_part;
-    std::unique_ptr<CommonArchive>      archive; ///< of the run to be resumed
-    CheckpointManifest                  manifest;
-    std::optional<Position>             last; ///< of which there is one
-    std::vector<std::string>            names_of_tables;
-
-    double expected_bytes = 0.;
-    /** That of a slow disk, until it is measured. */
-    double seconds_per_byte = 1. / 50e6;
+    /** How large they may become, and that of a slow disk, until it is
+     * measured: this tells how long the next one may take. */
+    double expected_bytes = 0., seconds_per_byte = 1. / 50e6;
   };
 } // namespace Crevasse
 

@@ -6,58 +6,106 @@
 
 #include <crevasse/base/state_archive.h>
 
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <memory>
+#include <sstream>
+#include <string>
+
 namespace Crevasse
 {
-  /** The part of an archive that all ranks have alike, as a row of bytes; it
-   * has no fields, for which there must be a mesh first. */
+  /** The part of an archive that all ranks have alike. It has no fields, for
+   * which there must be a mesh first: see FieldArchive. */
   class CommonArchive : public StateArchive
   {
   public:
     /** Empty, to be written. */
-    explicit CommonArchive(const MPI_Comm communicator);
+    explicit CommonArchive(const MPI_Comm communicator)
+      : mpi_communicator(communicator)
+      , same_ranks(true)
+      , stream(std::make_unique<std::stringstream>())
+      , out(std::make_unique<boost::archive::binary_oarchive>(*stream))
+    {
+    }
 
     /** To be read from the beginning on.
-     * @param bytes what there is of it on the first rank.
+     * @param bytes what the first rank has written.
      * @param n_ranks that it was written by. */
-    CommonArchive(const MPI_Comm      communicator,
-                  std::vector<char> &&bytes,
-                  const unsigned int  n_ranks);
+    CommonArchive(const MPI_Comm     communicator,
+                  const std::string &bytes,
+                  const unsigned int n_ranks)
+      : mpi_communicator(communicator)
+      , same_ranks(dealii::Utilities::MPI::n_mpi_processes(communicator) ==
+                   n_ranks)
+      , stream(std::make_unique<std::stringstream>(bytes))
+      , in(std::make_unique<boost::archive::binary_iarchive>(*stream))
+    {
+    }
 
     bool
-    is_loading() const override;
-
+    is_loading() const override
+    {
+      return in != nullptr;
+    }
     bool
-    has_same_ranks() const override;
-
+    has_same_ranks() const override
+    {
+      return same_ranks;
+    }
     MPI_Comm
-    communicator() const override;
+    communicator() const override
+    {
+      return mpi_communicator;
+    }
 
     void
-    nodal(Vector &field) override;
-
+    nodal(Vector &) override
+    {
+      AssertThrow(false, dealii::ExcInternalError());
+    }
     void
-    at_points(Vector &field) override;
-
+    at_points(Vector &) override
+    {
+      AssertThrow(false, dealii::ExcInternalError());
+    }
     void
-    on_bounds(std::vector<double> &values) override;
+    on_bounds(std::vector<double> &) override
+    {
+      AssertThrow(false, dealii::ExcInternalError());
+    }
     using StateArchive::on_bounds;
-
     void
-    on_cells(dealii::Vector<double> &values) override;
+    on_cells(dealii::Vector<double> &) override
+    {
+      AssertThrow(false, dealii::ExcInternalError());
+    }
 
-    /** What was written, on the first rank; others keep nothing of it. */
-    const std::vector<char> &
-    bytes() const;
+    /** What was written. */
+    std::string
+    bytes() const
+    {
+      return stream->str();
+    }
 
   protected:
     void
-    exchange(std::vector<char> &item) override;
+    exchange(std::vector<char> &item) override
+    {
+      if (is_loading())
+        *in >> item;
+      else
+        *out << item;
+    }
 
   private:
-    MPI_Comm          mpi_communicator;
-    bool              loads, same_ranks;
-    std::vector<char> all;
-    std::size_t       position = 0;
+    MPI_Comm                                         mpi_communicator;
+    bool                                             same_ranks;
+    std::unique_ptr<std::stringstream>               stream;
+    std::unique_ptr<boost::archive::binary_oarchive> out;
+    std::unique_ptr<boost::archive::binary_iarchive> in;
   };
 } // namespace Crevasse
 

@@ -4,60 +4,75 @@
 #ifndef crevasse_checkpoint_field_archive_h
 #define crevasse_checkpoint_field_archive_h
 
-#include <crevasse/checkpoint/cellwise_fields.h>
 #include <crevasse/checkpoint/common_archive.h>
+#include <crevasse/model/body.h>
 
-#include <memory>
+#include <string>
+#include <vector>
 
 namespace Crevasse
 {
-  /** Where the numbers of fields go to, or come from: one after the other, each
-   * cell by cell. */
-  class FieldStore
-  {
-  public:
-    virtual ~FieldStore() = default;
-
-    /** @param n numbers that each cell of this rank, or each point, has. */
-    virtual void
-    of_cells(const unsigned int n, std::vector<double> &values) = 0;
-
-    virtual void
-    of_points(const unsigned int n, std::vector<double> &values) = 0;
-  };
-
-  /** A whole archive: what all ranks have alike goes on in a CommonArchive,
-   * and fields are with a FieldStore. */
+  /**
+   * A whole archive: what all ranks have alike goes on in a CommonArchive. The
+   * numbers of all fields are collected for each cell, one field after the
+   * other, and saved as data attached to the cells of the mesh. So other ranks
+   * can read them, each those of its cells.
+   */
   template <int dim>
   class FieldArchive : public CommonArchive
   {
   public:
-    /** @param common in which all before has been written, or read.
-     * @param store must outlive this object. */
-    FieldArchive(CommonArchive            &&common,
-                 const CellwiseFields<dim> &fields,
-                 FieldStore                &store);
+    /** Collective.
+     *
+     * @param common in which all before has been written, or read: then the
+     * mesh of the body has been loaded from the file of save_fields().
+     * @param body must outlive this object. */
+    FieldArchive(CommonArchive &&common, const Body<dim> &body);
+
+    /** Writes the mesh and all fields, after which they are gone: see
+     * Triangulation::save(). Collective. */
+    void
+    save_fields(const std::string &file_name);
+
+    /** Not less than save_fields() writes, of all ranks. Collective. */
+    std::size_t
+    bytes_of_fields() const;
 
     void
     nodal(Vector &field) override;
-
     void
     at_points(Vector &field) override;
-
     void
     on_bounds(std::vector<double> &values) override;
     using StateArchive::on_bounds;
-
     void
     on_cells(dealii::Vector<double> &values) override;
 
   private:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    struct CellData
+    {
+      std::vector<char> bytes;
+      std::size_t       next = 0; ///< to be read
+    };
+
     /** Whether there is anything, on any rank. */
     bool
     is_there(const std::size_t size);
 
-    const CellwiseFields<dim> &fields;
-    FieldStore                &store;
+    /** Calls a function for each cell of this rank. */
+    template <typename Function>
+    void
+    for_each_cell(const Function &f) const;
+
+    /** Adds the numbers to those of a cell, or takes the next ones. */
+    void
+    exchange_of(const Cell &cell, double *values, const std::size_t n);
+
+    const Body<dim>       &body;
+    std::vector<CellData>  of_cells; ///< by active cell index
+    const UnilateralBounds bounds;
   };
 } // namespace Crevasse
 

@@ -9,7 +9,6 @@
 #include <crevasse/contact/lip_graph.h>
 #include <crevasse/contact/projected_newton.h>
 
-#include <cstdint>
 #include <set>
 #include <vector>
 
@@ -42,10 +41,16 @@ namespace Crevasse
     description() const override;
 
     std::size_t
-    n_linear_solves() const override;
+    n_linear_solves() const override
+    {
+      return face.n_solves();
+    }
 
     std::size_t
-    n_linear_iterations() const override;
+    n_linear_iterations() const override
+    {
+      return face.n_iterations();
+    }
 
     void
     start_from(const std::vector<bool> &closed_bounds) override;
@@ -61,10 +66,7 @@ namespace Crevasse
     iterate(const Vector &right_hand_side, Vector &solution) override;
 
     std::string
-    last_sets() const override;
-
-    std::string
-    linear_trouble() const override;
+    failure_notes() const override;
 
   private:
     static constexpr unsigned int most_sets = 200;
@@ -77,26 +79,9 @@ namespace Crevasse
     std::vector<bool>
     next_set(const Vector &solution) const;
 
-    /** Whether it is another one on any rank. */
+    /** Notes a set of all ranks; false if it was there before. */
     bool
-    is_other(const std::vector<bool> &next) const;
-
-    /** The set that follows on the active one, extrapolated. */
-    std::vector<bool>
-    extrapolated(const std::vector<bool> &next) const;
-
-    /** A number that stands for a set, and the number of its nodes. */
-    std::pair<std::uint64_t, unsigned int>
-    hash(const std::vector<bool> &set) const;
-
-    /** Notes the active set; false if it was there before. */
-    bool
-    is_new_set();
-
-    unsigned int
-    finish_by_newton(const Vector      &right_hand_side,
-                     Vector            &solution,
-                     const unsigned int maximum_steps);
+    is_new(const std::vector<bool> &set);
 
     const LipGraph     lip;
     FaceSolver         face;
@@ -108,10 +93,10 @@ namespace Crevasse
     Vector            residual;
     Vector            correction;
 
-    std::set<std::uint64_t>   seen; ///< hashes of the sets of this solve
-    std::vector<unsigned int> set_sizes;
-    unsigned int              rescues     = 0;
-    unsigned int              not_reached = 0; ///< last sets of this solve
+    std::set<std::vector<bool>> seen; ///< sets of this solve, of all ranks
+    std::vector<unsigned int>   set_sizes;
+    unsigned int                rescues     = 0;
+    unsigned int                not_reached = 0; ///< last sets of this solve
   };
 } // namespace Crevasse
 

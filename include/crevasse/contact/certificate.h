@@ -6,6 +6,7 @@
 
 #include <crevasse/contact/signorini_problem.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,10 @@ namespace Crevasse
   public:
     /** Makes the largest nodal force of the loads known, if not 0. */
     void
-    set_force_scale(const double largest_nodal_force);
+    set_force_scale(const double largest_nodal_force)
+    {
+      load = largest_nodal_force;
+    }
 
     /** Raises the scales to those of one solution. Collective. */
     void
@@ -38,18 +42,30 @@ namespace Crevasse
     double
     force() const;
     double
-    displacement() const;
+    displacement() const
+    {
+      return largest_displacement > 0. ? largest_displacement : 1.;
+    }
 
     /** The accuracy that rounding allows, relative to force(): sums of Aᵢⱼqⱼ
      * cancel, all the more the finer the mesh and the longer the drift. */
     double
-    force_rounding() const;
+    force_rounding() const
+    {
+      return some_roundings * force_to_round / force();
+    }
 
     /** The same, relative to displacement(). */
     double
-    displacement_rounding() const;
+    displacement_rounding() const
+    {
+      return some_roundings * displacement_to_round / displacement();
+    }
 
   private:
+    static constexpr double some_roundings =
+      100. * std::numeric_limits<double>::epsilon();
+
     double load                  = 0.; ///< the largest nodal force, if known
     double largest_force         = 0.; ///< of |bᵢ|
     double largest_displacement  = 0.; ///< of |qᵢ|, without a long drift

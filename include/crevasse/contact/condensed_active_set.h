@@ -19,7 +19,7 @@ namespace Crevasse
    * variational inequality into a small problem on the lip. It costs one
    * back-solve with the lip open and two otherwise, besides one for each node
    * that closes for the first time in a run. On several ranks each solves the
-   * small problem.
+   * small problem. Without bounds it is one linear solve.
    */
   class CondensedActiveSet : public ContactSolver
   {
@@ -42,13 +42,19 @@ namespace Crevasse
     first_set() const override;
 
     std::vector<dealii::Vector<double>> *
-    known_columns() override;
+    known_columns() override
+    {
+      return &lip_problem.known_columns();
+    }
 
     std::size_t
     iterate(const Vector &right_hand_side, Vector &solution) override;
 
     bool
-    can_refine() const override;
+    can_refine() const override
+    {
+      return linear_solver.is_direct();
+    }
 
   private:
     std::vector<dealii::Vector<double>>
@@ -58,9 +64,13 @@ namespace Crevasse
     void
     restrict_to_lip(const Vector &v, dealii::Vector<double> &on_lip) const;
 
-    /** Adds the forces on the closed nodes to the loads. */
+    /** f(k, node) for the closed nodes among the locally owned bounds k. */
+    template <typename Function>
     void
-    add_to_loads(const dealii::Vector<double> &forces);
+    for_each_closed(const Function &f) const;
+
+    void
+    add_forces_to_loads();
 
     /** Puts the closed nodes where they belong. */
     void
@@ -68,7 +78,7 @@ namespace Crevasse
 
     /** One step of iterative refinement of all but the closed nodes. */
     void
-    refine_on_set(const Vector &right_hand_side, Vector &solution);
+    refine(const Vector &right_hand_side, Vector &solution);
 
     /** Adds to the set what penetrates in a refined solution by more than the
      * tolerance; returns whether there is anything. */

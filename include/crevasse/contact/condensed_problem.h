@@ -21,9 +21,9 @@ namespace Crevasse
    * with the compliance S = L A⁻¹ Lᵀ (symmetric, positive definite), whose
    * columns are computed when a node first closes and kept. It is solved by a
    * primal–dual active set, started from the last set (Hintermüller, Ito and
-   * Kunisch, SIAM J. Optim. 13, 2002); if a set comes back, by the method of
-   * Lawson and Hanson (1974), which decreases ½gᵀSg + w₀ᵀg with every set and
-   * so ends on every positive definite S.
+   * Kunisch, SIAM J. Optim. 13, 2002); if a set comes back, one node at a time
+   * changes, the last one that is wrong, which ends on every positive definite
+   * S (Murty, Opsearch 11, 1974).
    */
   class CondensedProblem
   {
@@ -56,7 +56,8 @@ namespace Crevasse
     start_from(const std::vector<bool> &closed_nodes);
 
     /** The forces that bring the nodes of the active set from the given
-     * opening to none, whatever their sign. */
+     * opening w₀ to none, whatever their sign, by S_CC g_C = −w₀_C; the factor
+     * is kept while the set stays. */
     void
     forces_that_close(const dealii::Vector<double> &opening,
                       dealii::Vector<double>       &forces);
@@ -80,7 +81,7 @@ namespace Crevasse
     std::size_t
     memory_consumption() const;
 
-    /** How often the second method had to finish. */
+    /** How often sets came back. */
     unsigned int
     n_rescues() const
     {
@@ -90,36 +91,21 @@ namespace Crevasse
   private:
     using Set = std::vector<unsigned int>; // ascending
 
-    /** g on the set, from S_CC g_C = −w₀_C; the factor is kept while the set
-     * stays. */
-    void
-    solve_on(const Set                    &set,
-             const dealii::Vector<double> &opening_without_contact,
-             dealii::Vector<double>       &forces);
-
-    /** w = w₀ + S g. */
-    void
-    opening(const dealii::Vector<double> &opening_without_contact,
-            const Set                    &set,
-            const dealii::Vector<double> &forces,
-            dealii::Vector<double>       &result) const;
-
-    /** The set that forces and openings call for. */
+    /** The set that forces and openings call for.
+     *
+     * @param rounding how negative an opening may be off the set, and on it
+     * that which a force stands for. */
     Set
     next_set(const dealii::Vector<double> &forces,
-             const dealii::Vector<double> &opening) const;
+             const dealii::Vector<double> &opening,
+             const double                  rounding) const;
 
     /** The same, extrapolated. */
     Set
     extrapolated(const Set &next) const;
 
-    unsigned int
-    solve_by_lawson_hanson(
-      const dealii::Vector<double> &opening_without_contact,
-      dealii::Vector<double>       &forces);
-
     void
-    require_columns(const Set &set);
+    factorise();
 
     const unsigned int      n;
     const ComplianceColumns compute_columns;

@@ -8,8 +8,7 @@
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/linear/linear_solver.h>
 
-#include <deal.II/base/timer.h>
-
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -34,7 +33,7 @@ namespace Crevasse
      * @param stiffness_factor k > 0, if the problem is that of k A: with b / k
      * for b it is that of A, whose forces are g / k.
      * @throw NumericalError with certificate and advice if no solution within
-     * tolerance was found, or if the factor is not positive.
+     * tolerance was found.
      */
     void
     solve(const Vector        &right_hand_side,
@@ -52,7 +51,10 @@ namespace Crevasse
 
     /** Makes known by which force errors are to be judged: see Scales. */
     void
-    set_force_scale(const double largest_nodal_force);
+    set_force_scale(const double largest_nodal_force)
+    {
+      load = largest_nodal_force;
+    }
 
     /** Which of the locally owned bounds bear more than rounding in the last
      * solution; empty before there is one. */
@@ -62,7 +64,9 @@ namespace Crevasse
     /** Makes these bounds the first guess, if the method begins with one.
      * Collective. */
     virtual void
-    start_from(const std::vector<bool> &closed_bounds);
+    start_from([[maybe_unused]] const std::vector<bool> &closed_bounds)
+    {
+    }
 
     /** Shows what the next solution depends on besides its start, in the same
      * way for all methods: one may go on where another one was. */
@@ -83,10 +87,6 @@ namespace Crevasse
     {
       return largest_error;
     }
-
-    /** Whether there are any on any rank. */
-    bool
-    has_bounds() const;
 
     std::size_t
     n_solves() const
@@ -120,9 +120,12 @@ namespace Crevasse
     virtual std::size_t
     memory_consumption() const;
 
-    /** Wall time spent in solve(), certificates included. */
+    /** Wall time of all solves, certificates included. */
     double
-    seconds() const;
+    seconds() const
+    {
+      return wall_time;
+    }
 
     /** For the log and the summary: which method, with which settings. */
     virtual std::string
@@ -150,18 +153,10 @@ namespace Crevasse
       return nullptr;
     }
 
-    /** Sizes of the last active sets, for the message of a failure; empty if
-     * the method has none. */
+    /** What the method knows about a failure, for its message: sentences that
+     * begin with a space. */
     virtual std::string
-    last_sets() const
-    {
-      return "";
-    }
-
-    /** What the linear solver could not do, and what to try, for that message;
-     * empty if nothing. */
-    virtual std::string
-    linear_trouble() const
+    failure_notes() const
     {
       return "";
     }
@@ -181,19 +176,19 @@ namespace Crevasse
       return refines;
     }
 
-    /** x += A⁻¹ (b − A x) */
-    void
-    refine(LinearSolver &linear_solver,
-           const Vector &right_hand_side,
-           Vector       &solution);
-
     /** The tolerance of forces, or what rounding leaves of it. */
     double
-    force_accuracy() const;
+    force_accuracy() const
+    {
+      return std::max(tolerance, scales.force_rounding());
+    }
 
     /** The same of displacements. */
     double
-    displacement_accuracy() const;
+    displacement_accuracy() const
+    {
+      return std::max(tolerance, scales.displacement_rounding());
+    }
 
     /** Makes the scales those of all solutions so far and a candidate. */
     void
@@ -201,11 +196,18 @@ namespace Crevasse
 
     /** Whether the certificate of a candidate is within these. */
     bool
-    is_solved(const Vector &right_hand_side, const Vector &candidate);
+    is_solved(const Vector &right_hand_side, const Vector &candidate)
+    {
+      return accepts(certify(right_hand_side, candidate));
+    }
 
-    /** The l₂ norm of a linear residual that the certificate accepts. */
+    /** The l₂ norm of a linear residual that the certificate accepts: it is
+     * never below the maximum norm of the certificate. */
     double
-    residual_target() const;
+    residual_target() const
+    {
+      return 0.5 * force_accuracy() * scales.force();
+    }
 
     /** A x = b to what the certificate accepts, with @p solution as start. */
     void
@@ -231,8 +233,6 @@ namespace Crevasse
     double              load = 0.; ///< see set_force_scale()
     Scales              scales_of_solutions;
     Vector              scaled_right_hand_side; ///< empty until one is scaled
-    Vector              defect;     ///< empty until a solution is refined
-    Vector              correction; ///< likewise
     Vector              residual;
     std::vector<double> forces;
     bool                refines = false;
@@ -240,7 +240,7 @@ namespace Crevasse
     double              largest_error = 0.;
     std::size_t         solves        = 0;
     std::size_t         iterations    = 0;
-    dealii::Timer       timer;
+    double              wall_time     = 0.;
   };
 } // namespace Crevasse
 

@@ -39,6 +39,10 @@ namespace Crevasse
     void
     gather(double *on_lip) const;
 
+    /** A set of all ranks' nodes, from the locally owned ones. Collective. */
+    std::vector<bool>
+    gathered(const std::vector<bool> &local) const;
+
     /**
      * Where a set is wrong by a layer of nodes along its edge, the next set of
      * a primal–dual active set is not right either: at the edge of a contact

@@ -51,21 +51,9 @@ namespace Crevasse
     void
     project(Vector &solution) const;
 
-    void
-    compute_residual(const Vector &right_hand_side, const Vector &solution);
-
     /** The bounds that are met, or nearly, and pressed. */
     void
     find_face(const Vector &solution);
-
-    /** Completes the correction by a step of the held unknowns. */
-    void
-    relax_held_bounds();
-
-    /** By how much the energy should fall to first order with a step whose
-     * bent movement is the trial. */
-    double
-    promised_decrease(const double step) const;
 
     /** Moves along the correction, bent at the bounds, by one step or the
      * fraction of it that decreases the energy enough. False if none does. */

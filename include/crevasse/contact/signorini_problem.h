@@ -54,21 +54,30 @@ namespace Crevasse
                      const UnilateralBounds &bounds);
 
   private:
-    std::unique_ptr<const LinearOperator> of_matrix; ///< null: not its own
+    SignoriniProblem(std::shared_ptr<const LinearOperator> own,
+                     const UnilateralBounds               &bounds);
+
+    std::shared_ptr<const LinearOperator> of_matrix; ///< null: not its own
 
   public:
     const LinearOperator &stiffness; ///< A
 
     const UnilateralBounds &bounds;
 
-    /** A as a matrix, for what needs its entries. @throw SceneError if it is
-     * none. */
+    /** A as a matrix, for what needs its entries: a scene that does has no
+     * matrix-free operator. */
     const SparseMatrix &
-    matrix() const;
+    matrix() const
+    {
+      return *stiffness.matrix();
+    }
 
     /** The diagonal of A: the scale of forces, and the SOR sweep's divisor. */
     const Vector &
-    diagonal() const;
+    diagonal() const
+    {
+      return stiffness.diagonal();
+    }
 
     /** Number of bounds on all ranks. */
     dealii::types::global_dof_index
@@ -78,9 +87,6 @@ namespace Crevasse
     }
 
   private:
-    void
-    require_positive_diagonal() const;
-
     dealii::types::global_dof_index n_all_bounds;
   };
 } // namespace Crevasse

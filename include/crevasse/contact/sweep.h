@@ -5,12 +5,20 @@
 #define crevasse_contact_sweep_h
 
 #include <crevasse/contact/signorini_problem.h>
-#include <crevasse/linear/matrix_rows.h>
+#include <crevasse/linear/matrix_operator.h>
 
 #include <vector>
 
 namespace Crevasse
 {
+  /** Number of SOR iterations, from zero, until max|Aq − b| is at most a
+   * target (a force). */
+  struct SorCount
+  {
+    unsigned int iterations = 0;
+    bool         reached    = false;
+  };
+
   /**
    * One sweep of successive overrelaxation in natural order, unknown by
    * unknown, with projection on the bounds: the paper's method (§6.1;
@@ -32,6 +40,27 @@ namespace Crevasse
     operator()(const Vector &right_hand_side,
                Vector       &solution,
                const double  relaxation_factor) const;
+
+    /** How many a problem without bounds takes. */
+    SorCount
+    count_iterations(const Vector      &right_hand_side,
+                     const double       relaxation_factor,
+                     const double       target,
+                     const unsigned int maximum_iterations) const;
+
+    /**
+     * The relaxation factor that needs the fewest iterations, by dichotomy of
+     * ]0,2[ (bracketing, then golden section) until 2 − ω is known to 3 %
+     * (paper, §7: "dichotomic analysis of the interval"). To be called on the
+     * problem without bounds, as the paper does.
+     *
+     * @param target the residual (a force) at which iterations are counted.
+     * @throw NumericalError if no factor reaches it in maximum_iterations.
+     */
+    double
+    best_factor(const Vector      &right_hand_side,
+                const double       target,
+                const unsigned int maximum_iterations) const;
 
   private:
     const SignoriniProblem &problem;

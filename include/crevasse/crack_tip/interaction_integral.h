@@ -5,13 +5,23 @@
 #define crevasse_crack_tip_interaction_integral_h
 
 #include <crevasse/crack_tip/tip_region.h>
-#include <crevasse/discretisation/contact_boundary.h>
-#include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/model/body.h>
 
 #include <vector>
 
 namespace Crevasse
 {
+  /** K_I = k·v + l·g, for a vector v of the nodes and the contact forces g. */
+  struct IntensityFunctional
+  {
+    Vector              of_vector;         ///< k
+    std::vector<double> of_contact_forces; ///< l, for local nodes of the lip
+
+    /** K_I. Collective. */
+    double
+    value(const Vector &v, const std::vector<double> &contact_forces) const;
+  };
+
   /**
    * The stress intensity factor K_I as a linear function of an elastic
    * displacement u and of the contact forces g, by the interaction integral
@@ -34,50 +44,32 @@ namespace Crevasse
    *
    * u must be an elastic displacement under tractions; what creeps has
    * gradients of its own.
+   *
+   * Collective. @param radius R, with nothing but lip and plane of symmetry in
+   * the square: see TipRegion::largest_radius().
    */
-  class InteractionIntegral
-  {
-  public:
-    /** Collective. @param radius R, with nothing but lip and plane of symmetry
-     * in the square: see TipRegion::largest_radius(). */
-    InteractionIntegral(const Space<2>           &space,
-                        const StrainOperator<2>  &strain_operator,
-                        const ContactBoundary<2> &lip,
-                        const TipRegion          &region,
-                        const double              radius);
+  IntensityFunctional
+  interaction_integral(const Body<2>   &body,
+                       const TipRegion &region,
+                       const double     radius);
 
-    /** k of K_I = k·u + l·g. */
-    const Vector &
-    of_displacement() const
-    {
-      return functional;
-    }
-
-    /** l for each local lip node. */
-    const std::vector<double> &
-    of_contact_forces() const
-    {
-      return lip_functional;
-    }
-
-    /** K_I. Collective. */
-    double
-    value(const Vector              &displacement,
-          const std::vector<double> &contact_forces) const;
-
-  private:
-    void
-    integrate_over_cells(const Space<2> &space, const TipRegion &region);
-
-    void
-    integrate_over_lip(const Space<2>           &space,
-                       const ContactBoundary<2> &lip,
-                       const CrackTip           &tip);
-
-    const double        radius;
-    Vector              functional;
-    std::vector<double> lip_functional;
-  };
+  /**
+   * What K_I loads and contact forces cause in an elastic body (Bueckner's
+   * weight function, of the discretised body): with the displacement u of A u =
+   * F + Lᵀ g, K_I = k·u + l·g, by the interaction integral or by the
+   * coefficient of a singular function (l = 0), is
+   *
+   *     K_I = z·F + Σ (L z + l)_i g_i,       A z = k.
+   *
+   * One solve serves all instants. A factor of A leaves K_I as it is.
+   *
+   * @param influence z
+   * @param bounds those of the contact forces, the nodes of the lip first.
+   * @param of_lip l, for the nodes of the lip. */
+  IntensityFunctional
+  weight_function(Vector                   &&influence,
+                  const UnilateralBounds    &bounds,
+                  const std::vector<double> &of_lip);
 } // namespace Crevasse
 
 #endif

@@ -4,10 +4,10 @@
 #ifndef crevasse_crack_tip_strain_energy_h
 #define crevasse_crack_tip_strain_energy_h
 
-#include <crevasse/crack_tip/point_geometry.h>
+#include <crevasse/crack_tip/tip_region.h>
 #include <crevasse/discretisation/material_field.h>
 
-#include <memory>
+#include <optional>
 
 namespace Crevasse
 {
@@ -36,19 +36,12 @@ namespace Crevasse
   private:
     using Matrices = PointValues<VoigtMatrix<2>>;
 
-    double
-    density(const MaterialState<2> &state,
-            const Matrices         &compliance,
-            const std::size_t       point,
-            const Vector           &stress,
-            const Vector           &viscous_strain) const;
-
     Matrices
-    compliance_of(const Matrices &stiffness) const;
+    compliance_of(const MaterialState<2> &state) const;
 
-    const MaterialField<2>         &material;
-    const PointGeometry            &points;
-    std::unique_ptr<const Matrices> constant_compliance; ///< if it is constant
+    const MaterialField<2>       &material;
+    const PointGeometry          &points;
+    const std::optional<Matrices> constant_compliance; ///< if it is constant
   };
 } // namespace Crevasse
 

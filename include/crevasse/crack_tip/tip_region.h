@@ -4,9 +4,10 @@
 #ifndef crevasse_crack_tip_tip_region_h
 #define crevasse_crack_tip_tip_region_h
 
-#include <crevasse/crack_tip/point_geometry.h>
 #include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/point_values.h>
+#include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/space.h>
 #include <crevasse/material/plane_elasticity.h>
 
 #include <optional>
@@ -15,6 +16,20 @@
 
 namespace Crevasse
 {
+  /** Where the quadrature points of this rank are, in the order of a
+   * QuadratureField. The one place around the crack tip that knows by which
+   * rule the fields live at points. */
+  struct PointGeometry
+  {
+    PointGeometry(const Space<2> &space, const QuadratureField<2> &points);
+
+    std::vector<dealii::Point<2>> location;
+    std::vector<double>           weight; ///< JxW
+    std::vector<unsigned int>     cell;   ///< active cell index
+  };
+
+
+
   /**
    * The surroundings of a crack tip in which the body is the same everywhere
    * and ends nowhere but at the lip and the plane of symmetry. Distances are
@@ -71,7 +86,10 @@ namespace Crevasse
     /** From where on a cell of this rank reaches outwards, by its active cell
      * index; 0 at the tip. */
     double
-    distance(const unsigned int cell) const;
+    distance(const unsigned int cell) const
+    {
+      return cells[cell].first;
+    }
 
   private:
     /** From where to where a cell reaches. */
@@ -81,13 +99,6 @@ namespace Crevasse
     measure_cells(const Space<2> &space);
     void
     find_boundaries(const Space<2> &space);
-    std::optional<VoigtMatrix<2>>
-    stiffness_at_tip(const PointGeometry               &points,
-                     const PointValues<VoigtMatrix<2>> &stiffness) const;
-    void
-    find_other_stiffness(const PointGeometry               &points,
-                         const PointValues<VoigtMatrix<2>> &stiffness,
-                         const VoigtMatrix<2>              &own);
 
     const MPI_Comm                 communicator;
     const CrackTip                 crack_tip;

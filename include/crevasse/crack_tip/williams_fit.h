@@ -56,13 +56,6 @@ namespace Crevasse
                  const TipRegion     &region,
                  const MPI_Comm       communicator);
 
-    /** N of the smaller disc. */
-    unsigned int
-    n_terms() const
-    {
-      return terms;
-    }
-
   private:
     /** What the stress at a point, at this local index, contributes. */
     using Row = std::pair<std::size_t, VoigtVector<2>>;
@@ -79,7 +72,7 @@ namespace Crevasse
     fit(const PointGeometry      &points,
         const ContactBoundary<2> &lip,
         const TipRegion          &region,
-        const double              radius);
+        const double              radius) const;
 
     /** What the rows of a disc make of the stress of p₀ = 1, and of p₁ = 1/R.
      */
@@ -100,8 +93,7 @@ namespace Crevasse
           const std::vector<double> &contact_forces) const;
 
     const MPI_Comm communicator;
-    unsigned int   terms = 0;
-    Disc           small, large;
+    const Disc     small, large;
   };
 } // namespace Crevasse
 

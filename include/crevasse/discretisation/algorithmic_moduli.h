@@ -5,11 +5,28 @@
 #define crevasse_discretisation_algorithmic_moduli_h
 
 #include <crevasse/discretisation/material_field.h>
+#include <crevasse/material/voigt_matrix.h>
 
 #include <vector>
 
 namespace Crevasse
 {
+  /** Values of each branch of a material at the quadrature points. */
+  template <typename Value>
+  struct BranchValues
+  {
+    std::vector<PointValues<Value>> branches;
+
+    std::size_t
+    memory_consumption() const
+    {
+      std::size_t bytes = 0;
+      for (const PointValues<Value> &branch : branches)
+        bytes += branch.memory_consumption();
+      return bytes;
+    }
+  };
+
   /**
    * What stands for the stiffness where the viscous strain is implicit,
    * rᵢ = r̂ᵢ + c ṙᵢ (model, §3): each branch bears
@@ -20,19 +37,68 @@ namespace Crevasse
    * positive definite on the components that K knows.
    */
   template <int dim>
-  struct AlgorithmicModuli
+  struct AlgorithmicModuli : BranchValues<VoigtMatrix<dim>>
   {
-    using Matrices = PointValues<VoigtMatrix<dim>>;
-
     AlgorithmicModuli(const MaterialState<dim> &material,
                       const double              kappa,
-                      const std::size_t         n_points);
-
-    std::vector<Matrices> branches; ///< K̂ᵢ
-    Matrices              sum;      ///< with the spring
+                      const std::size_t         n_points)
+      : sum(transform(*material.stiffness,
+                      n_points,
+                      [&material](const VoigtMatrix<dim> &K) {
+                        return material.spring * K;
+                      }))
+    {
+      for (unsigned int i = 0; i < material.fluidity.size(); ++i)
+        {
+          const double w = material.fractions[i];
+          this->branches.push_back(combine(
+            *material.stiffness,
+            *material.fluidity[i],
+            n_points,
+            [w, kappa](const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H) {
+              return w * relaxed_stiffness<dim>(K, kappa * w * H);
+            }));
+          sum = combine(sum,
+                        this->branches.back(),
+                        n_points,
+                        [](const VoigtMatrix<dim> &a,
+                           const VoigtMatrix<dim> &b) { return a + b; });
+        }
+    }
 
     std::size_t
-    memory_consumption() const;
+    memory_consumption() const
+    {
+      return BranchValues<VoigtMatrix<dim>>::memory_consumption() +
+             sum.memory_consumption();
+    }
+
+    PointValues<VoigtMatrix<dim>> sum; ///< with the spring
+  };
+
+  /**
+   * How the viscous strain of a material relaxes over a time c where the strain
+   * is held: φ₁(−c Lᵢ) and φ₂(−c Lᵢ) for each branch and point, with the rates
+   * Lᵢ = k wᵢ/η₀ Hᵢ K. See decay_functions().
+   */
+  template <int dim>
+  struct RelaxationFunctions : BranchValues<PhiFunctions<dim>>
+  {
+    /** @param kappa c k/η₀ */
+    RelaxationFunctions(const MaterialState<dim> &material,
+                        const double              kappa,
+                        const std::size_t         n_points)
+    {
+      for (unsigned int i = 0; i < material.fluidity.size(); ++i)
+        this->branches.push_back(
+          combine(*material.fluidity[i],
+                  *material.stiffness,
+                  n_points,
+                  [factor = kappa * material.fractions[i]](
+                    const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K) {
+                    return decay_functions<dim>(factor * (H * K));
+                  }));
+    }
   };
 } // namespace Crevasse
 

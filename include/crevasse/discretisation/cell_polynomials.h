@@ -8,11 +8,43 @@
 #include <crevasse/discretisation/space.h>
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/full_matrix.h>
+
+#include <vector>
 
 namespace Crevasse
 {
+  /** From the values at the points of a cell to the coefficients of the nearest
+   * polynomial, for each rule of a space.
+   * @param fe with one component. */
+  template <int dim>
+  std::vector<dealii::FullMatrix<double>>
+  fitting_matrices(const dealii::FiniteElement<dim> &fe,
+                   const Space<dim>                 &space)
+  {
+    std::vector<dealii::FullMatrix<double>> matrices;
+    for (const dealii::Quadrature<dim> &rule : space.quadratures())
+      {
+        matrices.emplace_back(fe.n_dofs_per_cell(), rule.size());
+        dealii::FETools::compute_projection_from_quadrature_points_matrix(
+          fe, rule, rule, matrices.back());
+      }
+    return matrices;
+  }
+
+  /** The same cell of another mesh with the same cells, with its dofs. */
+  template <int dim>
+  typename dealii::DoFHandler<dim>::cell_iterator
+  same_cell(const dealii::CellId &name, const dealii::DoFHandler<dim> &dofs)
+  {
+    const auto &mesh = dofs.get_triangulation();
+    const auto  cell = mesh.create_cell_iterator(name);
+    return {&mesh, cell->level(), cell->index(), &dofs};
+  }
+
   /**
    * Fields at quadrature points as one polynomial a cell, of the degree of the
    * displacement in each direction: the one through the values where Gauss's
@@ -27,11 +59,19 @@ namespace Crevasse
     static constexpr unsigned int n_components = n_stress_components<dim>;
 
     /** @param mesh that must outlive this object, but may be refined. */
-    CellPolynomials(const Mesh<dim> &mesh, const unsigned int degree);
+    CellPolynomials(const Mesh<dim> &mesh, const unsigned int degree)
+      : fe(dealii::FE_DGQ<dim>(degree), n_components)
+      , dofs(mesh)
+    {
+      distribute();
+    }
 
     /** Numbers the coefficients, again after a change of the mesh. */
     void
-    distribute();
+    distribute()
+    {
+      dofs.distribute_dofs(fe);
+    }
 
     /** Of the coefficients of one vector at a point; their components are those
      * of a QuadratureField. */
@@ -43,7 +83,10 @@ namespace Crevasse
 
     /** A vector of coefficients, with those of the ghost cells. */
     Vector
-    coefficients() const;
+    coefficients() const
+    {
+      return make_vector(dofs);
+    }
 
     /** Fits the values of one branch, and sets ghost values. Collective.
      *
@@ -54,22 +97,62 @@ namespace Crevasse
         const Vector               &field,
         Vector                     &coefficients,
         const unsigned int          n_branches = 1,
-        const unsigned int          branch     = 0) const;
+        const unsigned int          branch     = 0) const
+    {
+      const auto matrices = fitting_matrices(fe.base_element(0), space);
+      std::vector<dealii::types::global_dof_index> indices(
+        fe.n_dofs_per_cell());
+      coefficients.zero_out_ghost_values();
+      coefficients = 0.;
+      for (const auto &cell : owned_cells(dofs))
+        {
+          cell->get_dof_indices(indices);
+          const auto       &matrix = matrices[space.rule(cell)];
+          const std::size_t first  = n_branches * points.offset(cell);
+          for (unsigned int i = 0; i < matrix.m(); ++i)
+            for (unsigned int q = 0; q < matrix.n(); ++q)
+              for (unsigned int c = 0; c < n_components; ++c)
+                coefficients(indices[fe.component_to_system_index(c, i)]) +=
+                  matrix(i, q) *
+                  field.local_element(
+                    first + (q * n_branches + branch) * n_components + c);
+        }
+      coefficients.update_ghost_values();
+    }
 
-    /** The values of the polynomials at the points, for one branch. */
+    /** The values of the polynomials at the points, for one branch. The space
+     * may be on another mesh with the same cells on each rank. */
     void
     evaluate(const Space<dim>           &space,
              const QuadratureField<dim> &points,
              const Vector               &coefficients,
              Vector                     &field,
              const unsigned int          n_branches = 1,
-             const unsigned int          branch     = 0) const;
+             const unsigned int          branch     = 0) const
+    {
+      const dealii::FiniteElement<dim>            &scalar = fe.base_element(0);
+      std::vector<dealii::types::global_dof_index> indices(
+        fe.n_dofs_per_cell());
+      for (const auto &cell : owned_cells(space.dof_handler()))
+        {
+          same_cell(cell->id(), dofs)->get_dof_indices(indices);
+          const dealii::Quadrature<dim> &rule = space.quadrature(cell);
+          const std::size_t first = n_branches * points.offset(cell);
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            for (unsigned int c = 0; c < n_components; ++c)
+              {
+                double value = 0.;
+                for (unsigned int i = 0; i < scalar.n_dofs_per_cell(); ++i)
+                  value +=
+                    scalar.shape_value(i, rule.point(q)) *
+                    coefficients(indices[fe.component_to_system_index(c, i)]);
+                field.local_element(
+                  first + (q * n_branches + branch) * n_components + c) = value;
+              }
+        }
+    }
 
   private:
-    /** From the values at the points of a cell to its coefficients. */
-    dealii::FullMatrix<double>
-    fitting_matrix(const dealii::Quadrature<dim> &rule) const;
-
     const dealii::FESystem<dim> fe;
     dealii::DoFHandler<dim>     dofs;
   };

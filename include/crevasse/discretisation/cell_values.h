@@ -38,6 +38,24 @@ namespace Crevasse
     const dealii::hp::FECollection<dim>      finite_element;
     dealii::hp::FEValues<dim>                values;
   };
+
+  /** Calls f(values, q, p) for point q of each cell of this rank, which is
+   * point p of all in a QuadratureField. */
+  template <int dim, typename Function>
+  void
+  for_each_point(const Space<dim>         &space,
+                 const dealii::UpdateFlags flags,
+                 const Function           &f)
+  {
+    CellValues<dim> cell_values(space, flags);
+    std::size_t     p = 0;
+    for (const auto &cell : owned_cells(space.dof_handler()))
+      {
+        const dealii::FEValues<dim> &values = cell_values.reinit(cell);
+        for (const unsigned int q : values.quadrature_point_indices())
+          f(values, q, p++);
+      }
+  }
 } // namespace Crevasse
 
 #endif

@@ -37,11 +37,23 @@ namespace Crevasse
 
   /** For each active cell of this rank, by active cell index, the mean of the
    * values at its points; 0 for the cells of other ranks. */
-  template <int dim>
-  std::vector<VoigtMatrix<dim>>
-  cell_means(const Space<dim>                    &space,
-             const QuadratureField<dim>          &points,
-             const PointValues<VoigtMatrix<dim>> &values);
+  template <int dim, typename Value>
+  std::vector<Value>
+  cell_means(const Space<dim>           &space,
+             const QuadratureField<dim> &points,
+             const PointValues<Value>   &values)
+  {
+    std::vector<Value> means(space.mesh().n_active_cells());
+    for (const auto &cell : owned_cells(space.mesh()))
+      {
+        const unsigned int n    = space.quadrature(cell).size();
+        Value             &mean = means[cell->active_cell_index()];
+        for (unsigned int q = 0; q < n; ++q)
+          mean += values[points.first_point(cell) + q];
+        mean /= n;
+      }
+    return means;
+  }
 
   /** The same on a coarser mesh: means over children. Collective. */
   template <int dim>

@@ -117,13 +117,6 @@ namespace Crevasse
     void
     find_nodes(const Space<dim> &space);
 
-    /** Who speaks for a node with constraints.
-     *
-     * @param nearest the nearest free node on its faces, or invalid. */
-    static std::vector<MasterNode>
-    speakers_for(const LipNode<dim>                      &node,
-                 const dealii::types::global_dof_index    nearest,
-                 const dealii::AffineConstraints<double> &constraints);
     void
     share_weights(const Space<dim> &space);
 

@@ -10,6 +10,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Crevasse
@@ -26,16 +27,29 @@ namespace Crevasse
 
     /** (X, Y) of a point. */
     dealii::Point<2>
-    local(const dealii::Point<2> &point) const;
+    local(const dealii::Point<2> &point) const
+    {
+      const dealii::Tensor<1, 2> distance = point - position;
+      return {distance * ahead, distance * inward};
+    }
 
     /** The rotation that makes (X, Y) components of those of the mesh. */
     dealii::Tensor<2, 2>
-    to_local() const;
+    to_local() const
+    {
+      dealii::Tensor<2, 2> rows;
+      rows[0] = ahead;
+      rows[1] = inward;
+      return rows;
+    }
 
     /** A vector with components along X and Y in the coordinates of the mesh.
      */
     dealii::Tensor<1, 2>
-    global(const dealii::Tensor<1, 2> &vector) const;
+    global(const dealii::Tensor<1, 2> &vector) const
+    {
+      return vector[0] * ahead + vector[1] * inward;
+    }
   };
 
   /** All tips of a mesh whose lips are straight there. Looks at the coarse
@@ -52,11 +66,15 @@ namespace Crevasse
                  const BoundaryRoles            &roles,
                  const std::string              &wanted_by);
 
-  /** The vertices of the coarse mesh where faces of the lip go straight on as
-   * faces of the plane of symmetry: tips in the plane, crack fronts in space.
+  /** Where faces of the lip go straight on as faces of the plane of symmetry in
+   * the coarse mesh: both ends of each edge in space, tips twice in the plane.
    */
   template <int dim>
-  std::vector<dealii::Point<dim>>
+  using CrackFront =
+    std::vector<std::pair<dealii::Point<dim>, dealii::Point<dim>>>;
+
+  template <int dim>
+  CrackFront<dim>
   crack_front(const dealii::Triangulation<dim> &mesh,
               const BoundaryRoles              &roles);
 } // namespace Crevasse

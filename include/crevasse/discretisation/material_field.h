@@ -10,6 +10,7 @@
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/temperature/temperature.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -80,7 +81,8 @@ namespace Crevasse
     MaterialState<dim>
     at(const double t) const;
 
-    /** Brings the factors k and η₀ of a state to another instant. */
+    /** Brings the factors k and η₀ of a state to another instant.
+     * @throw SceneError if one is not positive. */
     void
     set_factors(const double t, MaterialState<dim> &state) const;
 
@@ -91,7 +93,12 @@ namespace Crevasse
       return stiffness_is_free;
     }
     bool
-    fluidity_varies() const;
+    fluidity_varies() const
+    {
+      return std::find(fluidity_is_free.begin(),
+                       fluidity_is_free.end(),
+                       true) != fluidity_is_free.end();
+    }
     bool
     thermal_strain_varies() const
     {
@@ -132,30 +139,57 @@ namespace Crevasse
     using Vectors    = typename MaterialState<dim>::Vectors;
     using FreeStrain = typename MaxwellLaw<dim>::FreeStrain;
 
+    template <typename Value>
     bool
-    thermal_strain_varies_in_space() const;
+    varies_in_space(const Property<Value> &property) const
+    {
+      for (const char *variable : {"x", "y", "z", "material"})
+        if (property.depends_on(variable))
+          return true;
+      return property.depends_on("theta") && temperature.depends_on_space();
+    }
 
     template <typename Value>
     bool
-    varies_in_space(const Property<Value> &property) const;
-    template <typename Value>
+    varies_in_time(const Property<Value> &property) const
+    {
+      return property.depends_on("t") ||
+             (property.depends_on("theta") && temperature.depends_on_time());
+    }
+
     bool
-    varies_in_time(const Property<Value> &property) const;
+    thermal_strain_varies_in_space() const
+    {
+      return std::any_of(free_strains.begin(),
+                         free_strains.end(),
+                         [this](const FreeStrain *strain) {
+                           return varies_in_space(strain->value) ||
+                                  (strain->is_thermal &&
+                                   temperature.depends_on_space());
+                         });
+    }
 
     /** Where and in which material a point lies, and its temperature. */
     Place<dim>
     place(const std::size_t point,
           const double      t,
-          const bool        with_temperature) const;
+          const bool        with_temperature) const
+    {
+      Place<dim> place;
+      place.t = t;
+      if (!locations.empty())
+        {
+          place.point    = locations[point];
+          place.material = materials[point];
+        }
+      if (with_temperature)
+        place.temperature = temperature.value(place.point, t);
+      return place;
+    }
 
     template <typename Value>
     std::shared_ptr<const PointValues<Value>>
     evaluate(const Property<Value> &property, const double t) const;
-
-    template <typename Value>
-    std::shared_ptr<const PointValues<Value>>
-    evaluate_at_each_point(const Property<Value> &property,
-                           const double           t) const;
 
     std::shared_ptr<const Vectors>
     evaluate_thermal_strain(const double t) const;
@@ -179,11 +213,6 @@ namespace Crevasse
     /** @throw SceneError with what misses a requirement most. */
     void
     check_requirements(const std::vector<double> &instants) const;
-
-    void
-    check_factor(const Expression          &factor,
-                 const char                *name,
-                 const std::vector<double> &instants) const;
 
     RelaxationRates
     extreme_rates(const MaterialState<dim> &state) const;

@@ -29,7 +29,11 @@ namespace Crevasse
       double frequency, cosine, sine;
     };
 
-    PolarField(const double power, const std::array<Term, 2> &terms);
+    PolarField(const double power, const std::array<Term, 2> &terms)
+      : power(power)
+      , terms(terms)
+    {
+    }
 
     dealii::Tensor<1, 2>
     displacement(const dealii::Point<2> &local) const;
@@ -39,7 +43,15 @@ namespace Crevasse
     gradient(const dealii::Point<2> &local) const;
 
     PolarField &
-    operator*=(const double factor);
+    operator*=(const double factor)
+    {
+      for (Term &term : terms)
+        {
+          term.cosine *= factor;
+          term.sine *= factor;
+        }
+      return *this;
+    }
 
   private:
     double              power;

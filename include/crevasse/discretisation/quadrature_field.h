@@ -4,9 +4,16 @@
 #ifndef crevasse_discretisation_quadrature_field_h
 #define crevasse_discretisation_quadrature_field_h
 
+#include <crevasse/base/problems.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/material/voigt.h>
 
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/partitioner.h>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
 #include <vector>
 
 namespace Crevasse
@@ -25,7 +32,19 @@ namespace Crevasse
 
     /** Collective. @throw SceneError if deal.II's indices are too short for
      * the numbers of all points. */
-    explicit QuadratureField(const Space<dim> &space);
+    explicit QuadratureField(const Space<dim> &space)
+      : offsets(space.mesh().n_active_cells(),
+                dealii::numbers::invalid_unsigned_int)
+      , n_local(0)
+      , communicator(space.communicator())
+    {
+      for (const auto &cell : owned_cells(space.mesh()))
+        {
+          offsets[cell->active_cell_index()] = n_local * n_components;
+          n_local += space.quadrature(cell).size();
+        }
+      partitioner = make_partitioner(n_local * n_components, communicator);
+    }
 
     /** Gives @p field this layout, all zero. Collective, and throws as the
      * constructor does.
@@ -34,12 +53,31 @@ namespace Crevasse
      * strain of a chain has those of a branch side by side, at the local index
      * n_branches × offset + branch × n_components. */
     void
-    initialize(Vector &field, const unsigned int n_branches = 1) const;
+    initialize(Vector &field, const unsigned int n_branches = 1) const
+    {
+      if (n_branches == 1)
+        field.reinit(partitioner);
+      else
+        field.reinit(
+          make_partitioner(n_local * n_components * n_branches, communicator));
+    }
 
     /** Where the first point of a locally owned cell begins, as local index. */
     std::size_t
     offset(const typename dealii::Triangulation<dim>::active_cell_iterator
-             &cell) const;
+             &cell) const
+    {
+      Assert(cell->is_locally_owned(), dealii::ExcInternalError());
+      return offsets[cell->active_cell_index()];
+    }
+
+    /** The number of that point among those of this rank. */
+    std::size_t
+    first_point(const typename dealii::Triangulation<dim>::active_cell_iterator
+                  &cell) const
+    {
+      return offset(cell) / n_components;
+    }
 
     /** Points of this rank, and of all ranks. */
     std::size_t
@@ -48,7 +86,10 @@ namespace Crevasse
       return n_local;
     }
     std::size_t
-    n_points() const;
+    n_points() const
+    {
+      return partitioner->size() / n_components;
+    }
 
     /** The components that begin at local index @p offset. */
     static VoigtVector<dim>
@@ -68,6 +109,26 @@ namespace Crevasse
     }
 
   private:
+    /** For so many numbers of this rank. Collective.
+     * @throw SceneError if deal.II's indices cannot count those of all. */
+    static std::shared_ptr<dealii::Utilities::MPI::Partitioner>
+    make_partitioner(const std::uint64_t n_local, const MPI_Comm communicator)
+    {
+      constexpr std::uint64_t most =
+        std::numeric_limits<dealii::types::global_dof_index>::max();
+      const std::uint64_t n =
+        dealii::Utilities::MPI::sum(n_local, communicator);
+      if (n > most)
+        throw SceneError(
+          "[Geometry]: a field at the quadrature points has " +
+          std::to_string(n) + " numbers, and this deal.II counts to " +
+          std::to_string(most) +
+          ". Configure deal.II with DEAL_II_WITH_64BIT_INDICES = ON, or make "
+          "the mesh coarser.");
+      return std::make_shared<dealii::Utilities::MPI::Partitioner>(
+        n_local, 0, communicator);
+    }
+
     std::vector<std::size_t> offsets; // by active cell index
     std::size_t              n_local;
     const MPI_Comm           communicator;

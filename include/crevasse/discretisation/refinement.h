@@ -6,12 +6,10 @@
 
 #include <crevasse/discretisation/space.h>
 #include <crevasse/parameters/boundary_roles.h>
-#include <crevasse/parameters/refinement_parameters.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <functional>
 #include <memory>
-#include <utility>
-#include <vector>
 
 namespace Crevasse
 {
@@ -32,33 +30,6 @@ namespace Crevasse
   require_affordable(const Mesh<dim>            &mesh,
                      const RefinementParameters &parameters,
                      const unsigned int          degree);
-
-  /** The ends of cracks as the coarse mesh has them: points in the plane,
-   * straight edges in space. */
-  template <int dim>
-  class CrackFront
-  {
-  public:
-    CrackFront(const Mesh<dim> &mesh, const BoundaryRoles &roles);
-
-    bool
-    empty() const;
-
-    /** Whether a vertex of the cell lies on the front. */
-    bool
-    touches(const typename Mesh<dim>::cell_iterator &cell) const;
-
-  private:
-    using Point = dealii::Point<dim>;
-
-    /** Both ends of each edge; in the plane twice the same point. */
-    std::vector<std::pair<Point, Point>> edges;
-  };
-
-  /** Divides the cells at the crack front once. Collective. */
-  template <int dim>
-  void
-  refine_front(Mesh<dim> &mesh, const CrackFront<dim> &front);
 
   /**
    * The mesh of Strategy = tip: the cells that touch the front are divided

@@ -6,28 +6,35 @@
 
 #include <crevasse/discretisation/space.h>
 
+#include <string>
 #include <vector>
 
 namespace Crevasse
 {
-  /** Translations and infinitesimal rotations: three in the plane, six in
-   * space. */
-  template <int dim>
-  constexpr unsigned int n_rigid_modes = dim *(dim + 1) / 2;
-
-  /** Component @p c at @p x of mode @p m: translations come first, then
-   * rotations about axes through the origin. */
-  template <int dim>
-  double
-  rigid_mode(const unsigned int        m,
-             const unsigned int        c,
-             const dealii::Point<dim> &x);
-
-  /** All modes as displacement vectors, rotations about the middle of the body
-   * and of unit size; constraints are left out of account. */
+  /** Translations and infinitesimal rotations as displacement vectors, three in
+   * the plane, six in space: rotations about the middle of the body and of unit
+   * size. Constraints are left out of account. */
   template <int dim>
   std::vector<Vector>
   rigid_modes(const Space<dim> &space);
+
+  /**
+   * Names the unconstrained rigid-body motions; empty if there are
+   * none, in which case the stiffness is positive definite. Parts of the mesh
+   * that share no face move each on their own, but where they touch in a vertex
+   * it hinges them together. Contact does not count: it can hold a body in one
+   * direction only. Collective.
+   *
+   * @throw SceneError if the mesh falls into more than 300 parts.
+   */
+  template <int dim>
+  std::vector<std::string>
+  find_free_rigid_motions(const Space<dim> &space);
+
+  /** @throw NumericalError with the names of free rigid motions, if any. */
+  template <int dim>
+  void
+  require_no_rigid_motion(const Space<dim> &space);
 } // namespace Crevasse
 
 #endif

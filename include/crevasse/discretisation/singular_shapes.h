@@ -4,7 +4,9 @@
 #ifndef crevasse_discretisation_singular_shapes_h
 #define crevasse_discretisation_singular_shapes_h
 
-#include <crevasse/discretisation/singular_functions.h>
+#include <crevasse/discretisation/crack_tip.h>
+#include <crevasse/discretisation/polar_field.h>
+#include <crevasse/material/plane_elasticity.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_values.h>
@@ -15,6 +17,48 @@
 
 namespace Crevasse
 {
+  /**
+   * Displacements ψ of mode I with the singularities of a crack tip, to be
+   * added to the finite elements (Strang and Fix 1973, §8.2; the end of §7 of
+   * the paper): w₁, the field of K_I; D, which with w₁ spans all displacements
+   * with √r whatever Poisson's ratio; w₃, the term with r^{3/2} of Williams'
+   * series.
+   *
+   * They are scaled by a length h, the size of the cells at the tip, and to an
+   * opening of 1 there, so that a coefficient is a displacement as those of the
+   * nodes are, in any units.
+   */
+  struct SingularFunctions
+  {
+    /** ψ_k and ∂ψ_k/∂x, in the coordinates of the mesh. */
+    dealii::Tensor<1, 2>
+    value(const unsigned int k, const dealii::Point<2> &point) const
+    {
+      return tip.global(fields[k].displacement(tip.local(point)));
+    }
+    dealii::Tensor<2, 2>
+    gradient(const unsigned int k, const dealii::Point<2> &point) const
+    {
+      const dealii::Tensor<2, 2> to_local = tip.to_local();
+      return transpose(to_local) * fields[k].gradient(tip.local(point)) *
+             to_local;
+    }
+
+    CrackTip                tip;
+    std::vector<PolarField> fields; ///< none: they are off
+
+    /** K_I of a unit coefficient of w₁ (stress √length / length). */
+    double unit_stress_intensity = 0.;
+  };
+
+  /** @param n from 1 to 3.
+   * @param length h */
+  SingularFunctions
+  make_singular_functions(const unsigned int     n,
+                          const CrackTip        &tip,
+                          const PlaneElasticity &elasticity,
+                          const double           length);
+
   /**
    * Singular functions as shape functions: φ = ψ − I_h ψ, with the conforming
    * nodal interpolation I_h. So they vanish at the nodes (but for hanging
@@ -37,7 +81,10 @@ namespace Crevasse
     }
 
     unsigned int
-    size() const;
+    size() const
+    {
+      return singular_functions.fields.size();
+    }
 
     /** φ_k at the points of a cell or face.
      * @param values with shape function values and quadrature points. */

@@ -6,12 +6,15 @@
 
 #include <crevasse/discretisation/singular_shapes.h>
 #include <crevasse/parameters/boundary_roles.h>
+#include <crevasse/parameters/selections.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/hp/q_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
@@ -28,6 +31,26 @@ namespace Crevasse
 
   template <int dim>
   using Mesh = dealii::parallel::distributed::Triangulation<dim>;
+
+  /** The active cells of this rank, of a mesh or of its dofs. */
+  template <typename MeshOrDofs>
+  auto
+  owned_cells(const MeshOrDofs &all)
+  {
+    return all.active_cell_iterators() |
+           dealii::IteratorFilters::LocallyOwnedCell();
+  }
+
+  /** A vector of zeros for the dofs, with ghosts for those of the cells that
+   * this rank sees. */
+  template <int dim>
+  Vector
+  make_vector(const dealii::DoFHandler<dim> &dofs)
+  {
+    dealii::IndexSet relevant;
+    dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+    return Vector(dofs.locally_owned_dofs(), relevant, dofs.get_communicator());
+  }
 
   /**
    * The displacement space: Q1 or Q2 elements on a distributed mesh, with the
@@ -108,21 +131,33 @@ namespace Crevasse
       return volumetric;
     }
     MPI_Comm
-    communicator() const;
+    communicator() const
+    {
+      return triangulation->get_communicator();
+    }
 
     /** The singular functions as shape functions; null: none. */
     const SingularShapes *
-    singular_shapes() const;
+    singular_shapes() const
+    {
+      return shapes.get();
+    }
 
     /** The number of the coefficient of the k-th singular function in a
      * displacement vector. */
     dealii::types::global_dof_index
-    singular_unknown(const unsigned int k) const;
+    singular_unknown(const unsigned int k) const
+    {
+      return dofs.n_dofs() + k;
+    }
 
     /** Degrees of freedom of the nodes and coefficients of singular functions.
      */
     dealii::types::global_dof_index
-    n_unknowns() const;
+    n_unknowns() const
+    {
+      return dofs.n_dofs() + (shapes == nullptr ? 0 : shapes->size());
+    }
 
     /** Those that belong to this rank, and those of the cells that it sees. */
     const dealii::IndexSet &
@@ -146,12 +181,10 @@ namespace Crevasse
     /** A vector of zeros for values at the unknowns, with ghosts for those of
      * the cells that this rank sees. */
     Vector
-    ghosted_vector() const;
-
-    /** The same without the coefficients of singular functions: for output by
-     * means of dof_handler(). */
-    Vector
-    nodal_vector() const;
+    ghosted_vector() const
+    {
+      return Vector(partitioner);
+    }
 
     /** What a displacement is at all nodes, constraints resolved, with ghost
      * values set. */
@@ -173,12 +206,18 @@ namespace Crevasse
     /** Which of these a cell has. */
     unsigned int
     rule(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
-      const;
+      const
+    {
+      return rule_of_cell.empty() ? 0 : rule_of_cell[cell->active_cell_index()];
+    }
 
     /** That rule. */
     const dealii::Quadrature<dim> &
     quadrature(const typename dealii::Triangulation<dim>::active_cell_iterator
-                 &cell) const;
+                 &cell) const
+    {
+      return rules[rule(cell)];
+    }
     const dealii::Quadrature<dim - 1> &
     face_quadrature() const
     {
@@ -198,12 +237,18 @@ namespace Crevasse
     make_constraints();
     /** Whether a constraint makes this unknown depend on others. */
     bool
-    is_tied(const dealii::types::global_dof_index dof) const;
+    is_tied(const dealii::types::global_dof_index dof) const
+    {
+      const auto *entries = affine_constraints.get_constraint_entries(dof);
+      return entries != nullptr && !entries->empty();
+    }
     /** Fixed points at the nearest vertices whose unknowns are not tied,
      * different ones at different vertices; without those for which there are
      * none. */
     std::vector<FixedPoint<dim>>
     at_vertices(const std::vector<FixedPoint<dim>> &fixed_points) const;
+    /** The vertex nearest to a point whose unknowns of its components are not
+     * tied. Collective. */
     std::optional<dealii::Point<dim>>
     nearest_free_vertex(const FixedPoint<dim>                 &fixed_point,
                         const std::vector<dealii::Point<dim>> &taken) const;
@@ -213,10 +258,6 @@ namespace Crevasse
     choose_rules();
     void
     constrain(const FixedPoint<dim> &fixed_point);
-    void
-    constrain(const dealii::types::global_dof_index dof,
-              const unsigned int                    component,
-              const dealii::Point<dim>             &place);
 
     const std::shared_ptr<const Mesh<dim>> triangulation;
     const dealii::MappingQ1<dim>           q1_mapping;
@@ -230,8 +271,10 @@ namespace Crevasse
 
     std::unique_ptr<const SingularShapes> shapes; ///< of singular functions
     dealii::IndexSet                      owned_unknowns, relevant_unknowns;
-    dealii::hp::QCollection<dim>          rules;
-    std::vector<std::uint8_t> rule_of_cell; ///< empty: all have the first
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
+                                 partitioner; ///< of both
+    dealii::hp::QCollection<dim> rules;
+    std::vector<std::uint8_t>    rule_of_cell; ///< empty: all have the first
 
     mutable std::shared_ptr<const dealii::MatrixFree<dim, double>>
       cell_loops; ///< once asked for

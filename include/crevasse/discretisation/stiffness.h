@@ -6,9 +6,14 @@
 
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/shape_strains.h>
 #include <crevasse/discretisation/space.h>
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <vector>
 
 namespace Crevasse
 {
@@ -28,7 +33,57 @@ namespace Crevasse
   assemble_stiffness(const Space<dim>                    &space,
                      const QuadratureField<dim>          &points,
                      const PointValues<VoigtMatrix<dim>> &stiffness,
-                     SparseMatrix                        &matrix);
+                     SparseMatrix                        &matrix)
+  {
+    std::vector<dealii::types::global_dof_index> indices;
+    if (matrix.m() == 0)
+      {
+        const dealii::IndexSet &owned = space.locally_owned_unknowns();
+        dealii::TrilinosWrappers::SparsityPattern sparsity(
+          owned,
+          owned,
+          space.locally_relevant_unknowns(),
+          space.communicator());
+        for (const auto &cell : owned_cells(space.dof_handler()))
+          {
+            space.get_unknowns(cell, indices);
+            space.constraints().add_entries_local_to_global(indices,
+                                                            sparsity,
+                                                            false);
+          }
+        sparsity.compress();
+        matrix.reinit(sparsity);
+      }
+    else
+      matrix = 0.;
+
+    ShapeStrains<dim>             shapes(space);
+    std::vector<VoigtVector<dim>> strains;
+    dealii::FullMatrix<double>    cell_matrix;
+    for (const auto &cell : owned_cells(space.dof_handler()))
+      {
+        const dealii::FEValues<dim> &values = shapes.reinit(cell);
+        space.get_unknowns(cell, indices);
+        const unsigned int n = indices.size();
+        cell_matrix.reinit(n, n);
+        const std::size_t first = points.first_point(cell);
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            shapes.at_point(q, strains);
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                const VoigtVector<dim> stress =
+                  stiffness[first + q] * strains[i] * values.JxW(q);
+                for (unsigned int j = 0; j < n; ++j)
+                  cell_matrix(i, j) += stress * strains[j];
+              }
+          }
+        space.constraints().distribute_local_to_global(cell_matrix,
+                                                       indices,
+                                                       matrix);
+      }
+    matrix.compress(dealii::VectorOperation::add);
+  }
 } // namespace Crevasse
 
 #endif

@@ -5,7 +5,6 @@
 #define crevasse_harmonic_balance_complex_moduli_h
 
 #include <crevasse/discretisation/material_field.h>
-#include <crevasse/harmonic_balance/complex_stiffness.h>
 
 #include <complex>
 #include <optional>
@@ -13,6 +12,15 @@
 
 namespace Crevasse
 {
+  /** What oscillates at one frequency, as the factor of exp(iωt). */
+  template <int dim>
+  using ComplexVoigtVector =
+    dealii::Tensor<1, n_stress_components<dim>, std::complex<double>>;
+
+  template <int dim>
+  using ComplexVoigtMatrix =
+    dealii::Tensor<2, n_stress_components<dim>, std::complex<double>>;
+
   /**
    * What stands for the stiffness where everything oscillates at one frequency
    * (model, §3), with κ = k/(η₀ z) and z = iω or what a time scheme makes of
@@ -44,16 +52,6 @@ namespace Crevasse
                 const PointValues<VoigtMatrix<dim>> &stiffness,
                 const std::size_t                    n_points,
                 const MPI_Comm                       communicator);
-
-  /** The real or the imaginary parts of matrices. */
-  template <int dim>
-  PointValues<VoigtMatrix<dim>>
-  real_parts(const PointValues<ComplexVoigtMatrix<dim>> &matrices,
-             const std::size_t                           n_points);
-  template <int dim>
-  PointValues<VoigtMatrix<dim>>
-  imaginary_parts(const PointValues<ComplexVoigtMatrix<dim>> &matrices,
-                  const std::size_t                           n_points);
 } // namespace Crevasse
 
 #endif

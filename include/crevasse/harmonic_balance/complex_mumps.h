@@ -4,14 +4,12 @@
 #ifndef crevasse_harmonic_balance_complex_mumps_h
 #define crevasse_harmonic_balance_complex_mumps_h
 
+#include <crevasse/linear/mumps_instance.h>
+
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
-#include <complex>
-#include <cstddef>
 #include <memory>
-#include <vector>
 
 namespace Crevasse
 {
@@ -26,7 +24,7 @@ namespace Crevasse
    * compliance on P. That costs far less than a column of A*⁻¹ for each of
    * them.
    */
-  class ComplexMumps
+  class ComplexMumps : private MumpsInstance<std::complex<double>>
   {
   public:
     using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
@@ -45,44 +43,42 @@ namespace Crevasse
      * the same P, or null.
      * @throw NumericalError if MUMPS fails, or the factor is a poor one.
      */
-    ComplexMumps(
-      const Matrix                                       &real,
-      const Matrix                                       &imaginary,
-      const std::vector<dealii::types::global_dof_index> &condensed    = {},
-      std::shared_ptr<const Ordering>                     same_pattern = {});
-    ~ComplexMumps();
-
-    /** For other matrices with the same pattern and the same P. */
-    std::shared_ptr<const Ordering>
-    ordering() const
-    {
-      return order;
-    }
-
-    /** The rows and columns of P in A*⁻¹, in the order of @p condensed; the
-     * same on all ranks. */
-    const dealii::FullMatrix<std::complex<double>> &
-    compliance() const;
+    ComplexMumps(const Matrix                                       &real,
+                 const Matrix                                       &imaginary,
+                 const std::vector<dealii::types::global_dof_index> &condensed,
+                 std::shared_ptr<const Ordering> same_pattern);
 
     /** Solves for a right-hand side in two parts, which are overwritten by
      * those of the solution. Collective. */
     void
-    solve(Vector &real, Vector &imaginary) const;
+    solve(Vector &real, Vector &imaginary);
 
-    /** Bytes of the factor on this rank. */
-    std::size_t
-    memory_consumption() const;
+    /** For other matrices with the same pattern and the same P. */
+    std::shared_ptr<const Ordering> ordering;
+
+    /** The rows and columns of P in A*⁻¹, in the order of P; the same on all
+     * ranks. */
+    dealii::FullMatrix<std::complex<double>> compliance;
+
+    using MumpsInstance<std::complex<double>>::memory_consumption;
 
   private:
-    struct Factor; // keeps zmumps_c.h out of every includer
+    using Complex = std::complex<double>;
+
+    /** Makes the compliance of the Schur complement, for all ranks. */
+    void
+    invert(const std::vector<Complex> &complement);
+
+    /** Solves for the right-hand side that rank 0 has. */
+    void
+    solve_on_root(std::vector<Complex> &on_root);
 
     /** @throw NumericalError if the factor does not solve the system with the
      * solution 1. */
     void
-    check(const Matrix &real, const Matrix &imaginary) const;
+    check(const Matrix &real, const Matrix &imaginary);
 
-    std::shared_ptr<const Ordering> order;
-    std::unique_ptr<Factor>         factor;
+    std::vector<int> last_unknowns; ///< P, counted from 1
   };
 } // namespace Crevasse
 

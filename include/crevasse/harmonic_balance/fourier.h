@@ -4,44 +4,14 @@
 #ifndef crevasse_harmonic_balance_fourier_h
 #define crevasse_harmonic_balance_fourier_h
 
-#include <crevasse/contact/signorini_problem.h>
-#include <crevasse/discretisation/external_loads.h>
-#include <crevasse/discretisation/material_field.h>
-#include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/strain_operator.h>
-#include <crevasse/harmonic_balance/complex_moduli.h>
+#include <crevasse/harmonic_balance/fourier_problem.h>
 #include <crevasse/harmonic_balance/harmonic_responses.h>
-#include <crevasse/harmonic_balance/harmonics.h>
-#include <crevasse/harmonic_balance/lip_part.h>
-#include <crevasse/harmonic_balance/periodic_contact_problem.h>
-#include <crevasse/linear/linear_solver.h>
-#include <crevasse/time/secular_flow.h>
 
 #include <functional>
-#include <memory>
 #include <vector>
 
 namespace Crevasse
 {
-  /** A periodic motion (problem P4; model, §2) at the N instants of
-   * Harmonics. */
-  struct PeriodicMotion
-  {
-    std::vector<Vector> displacement;   ///< q
-    std::vector<Vector> viscous_strain; ///< r, with the branches of a chain
-    /** g for each local lip node. */
-    std::vector<std::vector<double>> contact_forces;
-
-    /** At how many instants each node that bears a mean force is closed; on
-     * all ranks. */
-    std::vector<unsigned int> instants_of_contact;
-
-    unsigned int loaded_harmonics       = 0;
-    unsigned int complex_factorisations = 0;
-  };
-
-
-
   /**
    * The periodic state without marching: direct Fourier treatment in time (the
    * paper's Remark 1; model, §2 and §3). K and H do not depend on time, so each
@@ -60,26 +30,18 @@ namespace Crevasse
   class Fourier
   {
   public:
-    /** What is computed. All must outlive the method. */
-    struct Parts
-    {
-      const Space<dim>           &space;
-      const QuadratureField<dim> &points;
-      const StrainOperator<dim>  &strain_operator;
-      /** Its K and H must not depend on time, and have no singular H. */
-      const MaterialField<dim> &material;
-      const ExternalLoads<dim> &loads;
-      const UnilateralBounds   &bounds;
-      /** Of the stiffness without its factor k. */
-      LinearSolver &linear_solver;
-    };
-
     using ContactMethod =
       std::function<PeriodicContactSolution(const PeriodicContactProblem &)>;
 
-    /** Samples loads and thermal strain. Collective.
+    /** Samples loads and thermal strain. All arguments must outlive this
+     * object. Collective.
+     *
+     * @param body whose K and H do not depend on time, without a singular H.
+     * @param linear_solver of the stiffness without its factor k.
      * @throw SceneError if a formula has no value. */
-    Fourier(const Parts &parts, const Harmonics &harmonics);
+    Fourier(const Body<dim> &body,
+            const Harmonics &harmonics,
+            LinearSolver    &linear_solver);
 
     /** The mean of the samples divided by η₀: the load of the secular
      * problem. */
@@ -106,13 +68,16 @@ namespace Crevasse
   private:
     using Complex = std::complex<double>;
 
-    void
-    sample_loads();
-    void
-    sample_thermal_strain();
+    /** κ of harmonic n; see ComplexModuli. */
+    Complex
+    kappa(const unsigned int n) const;
 
     ComplexModuli<dim>
     moduli(const unsigned int n) const;
+
+    /** χθₙ at a point; 0 if only its mean is there. */
+    ComplexVoigtVector<dim>
+    thermal_harmonic(const unsigned int n, const std::size_t offset) const;
 
     /** Adds ∫ Dᵀ k K* χθₙ. */
     void
@@ -125,19 +90,15 @@ namespace Crevasse
      * become zero. */
     PeriodicContactProblem
     respond(HarmonicResponses<dim> &responses,
-            const LipPart          &lip,
+            const LipPart          &part,
             PeriodicMotion         &motion) const;
 
     /** Adds what the contact forces do. */
     void
     add_contact(const PeriodicContactSolution &contact,
                 HarmonicResponses<dim>        &responses,
-                const LipPart                 &lip,
+                const LipPart                 &part,
                 PeriodicMotion                &motion) const;
-
-    /** χθₙ at a point; 0 if only its mean is there. */
-    ComplexVoigtVector<dim>
-    thermal_harmonic(const unsigned int n, const std::size_t offset) const;
 
     /** rₙ for the displacement qₙ. */
     void
@@ -160,9 +121,11 @@ namespace Crevasse
     find_mean_viscous_strain(const SecularFlow *flow,
                              PeriodicMotion    &motion) const;
 
-    const Parts              parts;
+    const Body<dim>         &body;
     const Harmonics         &harmonics;
+    LinearSolver            &linear_solver;
     const MaterialState<dim> material;
+    const UnilateralBounds   bounds;
     const LipPart            lip; ///< all of it
 
     // Coefficients of harmonics.

@@ -5,7 +5,7 @@
 #define crevasse_harmonic_balance_fourier_problem_h
 
 #include <crevasse/base/summary.h>
-#include <crevasse/harmonic_balance/fourier.h>
+#include <crevasse/harmonic_balance/harmonics.h>
 #include <crevasse/model/body.h>
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/parameters/scene.h>
@@ -18,6 +18,23 @@
 
 namespace Crevasse
 {
+  /** A periodic motion (problem P4; model, §2) at the N instants of
+   * Harmonics. */
+  struct PeriodicMotion
+  {
+    std::vector<Vector> displacement;   ///< q
+    std::vector<Vector> viscous_strain; ///< r, with the branches of a chain
+    /** g for each local lip node. */
+    std::vector<std::vector<double>> contact_forces;
+
+    /** At how many instants each node that bears a mean force is closed; on
+     * all ranks. */
+    std::vector<unsigned int> instants_of_contact;
+
+    unsigned int loaded_harmonics       = 0;
+    unsigned int complex_factorisations = 0;
+  };
+
   /** The periodic state found by harmonic balance, and what was found on the
    * way. */
   struct FourierResult

@@ -4,16 +4,31 @@
 #ifndef crevasse_harmonic_balance_harmonic_responses_h
 #define crevasse_harmonic_balance_harmonic_responses_h
 
-#include <crevasse/discretisation/space.h>
-#include <crevasse/discretisation/stiffness.h>
 #include <crevasse/harmonic_balance/complex_moduli.h>
-#include <crevasse/harmonic_balance/harmonic_response.h>
+#include <crevasse/harmonic_balance/lip_part.h>
+#include <crevasse/harmonic_balance/periodic_contact.h>
+#include <crevasse/model/body.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 
 namespace Crevasse
 {
+  /** How a body answers to nodal loads that oscillate at one frequency: the
+   * solutions of A* q = b, with the complex stiffness A* = ∫ DᵀK*D. */
+  struct HarmonicResponse
+  {
+    /** S = L A*⁻¹ Lᵀ on a part of the lip, the same on all ranks. */
+    PeriodicContactProblem::Compliance compliance;
+
+    /** Overwrites the parts of b by those of q. Collective. */
+    std::function<void(Vector &real, Vector &imaginary)> solve;
+
+    /** Bytes on this rank that are not shared with others. */
+    std::size_t memory_consumption;
+  };
+
   /**
    * Makes the responses of a body to the harmonics, each the cheapest there is:
    * back-solves with the elastic stiffness where K* is a multiple of K, a
@@ -29,47 +44,42 @@ namespace Crevasse
      * @param linear_solver of the elastic stiffness A, without its factor k.
      * @param lip the nodes whose compliance is asked for.
      * @param memory in bytes, of all ranks. */
-    HarmonicResponses(const Space<dim>           &space,
-                      const QuadratureField<dim> &points,
-                      const MaterialState<dim>   &material,
-                      LinearSolver               &linear_solver,
-                      const LipPart              &lip,
-                      const double                memory);
+    HarmonicResponses(const Body<dim>          &body,
+                      const MaterialState<dim> &material,
+                      LinearSolver             &linear_solver,
+                      const LipPart            &lip,
+                      const double              memory);
 
     /** The response to harmonic @p n with these moduli, all without the factor
      * k. Collective. @throw NumericalError if MUMPS fails. */
-    std::shared_ptr<HarmonicResponse>
+    HarmonicResponse
     at(const unsigned int n, const ComplexModuli<dim> &moduli);
 
-    /** Complex factorisations so far. */
-    unsigned int
-    n_factorisations() const
-    {
-      return factorisations;
-    }
-
-  private:
-    /** L A⁻¹ Lᵀ, computed when it is first asked for. */
-    std::shared_ptr<const ScaledResponse::Matrix>
-    elastic_compliance();
-
-    std::shared_ptr<HarmonicResponse>
+    /** The response by a factor of its own. Collective. @throw NumericalError
+     * if MUMPS fails. */
+    HarmonicResponse
     factorised(const ComplexModuli<dim> &moduli);
 
-    const Space<dim>           &space;
-    const QuadratureField<dim> &points;
-    const MaterialState<dim>   &material;
-    LinearSolver               &linear_solver;
-    const LipPart              &lip;
-    const double                memory;
+    unsigned int n_factorisations = 0; ///< complex ones, so far
 
-    double       used_memory    = 0.;
-    bool         is_full        = false;
-    unsigned int factorisations = 0;
+  private:
+    /** The response where A* is A times a number. */
+    HarmonicResponse
+    scaled(const std::complex<double> factor);
+
+    const Body<dim>          &body;
+    const MaterialState<dim> &material;
+    LinearSolver             &linear_solver;
+    const LipPart            &lip;
+    const double              memory;
+
+    double       used_memory = 0.;
+    bool         is_full     = false;
     SparseMatrix real, imaginary; ///< of the last factor
-    std::shared_ptr<const ScaledResponse::Matrix>             compliance;
-    std::shared_ptr<const ComplexMumps::Ordering>             ordering;
-    std::map<unsigned int, std::shared_ptr<HarmonicResponse>> kept;
+    std::shared_ptr<const dealii::FullMatrix<std::complex<double>>>
+      elastic_compliance;                              ///< L A⁻¹ Lᵀ
+    std::shared_ptr<const std::vector<int>>  ordering; ///< see ComplexMumps
+    std::map<unsigned int, HarmonicResponse> kept;
   };
 } // namespace Crevasse
 

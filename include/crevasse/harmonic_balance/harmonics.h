@@ -5,8 +5,8 @@
 #define crevasse_harmonic_balance_harmonics_h
 
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
+#include <algorithm>
 #include <complex>
 #include <vector>
 
@@ -42,23 +42,25 @@ namespace Crevasse
               const unsigned int n_instants,
               const TimeRule     rule);
 
-    /** N */
-    unsigned int
-    n_instants() const
-    {
-      return n;
-    }
-
     double
-    instant(const unsigned int j) const;
+    instant(const unsigned int j) const
+    {
+      return period * j / n_instants;
+    }
 
     /** Without the mean: N/2, rounded down. */
     unsigned int
-    n_harmonics() const;
+    n_harmonics() const
+    {
+      return n_instants / 2;
+    }
 
     /** Whether only the real part of this harmonic is seen by the samples. */
     bool
-    is_real(const unsigned int n) const;
+    is_real(const unsigned int n) const
+    {
+      return 2 * n == n_instants;
+    }
 
     /** 1/zₙ for n > 0: what the integral in time multiplies the harmonic n by.
      * iωₙ is the zₙ of the exact rule, (2i/Δt) tan(ωₙΔt/2) that of the
@@ -74,12 +76,18 @@ namespace Crevasse
      */
     template <typename VectorType>
     void
-    analyse(std::vector<VectorType> &samples) const;
+    analyse(std::vector<VectorType> &samples) const
+    {
+      apply(analysis, samples);
+    }
 
     /** The inverse of analyse(). */
     template <typename VectorType>
     void
-    synthesise(std::vector<VectorType> &coefficients) const;
+    synthesise(std::vector<VectorType> &coefficients) const
+    {
+      apply(synthesis, coefficients);
+    }
 
     /** The coefficients of zero, shaped like @p model. */
     template <typename VectorType>
@@ -89,6 +97,8 @@ namespace Crevasse
       return std::vector<VectorType>(1 + 2 * n_harmonics(), model);
     }
 
+    const unsigned int n_instants; ///< N
+
   private:
     /** A matrix, times vectors of numbers. */
     template <typename VectorType>
@@ -96,12 +106,35 @@ namespace Crevasse
     apply(const dealii::FullMatrix<double> &matrix,
           std::vector<VectorType>          &vectors);
 
-    const double   period;
-    const unsigned n;
-    const TimeRule rule;
-
+    const double               period;
+    const TimeRule             rule;
     dealii::FullMatrix<double> analysis, synthesis;
   };
+
+
+
+  template <typename VectorType>
+  void
+  Harmonics::apply(const dealii::FullMatrix<double> &matrix,
+                   std::vector<VectorType>          &vectors)
+  {
+    // By blocks of entries, each of which stays in the cache.
+    constexpr std::size_t block = 128;
+    const std::size_t size = vectors.front().end() - vectors.front().begin();
+    vectors.resize(std::max(matrix.n(), matrix.m()), vectors.front());
+    dealii::FullMatrix<double> before(matrix.n(), block),
+      after(matrix.m(), block);
+    for (std::size_t begin = 0; begin < size; begin += block)
+      {
+        const std::size_t n = std::min(block, size - begin);
+        for (unsigned int i = 0; i < matrix.n(); ++i)
+          std::copy_n(vectors[i].begin() + begin, n, &before(i, 0));
+        matrix.mmult(after, before);
+        for (unsigned int i = 0; i < matrix.m(); ++i)
+          std::copy_n(&after(i, 0), n, vectors[i].begin() + begin);
+      }
+    vectors.resize(matrix.m());
+  }
 } // namespace Crevasse
 
 #endif

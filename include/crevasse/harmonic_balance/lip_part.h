@@ -29,26 +29,7 @@ namespace Crevasse
     unsigned int
     n_nodes() const
     {
-      return node_dofs.size();
-    }
-
-    /** Of each node. */
-    const std::vector<dealii::types::global_dof_index> &
-    dofs() const
-    {
-      return node_dofs;
-    }
-
-    const std::vector<double> &
-    signs() const
-    {
-      return node_signs;
-    }
-
-    const std::vector<double> &
-    gaps() const
-    {
-      return node_gaps;
+      return nodes.dofs.size();
     }
 
     /** L v, on all ranks. Collective. */
@@ -69,33 +50,19 @@ namespace Crevasse
                const dealii::Vector<double> &forces,
                Vector                       &v) const;
 
-    /** Makes L v what is given, and touches nothing else. */
-    void
-    prescribe(const dealii::Vector<double> &on_lip, Vector &v) const;
-
     /** L A⁻¹ Lᵀ. Collective.
      *
      * @param model a vector with the layout of A. */
     dealii::FullMatrix<double>
     compliance(LinearSolver &linear_solver, const Vector &model) const;
 
+    UnilateralBounds nodes; ///< of all ranks
+
   private:
-    /** Calls f(node, bound) for the locally owned ones. */
-    template <typename Function>
-    void
-    for_each_local(const Function &f) const;
-
-    dealii::Vector<double>
-    of_all_ranks(dealii::Vector<double> &&local) const;
-
     const MPI_Comm            communicator;
     const std::size_t         n_bounds; ///< locally owned ones
     unsigned int              first = 0;
     std::vector<unsigned int> bounds; ///< of the locally owned nodes
-
-    std::vector<dealii::types::global_dof_index> node_dofs;
-    std::vector<double>                          node_signs;
-    std::vector<double>                          node_gaps;
   };
 } // namespace Crevasse
 

@@ -4,13 +4,7 @@
 #ifndef crevasse_harmonic_balance_periodic_convolution_h
 #define crevasse_harmonic_balance_periodic_convolution_h
 
-#include <crevasse/harmonic_balance/periodic_contact_problem.h>
-
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
-
-#include <memory>
-#include <vector>
+#include <crevasse/harmonic_balance/periodic_contact.h>
 
 namespace Crevasse
 {
@@ -27,68 +21,38 @@ namespace Crevasse
   class PeriodicConvolution
   {
   public:
-    /**
-     * Shares the matrices of the compliances.
-     *
-     * @param compliances S₁ … S_{N/2}, each p × p
-     * @throw ExceptionBase if one is not finite.
-     */
+    /** Shares the matrices of the compliances S₁ … S_{N/2}, each p × p. */
     PeriodicConvolution(
       const std::vector<PeriodicContactProblem::Compliance> &compliances,
       const unsigned int                                     n_nodes,
       const unsigned int                                     n_instants);
     ~PeriodicConvolution();
 
-    unsigned int
-    n_nodes() const
-    {
-      return p;
-    }
-
-    unsigned int
-    n_instants() const
-    {
-      return N;
-    }
-
     /** S ∗ g, p N entries; whatever the mean of g, the result has none. */
     void
     vmult(dealii::Vector<double>       &result,
           const dealii::Vector<double> &function) const;
 
-    /** Applies Re Sₙ for the highest n, which is next to the elastic
-     * compliance: a symmetric positive definite p × p matrix, for
-     * preconditioners; of no entries if there is no harmonic. */
-    const dealii::FullMatrix<double> &
-    elastic_compliance() const
-    {
-      return elastic;
-    }
+    /** The kernel C(t_k), k = 0 … N − 1, p × p matrices with
+     * (S ∗ g)(t_j) = Σ_k C(t_j − t_k) g(t_k). N p² numbers. */
+    std::vector<dealii::FullMatrix<double>>
+    kernel() const;
 
     /** The largest |entry| on the diagonals of all Sₙ; 0 without harmonics. */
-    double
-    largest_compliance() const
-    {
-      return largest;
-    }
+    double largest_compliance = 0.;
 
-    /**
-     * The kernel C(t_k), k = 0 … N − 1, p × p matrices with
-     * (C ∗ g)(t_j) = Σ_k C(t_j − t_k) g(t_k) = (S ∗ g)(t_j) + S_e mean(g),
-     * where S_e is elastic_compliance(): with it for a harmonic 0, the kernel
-     * is positive definite for all functions. N p² numbers.
-     */
-    std::vector<dealii::FullMatrix<double>>
-    definite_kernel() const;
+    /** Re Sₙ for the highest n, which is next to the elastic compliance: a
+     * symmetric positive definite p × p matrix, for preconditioners; of no
+     * entries if there is no harmonic. */
+    dealii::FullMatrix<double> elastic_compliance;
+
+    const unsigned int n_nodes;    ///< p
+    const unsigned int n_instants; ///< N
 
   private:
     struct Transforms;
 
     const std::vector<PeriodicContactProblem::Compliance> compliances;
-    const unsigned int                                    p;
-    const unsigned int                                    N;
-    dealii::FullMatrix<double>                            elastic;
-    double                                                largest = 0.;
     const std::unique_ptr<Transforms>                     transforms;
   };
 } // namespace Crevasse

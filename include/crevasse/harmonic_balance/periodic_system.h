@@ -5,51 +5,37 @@
 #define crevasse_harmonic_balance_periodic_system_h
 
 #include <crevasse/harmonic_balance/periodic_convolution.h>
-#include <crevasse/harmonic_balance/periodic_elastic_preconditioner.h>
 
-#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/vector.h>
-
-#include <vector>
 
 namespace Crevasse
 {
   /**
    * The bordered linear systems of PeriodicContactProblem, on active entries
-   * A of the p N of a function, with a diagonal D ≥ 0:
+   * A of the p N of a function:
    *
-   *     D x + S ∗ x + c = right on A,   x = 0 elsewhere,   mean(x) = mean.
+   *     S ∗ x + c = right on A,   x = 0 elsewhere,   mean(x) = mean.
    *
    * Small ones are factored: the kernel of the convolution is a dense matrix.
-   * Large ones are left to GMRES, with the convolution by Fourier transforms
-   * and preconditioned by PeriodicElasticPreconditioner, and factored only if
-   * that does not converge.
+   * Large ones are left to GMRES, with the convolution by Fourier transforms,
+   * and factored only if that does not converge. Its preconditioner has the
+   * elastic compliance in place of the convolution, and so a matrix by itself
+   * for each instant; its solutions have the mean asked for.
    */
   class PeriodicSystem
   {
   public:
-    /**
-     * Keeps a reference to the convolution.
-     *
-     * @param largest_dense_system how many active entries and nodes together
-     * are still factored
-     * @param most_steps of GMRES for one system
-     */
-    PeriodicSystem(const PeriodicConvolution &convolution,
-                   const unsigned int         largest_dense_system,
-                   const unsigned int         most_steps = 2000);
+    /** Keeps references. */
+    PeriodicSystem(const PeriodicConvolution    &convolution,
+                   const PeriodicContactOptions &options);
 
-    /**
-     * Makes these the active entries and prepares solutions.
+    /** Makes these the active entries, of p N, with at least one for each node,
+     * and prepares solutions.
      *
-     * @param active p N entries; for each node at least one is true
-     * @param diagonal D, p N entries
-     * @throw NumericalError if the matrix is singular.
-     */
+     * @param shift D ≥ 0, a number.
+     * @throw NumericalError if the matrix is singular. */
     void
-    reinit(const std::vector<bool>      &active,
-           const dealii::Vector<double> &diagonal);
+    reinit(const std::vector<bool> &active, const double shift = 0.);
 
     /**
      * Solves a system.
@@ -63,71 +49,56 @@ namespace Crevasse
      * unknowns for a factorisation.
      */
     void
-    solve(const dealii::Vector<double> &right,
-          const dealii::Vector<double> &means,
-          const double                  accuracy,
-          dealii::Vector<double>       &x,
-          dealii::Vector<double>       &offsets);
+    solve(const LipVector &right,
+          const LipVector &means,
+          const double     accuracy,
+          LipVector       &x,
+          LipVector       &offsets);
 
-    /** How many right-hand sides were solved for. */
-    unsigned int
-    n_solves() const
-    {
-      return solves;
-    }
+    /** For GMRES: what x and c, one after the other, make of the equations on
+     * A. Those of the mean hold from the start: 0. */
+    void
+    vmult(LipVector &result, const LipVector &x_and_c) const;
 
     /** Steps of GMRES in all; 0 if everything was factored. */
-    unsigned int
-    n_iterations() const
-    {
-      return iterations;
-    }
-
-    /** Of active entries and nodes, in the largest system so far. */
-    unsigned int
-    largest_system() const
-    {
-      return largest;
-    }
+    unsigned int n_iterations = 0;
 
   private:
+    /** With the elastic compliance. */
+    struct Preconditioner
+    {
+      void
+      vmult(LipVector &x_and_c, const LipVector &right) const;
+
+      const PeriodicSystem                         &system;
+      std::vector<dealii::LAPACKFullMatrix<double>> inverses; ///< by instant
+      dealii::LAPACKFullMatrix<double>              border;   ///< for c
+    };
+
     void
     factor();
 
-    /** Where GMRES has failed, unless there are too many unknowns. */
     void
-    factor_after_all();
-
-    void
-    solve_dense(const dealii::Vector<double> &right,
-                const dealii::Vector<double> &means,
-                dealii::Vector<double>       &x,
-                dealii::Vector<double>       &offsets) const;
+    prepare_preconditioner();
 
     /** @return whether GMRES converged. */
     bool
-    solve_iteratively(const dealii::Vector<double> &right,
-                      const dealii::Vector<double> &means,
-                      const double                  accuracy,
-                      dealii::Vector<double>       &x,
-                      dealii::Vector<double>       &offsets);
+    solve_iteratively(const LipVector &right,
+                      const double     accuracy,
+                      LipVector       &x);
 
-    const PeriodicConvolution &convolution;
-    const unsigned int         largest_dense_system;
-    const unsigned int         most_steps;
+    const PeriodicConvolution    &convolution;
+    const PeriodicContactOptions &options;
 
-    std::vector<unsigned int> unknowns; ///< the active entries, ascending
-    dealii::Vector<double>    diagonal;
+    /** The active entries, ascending, and where those of each instant begin
+     * among them. */
+    std::vector<unsigned int> unknowns, begins;
 
-    std::vector<dealii::FullMatrix<double>> kernel; ///< if ever factored
-    dealii::LAPACKFullMatrix<double>        matrix;
-    dealii::Vector<double>                  scaling; ///< of rows and columns
-
-    PeriodicElasticPreconditioner preconditioner;
-
-    unsigned int solves     = 0;
-    unsigned int iterations = 0;
-    unsigned int largest    = 0;
+    std::vector<dealii::FullMatrix<double>> kernel;  ///< if ever factored
+    dealii::LAPACKFullMatrix<double>        matrix;  ///< factored, or empty
+    LipVector                               scaling; ///< of rows and columns
+    Preconditioner                          preconditioner;
+    double                                  shift = 0.;
   };
 } // namespace Crevasse
 

@@ -4,9 +4,12 @@
 #ifndef crevasse_harmonic_balance_prescribed_motion_h
 #define crevasse_harmonic_balance_prescribed_motion_h
 
-#include <crevasse/harmonic_balance/fourier.h>
+#include <crevasse/harmonic_balance/fourier_problem.h>
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/observer.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace Crevasse
 {
@@ -33,9 +36,6 @@ namespace Crevasse
                      const double          largest_load);
 
     void
-    restart() override;
-
-    void
     start(RateEquation &f,
           const double  t,
           const Vector &r,
@@ -43,24 +43,10 @@ namespace Crevasse
 
     /** Only from the beginning of one step to the next. */
     void
-    advance(RateEquation &f,
-            const double  t,
-            const double  time_step,
-            const Vector &rate,
-            Vector       &r,
-            Vector       *error) override;
+    advance(const TimeStep &step) override;
 
     void
     observe(const Sample &sample) override;
-
-    double
-    stability_limit() const override;
-
-    TimeQuadrature
-    quadrature() const override;
-
-    std::string
-    description() const override;
 
     void
     serialize(StateArchive &archive) override;
@@ -77,7 +63,10 @@ namespace Crevasse
 
     /** The number of the instant @p t, from 0; N at the end of the period. */
     unsigned int
-    number(const double t) const;
+    number(const double t) const
+    {
+      return std::lround(t / step);
+    }
 
     /** Takes the defect of the trapezoidal rule in the step that ends at
      * instant @p end. */
@@ -85,7 +74,6 @@ namespace Crevasse
     compare_step(const unsigned int end, const Vector &r, const Vector &rate);
 
     const double step, diameter;
-    bool         is_continuing = false; ///< from the last step, without a jump
     Vector       first_rate, last_rate, defect;
 
     /** A difference and the size of what differs. */
@@ -93,7 +81,11 @@ namespace Crevasse
     {
       double largest = 0., size = 0.;
       void
-      add(const double a, const double b);
+      add(const double a, const double b)
+      {
+        largest = std::max(largest, std::abs(a - b));
+        size    = std::max(size, std::abs(a));
+      }
     };
     Difference displacement, force, viscous_strain;
   };

@@ -5,6 +5,7 @@
 #define crevasse_linear_amg_cg_h
 
 #include <crevasse/linear/conjugate_gradients.h>
+#include <crevasse/linear/matrix_operator.h>
 
 #include <deal.II/lac/trilinos_precondition.h>
 
@@ -29,17 +30,29 @@ namespace Crevasse
           const bool                 higher_order);
 
     void
-    precondition(Vector &solution, const Vector &right_hand_side) override;
+    precondition(Vector &solution, const Vector &right_hand_side) override
+    {
+      multigrid.vmult(solution, right_hand_side);
+    }
 
     std::size_t
-    memory_consumption() const override;
+    memory_consumption() const override
+    {
+      return multigrid.memory_consumption();
+    }
 
     std::string
-    preconditioner_description() const override;
+    preconditioner_description() const override
+    {
+      return "smoothed aggregation (ML)";
+    }
 
   protected:
     void
-    multiply(Vector &result, const Vector &v) const override;
+    multiply(Vector &result, const Vector &v) const override
+    {
+      Crevasse::multiply(matrix, result, v);
+    }
 
   private:
     const Matrix                             &matrix;

@@ -8,35 +8,35 @@
 
 #include <memory>
 
-struct cholmod_sparse_struct;
-
 namespace Crevasse
 {
   /** Sparse Cholesky factorisation by CHOLMOD (SuiteSparse), on one rank. */
   class Cholesky : public DirectSolver
   {
   public:
-    /** Ordering and pattern of the factor. */
-    struct Analysis;
+    /** A factor and CHOLMOD's settings and workspace; keeps cholmod.h out of
+     * every includer. */
+    struct Factor;
 
     /** Factorises.
      *
      * @param same_pattern the analysis of a matrix with the same pattern, or
      * null. @throw NumericalError if the matrix is not positive definite;
      * SceneError on several ranks. */
-    explicit Cholesky(const Matrix                   &matrix,
-                      std::shared_ptr<const Analysis> same_pattern = nullptr);
+    explicit Cholesky(const Matrix                 &matrix,
+                      std::shared_ptr<const Factor> same_pattern = nullptr);
     ~Cholesky() override;
 
     /** @throw SceneError on several ranks. */
     static void
     require_one_process(const MPI_Comm communicator);
 
-    /** For other matrices with the same pattern. */
-    std::shared_ptr<const Analysis>
+    /** Ordering and pattern, without numbers, for other matrices with the same
+     * pattern. */
+    std::shared_ptr<const Factor>
     analysis() const
     {
-      return shared_analysis;
+      return pattern;
     }
 
     std::size_t
@@ -52,14 +52,8 @@ namespace Crevasse
                const unsigned int n_columns) override;
 
   private:
-    struct Common; ///< CHOLMOD's settings and workspace
-    struct Factor; // keeps cholmod.h out of every includer
-
-    static std::shared_ptr<const Analysis>
-    analyse(cholmod_sparse_struct *upper_triangle);
-
-    std::shared_ptr<const Analysis> shared_analysis;
-    std::unique_ptr<Factor>         factor;
+    std::shared_ptr<const Factor> pattern;
+    std::unique_ptr<Factor>       factor;
   };
 } // namespace Crevasse
 

@@ -6,6 +6,9 @@
 
 #include <crevasse/linear/linear_solver.h>
 
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+
 namespace Crevasse
 {
   /** What all solvers by conjugate gradients have in common: they differ in A
@@ -13,6 +16,34 @@ namespace Crevasse
   class ConjugateGradients : public LinearSolver
   {
   public:
+    /** At most 1000 iterations; what they reached is judged by the caller.
+     * Collective.
+     *
+     * @param A @p B the operator and its preconditioner: f(product, v).
+     * @param[in,out] solution where they start and end.
+     * @param residual_norm the l₂ norm at which they end. */
+    template <typename Operator, typename Preconditioner>
+    static dealii::SolverControl
+    iterate(const Operator       &A,
+            const Preconditioner &B,
+            Vector               &solution,
+            const Vector         &right_hand_side,
+            const double          residual_norm)
+    {
+      dealii::SolverControl control(1000, residual_norm);
+      try
+        {
+          dealii::SolverCG<Vector>(control).solve(Product<Operator>{A},
+                                                  solution,
+                                                  right_hand_side,
+                                                  Product<Preconditioner>{B});
+        }
+      catch (const dealii::SolverControl::NoConvergence &)
+        {
+        }
+      return control;
+    }
+
     bool
     is_direct() const override
     {
@@ -20,7 +51,10 @@ namespace Crevasse
     }
 
     std::string
-    description() const override;
+    description() const override
+    {
+      return "conjugate gradients with " + preconditioner_description();
+    }
 
   protected:
     /** result = A v */
@@ -31,6 +65,20 @@ namespace Crevasse
     apply_inverse(Vector       &solution,
                   const Vector &right_hand_side,
                   const double  residual_norm) override;
+
+  private:
+    /** As deal.II wants it. */
+    template <typename Function>
+    struct Product
+    {
+      void
+      vmult(Vector &result, const Vector &v) const
+      {
+        f(result, v);
+      }
+
+      const Function &f;
+    };
   };
 } // namespace Crevasse
 

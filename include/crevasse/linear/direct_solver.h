@@ -20,13 +20,20 @@ namespace Crevasse
     }
 
     void
-    precondition(Vector &solution, const Vector &right_hand_side) override;
+    precondition(Vector &solution, const Vector &right_hand_side) override
+    {
+      back_solve(solution.begin(), right_hand_side.begin(), 1);
+    }
 
   protected:
     unsigned int
     apply_inverse(Vector       &solution,
                   const Vector &right_hand_side,
-                  const double  residual_norm) override;
+                  const double) override
+    {
+      precondition(solution, right_hand_side);
+      return 0;
+    }
 
     unsigned int
     apply_inverse_to_all(std::vector<Vector> &right_hand_sides,

@@ -8,7 +8,7 @@
 #include <crevasse/linear/multigrid_levels.h>
 #include <crevasse/linear/stiffness_operator.h>
 
-#include <deal.II/multigrid/multigrid.h>
+#include <deal.II/lac/precondition.h>
 
 #include <memory>
 
@@ -33,7 +33,6 @@ namespace Crevasse
     GmgCg(std::shared_ptr<const MultigridLevels<dim>> levels,
           StiffnessOperator<dim>                     &finest,
           const PointValues<VoigtMatrix<dim>>        &stiffness);
-    ~GmgCg() override;
 
     void
     precondition(Vector &solution, const Vector &right_hand_side) override;
@@ -57,35 +56,38 @@ namespace Crevasse
 
   protected:
     void
-    multiply(Vector &result, const Vector &v) const override;
+    multiply(Vector &result, const Vector &v) const override
+    {
+      finest.vmult(result, v);
+    }
 
   private:
-    class Transfer;
-    class CoarseSolver;
-    class LevelMatrices;
-    class LevelSmoothers;
-
     using Operator = StiffnessOperator<dim>;
 
-    Operator &
-    level_operator(const unsigned int level);
+    struct Level
+    {
+      Operator                 *A = nullptr; ///< of level 0 a matrix
+      std::unique_ptr<Operator> own;         ///< unless it is the finest
+      /** Chebyshev polynomials (Adams et al., J. Comput. Phys. 188, 2003). */
+      dealii::PreconditionChebyshev<Operator, Vector> smoother;
+      std::vector<unsigned int> held; ///< local indices, ascending
+      Vector                    defect, solution, residual;
+    };
+
+    void
+    set_up_smoother(Level &level);
+
+    /** One V-cycle for the solution of a level from its defect. Held unknowns
+     * stay zero. */
+    void
+    cycle(const unsigned int level);
 
     const std::shared_ptr<const MultigridLevels<dim>> shared_levels;
     Operator                                         &finest;
-
-    std::vector<std::unique_ptr<Operator>> coarser; ///< 0 is null: a matrix
-    Matrix                                 coarsest_matrix;
-    std::unique_ptr<LinearSolver>          coarsest_solver;
-
-    std::unique_ptr<Transfer>                  transfer;
-    std::unique_ptr<CoarseSolver>              coarse_solver;
-    std::unique_ptr<LevelMatrices>             matrices;
-    std::unique_ptr<LevelSmoothers>            smoothers;
-    std::unique_ptr<dealii::Multigrid<Vector>> cycle;
-
-    std::vector<dealii::types::global_dof_index> held_dofs;
-    std::vector<unsigned int> held_on_finest; ///< the same, as local indices
-    Vector                    layout;         ///< of the finest level
+    Matrix                                            coarsest_matrix;
+    std::unique_ptr<LinearSolver>                     coarsest_solver;
+    std::vector<Level>                                levels_of_cycle;
+    std::vector<dealii::types::global_dof_index>      held_dofs;
   };
 } // namespace Crevasse
 

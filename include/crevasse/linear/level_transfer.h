@@ -73,8 +73,6 @@ namespace Crevasse
     /** Finds out which unknowns this rank interpolates from each cell. */
     void
     distribute_unknowns(const CoarserMesh<dim> &mesh);
-    void
-    share_unknowns();
 
     /** f(batch, lane, index) for the cells of the coarser mesh. */
     template <typename Function>

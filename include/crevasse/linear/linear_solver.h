@@ -54,7 +54,10 @@ namespace Crevasse
      *
      * @param dofs locally owned ones. */
     virtual void
-    hold(const std::vector<dealii::types::global_dof_index> &dofs);
+    hold(
+      [[maybe_unused]] const std::vector<dealii::types::global_dof_index> &dofs)
+    {
+    }
 
     /** Whether solve() is exact, at the price of a back-solve. */
     virtual bool
@@ -90,7 +93,10 @@ namespace Crevasse
 
     /** The same of precondition(). */
     virtual std::string
-    preconditioner_description() const;
+    preconditioner_description() const
+    {
+      return description();
+    }
 
   protected:
     /** Returns the number of iterations, 0 for direct solvers. */

@@ -28,17 +28,59 @@ namespace Crevasse
     couplings(const Indices &rows, const Indices &columns) const override;
 
     MPI_Comm
-    get_mpi_communicator() const override;
+    get_mpi_communicator() const override
+    {
+      return sparse_matrix.get_mpi_communicator();
+    }
 
     const Matrix *
-    matrix() const override;
+    matrix() const override
+    {
+      return &sparse_matrix;
+    }
 
     std::size_t
-    memory_consumption() const override;
+    memory_consumption() const override
+    {
+      return matrix_diagonal.memory_consumption();
+    }
 
   private:
     const Matrix &sparse_matrix;
     Vector        matrix_diagonal;
+  };
+
+  /** result = A v, by Epetra. Collective. The same as deal.II's vmult(), whose
+   * name in a library that GCC has compiled is not the one that Clang looks
+   * for.
+   *
+   * @param[out] result with the layout of the rows.
+   * @param v with that of the columns; ghosts are not read. */
+  void
+  multiply(const LinearOperator::Matrix &matrix,
+           LinearOperator::Vector       &result,
+           const LinearOperator::Vector &v);
+
+  /** y = (A' + iA'') x, in real and imaginary parts. Collective.
+   *
+   * @param[out] y_real @p y_imaginary with the layout of the rows. */
+  void
+  complex_product(const LinearOperator::Matrix &real,
+                  const LinearOperator::Matrix &imaginary,
+                  const LinearOperator::Vector &x_real,
+                  const LinearOperator::Vector &x_imaginary,
+                  LinearOperator::Vector       &y_real,
+                  LinearOperator::Vector       &y_imaginary);
+
+  /** The rows of a matrix that one rank has all of, where they are: the entries
+   * of row i are those from starts[i] up to, but without, starts[i + 1]. */
+  struct MatrixRows
+  {
+    explicit MatrixRows(const LinearOperator::Matrix &matrix);
+
+    int     n;
+    int    *starts, *columns;
+    double *values;
   };
 } // namespace Crevasse
 

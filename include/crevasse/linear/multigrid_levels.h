@@ -31,17 +31,29 @@ namespace Crevasse
                     const QuadratureField<dim> &points);
 
     unsigned int
-    n_levels() const;
+    n_levels() const
+    {
+      return meshes.size() + 1;
+    }
 
     const Space<dim> &
-    space(const unsigned int level) const;
+    space(const unsigned int level) const
+    {
+      return level < spaces.size() ? *spaces[level] : finest;
+    }
 
     const QuadratureField<dim> &
-    points(const unsigned int level) const;
+    points(const unsigned int level) const
+    {
+      return level < spaces.size() ? *coarse_points[level] : finest_points;
+    }
 
     /** Between a level, at least 1, and the next coarser one. */
     const LevelTransfer<dim> &
-    transfer(const unsigned int level) const;
+    transfer(const unsigned int level) const
+    {
+      return *transfers[level - 1];
+    }
 
     /** The means of a stiffness over the cells of all levels but the finest.
      * Collective. */

@@ -5,8 +5,7 @@
 #define crevasse_linear_mumps_h
 
 #include <crevasse/linear/direct_solver.h>
-
-#include <memory>
+#include <crevasse/linear/mumps_instance.h>
 
 namespace Crevasse
 {
@@ -19,13 +18,19 @@ namespace Crevasse
     /** Factorises. @throw NumericalError if MUMPS fails, or the matrix is not
      * positive definite. */
     explicit Mumps(const Matrix &matrix);
-    ~Mumps() override;
 
     std::size_t
-    memory_consumption() const override;
+    memory_consumption() const override
+    {
+      return factor.memory_consumption();
+    }
 
     std::string
-    description() const override;
+    description() const override
+    {
+      return "MUMPS on " + std::to_string(factor.n_ranks) +
+             (factor.n_ranks == 1 ? " rank" : " ranks");
+    }
 
   protected:
     void
@@ -34,8 +39,7 @@ namespace Crevasse
                const unsigned int n_columns) override;
 
   private:
-    struct Factor; // keeps MUMPS out of every includer
-    std::unique_ptr<Factor> factor;
+    MumpsInstance<double> factor;
   };
 } // namespace Crevasse
 

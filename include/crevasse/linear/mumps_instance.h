@@ -28,11 +28,11 @@ namespace Crevasse
   UpperTriangle<double>
   upper_triangle(const dealii::TrilinosWrappers::SparseMatrix &matrix);
 
-  /** Numbers as MUMPS names them. */
-  double *
-  for_mumps(std::vector<double> &values);
-  ZMUMPS_COMPLEX *
-  for_mumps(std::vector<std::complex<double>> &values);
+  /** Frees what exceptions left behind: see ~MumpsInstance(). To be called
+   * wherever one is caught and the run goes on, where all ranks have caught it.
+   * Collective. */
+  void
+  end_abandoned_factors();
 
   /**
    * One instance of MUMPS: the factor LDLᵀ of a symmetric matrix, real or
@@ -65,16 +65,24 @@ namespace Crevasse
                   const std::string &otherwise);
 
     MumpsInstance(const MumpsInstance &) = delete;
-    MumpsInstance &
-    operator=(const MumpsInstance &) = delete;
 
-    /** Frees the factor; while an exception is on its way on several ranks,
-     * abandon_factor() puts that off. */
+    /** Frees the factor. That takes all ranks, which may be elsewhere while an
+     * exception is on its way: then end_abandoned_factors() does it. */
     ~MumpsInstance();
 
     /** A setting, with its number in MUMPS' manual. */
     int &
-    icntl(const unsigned int number);
+    icntl(const unsigned int number)
+    {
+      return data.icntl[number - 1];
+    }
+
+    /** Numbers as MUMPS names them. */
+    static auto
+    for_mumps(std::vector<Number> &values)
+    {
+      return reinterpret_cast<decltype(Data::rhs)>(values.data());
+    }
 
     /** Analyses and factorises, in as much memory as that takes.
      * @throw NumericalError */
@@ -100,11 +108,17 @@ namespace Crevasse
             const unsigned int         n_columns = 1) const;
 
     bool
-    is_root() const;
+    is_root() const
+    {
+      return !counts.empty();
+    }
 
     /** Of the factor, on this rank. */
     std::size_t
-    memory_consumption() const;
+    memory_consumption() const
+    {
+      return bytes;
+    }
 
     /** What MUMPS' manual describes. */
     Data data = {};
@@ -113,10 +127,8 @@ namespace Crevasse
     const int      n_ranks;
 
   private:
-    void
-    call(const int job);
-    void
-    run(const int job, const char *what);
+    static void
+    call(Data &data, const int job);
     void
     require(const char *what) const;
 

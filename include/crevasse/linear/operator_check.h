@@ -10,9 +10,9 @@ namespace Crevasse
 {
   /**
    * Compares A v with ∫ DᵀK D v, by the strain operator with which stresses and
-   * loads are computed, for one v without smoothness, the same on any number of
-   * ranks: where contact is solved with A and its certificate too, an error of
-   * A would pass unseen. Costs about two products. Collective.
+   * loads are computed, for one v without smoothness: where contact is solved
+   * with A and its certificate too, an error of A would pass unseen. Costs
+   * about two products. Collective.
    *
    * @param stiffness K from which A was made.
    * @throw NumericalError if they differ by more than 1e-10, relative to A v in

@@ -4,30 +4,33 @@
 #ifndef crevasse_linear_solver_choice_h
 #define crevasse_linear_solver_choice_h
 
+#include <crevasse/discretisation/space.h>
+#include <crevasse/linear/cholesky.h>
 #include <crevasse/parameters/parameters.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 
 namespace Crevasse
 {
-  /** Which linear solver, and why. */
-  struct LinearSolverChoice
+  /** Which solver, and why. */
+  template <typename Type>
+  struct SolverChoiceOf
   {
-    LinearSolverType type;
-    std::string      why;
+    Type        type;
+    std::string why;
 
     /** "cholesky (why)". */
     std::string
-    describe() const;
-
-    /** Whether it iterates, and knows no singular functions. */
-    bool
-    is_multigrid() const
+    describe() const
     {
-      return traits(type).is_multigrid;
+      return name_of(type) + " (" + why + ')';
     }
   };
+
+  using LinearSolverChoice  = SolverChoiceOf<LinearSolverType>;
+  using ContactSolverChoice = SolverChoiceOf<ContactSolverType>;
 
   /** Above this many unknowns a factor takes more memory, or its making more
    * time, than the solves of a run are worth. */
@@ -41,6 +44,17 @@ namespace Crevasse
                        const std::size_t  n_unknowns,
                        const unsigned int n_ranks);
 
+  /** Makes a solver of that type for a matrix.
+   *
+   * @param analysis of a matrix with the same pattern for Cholesky, or null:
+   * then that of this one. */
+  template <int dim>
+  std::unique_ptr<LinearSolver>
+  make_matrix_solver(const LinearSolverType                   type,
+                     const Space<dim>                        &space,
+                     const LinearSolver::Matrix              &matrix,
+                     std::shared_ptr<const Cholesky::Factor> &analysis);
+
   /** What the scene asks for or, if that is "automatic", what is fastest by
    * the measurements in doc/contact_solvers.md and doc/scaling.md.
    *
@@ -52,22 +66,6 @@ namespace Crevasse
                        const std::size_t             n_unknowns,
                        const unsigned int            n_ranks,
                        const bool                    has_coarser_meshes);
-
-  /** Which contact solver, and why. */
-  struct ContactSolverChoice
-  {
-    ContactSolverType type;
-    std::string       why;
-
-    /** "active set (why)". */
-    std::string
-    describe() const;
-  };
-
-  ContactSolverChoice
-  choose_contact_solver(const ContactParameters  &parameters,
-                        const LinearSolverChoice &linear_solver,
-                        const std::size_t         n_bounds);
 } // namespace Crevasse
 
 #endif

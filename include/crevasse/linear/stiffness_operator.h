@@ -46,7 +46,10 @@ namespace Crevasse
 
     /** Gives @p vector the layout for which vmult() makes no copies. */
     void
-    initialize_dof_vector(Vector &vector) const;
+    initialize_dof_vector(Vector &vector) const
+    {
+      loops->initialize_dof_vector(vector);
+    }
 
     void
     vmult(Vector &result, const Vector &v) const override;
@@ -59,17 +62,17 @@ namespace Crevasse
           const RangeFunction &before,
           const RangeFunction &after) const;
 
-    /** Makes these, and no other unconstrained rows and columns, those of the
-     * identity, for vectors that are zero there. (The diagonal stays what it
-     * is.)
+    /** Makes these unconstrained rows and columns those of the identity, until
+     * others are named, for vectors that are zero there. (The diagonal stays
+     * what it is.)
      *
-     * @param rows local indices of locally owned unknowns, ascending. */
+     * @param rows local indices of locally owned unknowns, ascending; must
+     * outlive the call that ends it, with null. */
     void
-    hold(std::vector<unsigned int> rows);
-
-    /** The same, in exchange for those held before. */
-    void
-    swap_held(std::vector<unsigned int> &rows) noexcept;
+    hold(const std::vector<unsigned int> *rows) noexcept
+    {
+      held_rows = rows;
+    }
 
     /** 1 where constrained. The masters of hanging nodes have the squares of
      * their weights times the diagonal of these only. */
@@ -84,7 +87,10 @@ namespace Crevasse
               const LinearOperator::Indices &columns) const override;
 
     MPI_Comm
-    get_mpi_communicator() const override;
+    get_mpi_communicator() const override
+    {
+      return space.communicator();
+    }
 
     const LinearOperator::Matrix *
     matrix() const override
@@ -93,12 +99,18 @@ namespace Crevasse
     }
 
     dealii::types::global_dof_index
-    m() const;
+    m() const
+    {
+      return space.n_unknowns();
+    }
 
     /** A diagonal entry of this rank, for smoothers. */
     double
     el(const dealii::types::global_dof_index row,
-       const dealii::types::global_dof_index column) const;
+       const dealii::types::global_dof_index) const
+    {
+      return operator_diagonal(row);
+    }
 
     /** Without the loops that belong to the space. */
     std::size_t
@@ -118,21 +130,25 @@ namespace Crevasse
               const QuadratureField<dim>          &points,
               const PointValues<VoigtMatrix<dim>> &stiffness);
 
-    template <int degree, bool mean_volume, typename PointModuli>
-    void
-    apply_to_cells(const PointValues<PointModuli>              &moduli,
-                   const Loops                                 &loops,
-                   Vector                                      &result,
-                   const Vector                                &v,
-                   const std::pair<unsigned int, unsigned int> &cells) const;
-
-    /** One of these for each kind of element and material. */
+    /** One of these for each kind of element. */
     template <int degree, bool mean_volume>
     void
     apply(const Loops                                 &loops,
           Vector                                      &result,
           const Vector                                &v,
           const std::pair<unsigned int, unsigned int> &cells) const;
+
+    template <int degree, bool mean_volume>
+    void
+    add_cell_diagonals();
+
+    /** From the gradients of a batch of cells to what is to be integrated with
+     * those of the test functions. */
+    template <bool mean_volume, typename PointModuli, typename Evaluation>
+    void
+    multiply_at_points(const PointValues<PointModuli> &moduli,
+                       const unsigned int              batch,
+                       Evaluation                     &evaluation) const;
 
     /** @param stress K times the strain at a point of a batch of cells. */
     template <typename PointModuli>
@@ -146,11 +162,6 @@ namespace Crevasse
     void
     compute_diagonal();
 
-    /** Those of all cells to the diagonal. */
-    template <int degree, typename PointModuli>
-    void
-    add_cell_diagonals(const PointValues<PointModuli> &moduli);
-
     const Space<dim>                  &space;
     const std::shared_ptr<const Loops> loops;
     const Moduli                       moduli;
@@ -158,10 +169,10 @@ namespace Crevasse
     /** The first point of each lane of each batch of cells. */
     std::vector<std::array<std::size_t, Number::size()>> first_points;
 
-    std::vector<unsigned int> constrained_rows; ///< ascending
-    std::vector<unsigned int> held_rows;        ///< likewise
-    Vector                    operator_diagonal;
-    mutable Vector            copy_of_v, copy_of_result; ///< if layouts differ
+    std::vector<unsigned int>        constrained_rows;    ///< ascending
+    const std::vector<unsigned int> *held_rows = nullptr; ///< likewise
+    Vector                           operator_diagonal;
+    mutable Vector copy_of_v, copy_of_result; ///< if layouts differ
   };
 } // namespace Crevasse
 

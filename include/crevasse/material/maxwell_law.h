@@ -89,7 +89,14 @@ namespace Crevasse
     /** Whether part of the stiffness does not creep: then there is no secular
      * flow. */
     bool
-    has_spring() const;
+    has_spring() const
+    {
+      double creeping = 0.;
+      for (const Branch &branch : maxwell_branches)
+        creeping += branch.fraction;
+      constexpr double rounding = 1e-12;
+      return creeping < 1. - rounding;
+    }
 
     /**
      * The τ of a body with H = (τK)⁻¹, one number in space and time; nothing

@@ -8,6 +8,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <cmath>
+
 namespace Crevasse
 {
   /**
@@ -20,17 +22,37 @@ namespace Crevasse
   {
   public:
     /** @param stiffness for which is_isotropic() holds. */
-    explicit PlaneElasticity(const VoigtMatrix<2> &stiffness);
+    explicit PlaneElasticity(const VoigtMatrix<2> &stiffness)
+      : lambda(stiffness[0][1])
+      , mu(stiffness[3][3])
+    {
+    }
 
     /** Whether all directions in the plane are alike; what happens across it
      * does not matter. */
     static bool
-    is_isotropic(const VoigtMatrix<2> &stiffness);
+    is_isotropic(const VoigtMatrix<2> &stiffness)
+    {
+      constexpr double tolerance = 1e-10; // a viscosity is an inverse
+      const double     rounding  = tolerance * std::abs(stiffness[0][0]);
+      const auto       vanishes  = [rounding](const double difference) {
+        return std::abs(difference) <= rounding;
+      };
+      return vanishes(stiffness[0][0] - stiffness[1][1]) &&
+             vanishes(stiffness[0][3]) && vanishes(stiffness[1][3]) &&
+             vanishes(stiffness[0][0] - stiffness[0][1] - 2. * stiffness[3][3]);
+    }
 
     /** A compliance or fluidity, whose shears are engineering ones, in the form
      * of a stiffness: isotropic if that is. */
     static VoigtMatrix<2>
-    like_stiffness(const VoigtMatrix<2> &compliance);
+    like_stiffness(const VoigtMatrix<2> &compliance)
+    {
+      // 1/μ for 4 × 1/(4μ)
+      VoigtMatrix<2> matrix = compliance;
+      matrix[3][3] /= 4.;
+      return matrix;
+    }
 
     /** μ */
     double
@@ -42,19 +64,37 @@ namespace Crevasse
     /** κ = (λ + 3μ)/(λ + μ): 3 − 4ν in plane strain, (3 − ν)/(1 + ν) in plane
      * stress. */
     double
-    kappa() const;
+    kappa() const
+    {
+      return (lambda + 3. * mu) / (lambda + mu);
+    }
 
     /** E' = 8μ/(κ + 1): E in plane stress, E/(1 − ν²) in plane strain. */
     double
-    modulus() const;
+    modulus() const
+    {
+      return 8. * mu / (kappa() + 1.);
+    }
 
     /** σ of a displacement gradient, and of a dilatation that may not be its
      * trace (see VolumetricStrain::mean). */
     dealii::Tensor<2, 2>
-    stress(const dealii::Tensor<2, 2> &gradient, const double dilatation) const;
+    stress(const dealii::Tensor<2, 2> &gradient, const double dilatation) const
+    {
+      // What the dilatation exceeds the trace by is a third in each direction.
+      const double normal =
+        lambda * dilatation + 2. / 3. * mu * (dilatation - trace(gradient));
+      dealii::Tensor<2, 2> sigma = mu * (gradient + transpose(gradient));
+      sigma[0][0] += normal;
+      sigma[1][1] += normal;
+      return sigma;
+    }
 
     dealii::Tensor<2, 2>
-    stress(const dealii::Tensor<2, 2> &gradient) const;
+    stress(const dealii::Tensor<2, 2> &gradient) const
+    {
+      return stress(gradient, trace(gradient));
+    }
 
   private:
     double lambda, mu;

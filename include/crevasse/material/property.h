@@ -5,7 +5,9 @@
 #define crevasse_material_property_h
 
 #include <crevasse/base/expression.h>
+#include <crevasse/base/range.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,11 +27,16 @@ namespace Crevasse
     {
       std::string name;  ///< "[Material] Young modulus = 1e5*x"
       std::string shown; ///< what actual() returns: "is", "has the ... "
-      std::string text;  ///< "must be greater than 0"
+      std::function<double(const std::vector<double> &)> actual;
+      Range                                              range;
 
       /** By how much it is missed; at most 0 if it is met. */
-      std::function<double(const std::vector<double> &)> excess;
-      std::function<double(const std::vector<double> &)> actual;
+      double
+      excess(const std::vector<double> &values) const
+      {
+        const double value = actual(values);
+        return std::max(range.least - value, value - range.most);
+      }
     };
 
     std::vector<Expression>                           formulas;

@@ -54,6 +54,46 @@ namespace Crevasse
   template <int dim>
   RelaxationRates
   relaxation_rates(const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K);
+
+  /**
+   * The stiffness of an isotropic body in plane stress (33 row and column
+   * zero), plane strain or three dimensions.
+   */
+  template <int dim>
+  VoigtMatrix<dim>
+  isotropic_stiffness(const double young_modulus,
+                      const double poisson_ratio,
+                      const bool   plane_stress);
+
+  /** The inverse of the three-dimensional isotropic stiffness; defined up to
+   * and including the Poisson ratio ½ (purely deviatoric). */
+  template <int dim>
+  VoigtMatrix<dim>
+  isotropic_compliance(const double young_modulus, const double poisson_ratio);
+
+  /** Whether a matrix is that of an isotropic body or at least has, as those of
+   * cubic symmetry, the eigenvectors of one: the same entries for all
+   * directions, the same for all shears, no coupling of the two; perhaps
+   * without the 33 row and column. */
+  template <int dim>
+  bool
+  is_isotropic(const VoigtMatrix<dim> &matrix);
+
+  /** φ₁(z) = (e^z − 1)/z and φ₂(z) = (φ₁(z) − 1)/z of a matrix, the functions
+   * of exponential integrators. */
+  template <int dim>
+  struct PhiFunctions
+  {
+    VoigtMatrix<dim> first, second;
+  };
+
+  /** Of −@p rate, whose eigenvalues are real and positive or zero, as those of
+   * HK are. By Taylor's series of a fraction 2⁻ⁿ of it and n doublings, which
+   * needs no eigenvectors and no inverse, and loses no digits: all terms of the
+   * doublings are positive. @throw NumericalError if it is not finite. */
+  template <int dim>
+  PhiFunctions<dim>
+  decay_functions(const VoigtMatrix<dim> &rate);
 } // namespace Crevasse
 
 #endif

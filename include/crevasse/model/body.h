@@ -9,11 +9,13 @@
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/discretisation/singular_shapes.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/material/maxwell_law.h>
 #include <crevasse/parameters/effects.h>
 #include <crevasse/parameters/scene.h>
+#include <crevasse/temperature/temperature.h>
 
 #include <memory>
 #include <string>
@@ -39,11 +41,9 @@ namespace Crevasse
   template <int dim>
   struct Body
   {
-    /** @throw SceneError, or NumericalError if a rigid-body motion is
+    /** @param mesh from make_scene_mesh(), or what became of it.
+     * @throw SceneError, or NumericalError if a rigid-body motion is
      * unconstrained. */
-    Body(const Scene &scene, const MPI_Comm communicator);
-
-    /** The same on another mesh than make_scene_mesh() has. */
     Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh);
 
     const Temperature<dim>     temperature;
@@ -56,6 +56,17 @@ namespace Crevasse
     const ContactBoundary<dim> lip;
     const ExternalLoads<dim>   loads;
   };
+
+  /** The elastic body around a tip at an instant, without its factor k.
+   * @throw SceneError if it is not isotropic, or not the same in all cells
+   * that have the tip for a vertex. */
+  PlaneElasticity
+  elasticity_at(const CrackTip                 &tip,
+                const dealii::Triangulation<2> &mesh,
+                const MaxwellLaw<2>            &law,
+                const Temperature<2>           &temperature,
+                const double                    t,
+                const std::string              &wanted_by);
 
   /** The bounds of the discrete cone C: at the nodes of a lip, in their order,
    * and after them that of the singular function which opens it. Its

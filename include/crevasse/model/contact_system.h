@@ -48,7 +48,9 @@ namespace Crevasse
      * @p stiffness and @p similar must outlive this object.
      *
      * @param similar a system of the same space, whose sparsity pattern and its
-     * analysis are used again, or null. */
+     * analysis are used again, or null.
+     * @throw NumericalError if a matrix-free operator is not the one that it
+     * should be. */
     ContactSystem(const SolverSettings                &settings,
                   const Space<dim>                    &space,
                   const QuadratureField<dim>          &points,
@@ -58,17 +60,18 @@ namespace Crevasse
 
     // Its parts refer to one another.
     ContactSystem(const ContactSystem &) = delete;
-    ContactSystem &
-    operator=(const ContactSystem &) = delete;
-
-    const LinearOperator &
-    stiffness() const;
 
     const SignoriniProblem &
-    problem() const;
+    problem() const
+    {
+      return *signorini_problem;
+    }
 
     ContactSolver &
-    contact_solver();
+    contact_solver()
+    {
+      return *contact;
+    }
 
     /** For the body with an open lip. */
     LinearSolver &
@@ -87,27 +90,12 @@ namespace Crevasse
     memory_consumption() const;
 
   private:
-    void
-    assemble(const QuadratureField<dim>          &points,
-             const PointValues<VoigtMatrix<dim>> &stiffness,
-             const ContactSystem                 *similar);
-
-    /** What takes the place of matrix and factor.
-     * @throw NumericalError if the operator is not the one that it should be.
-     */
-    void
-    set_up_multigrid(const QuadratureField<dim>          &points,
-                     const PointValues<VoigtMatrix<dim>> &stiffness);
-
-    std::unique_ptr<LinearSolver>
-    make_linear_solver();
-
     std::unique_ptr<ContactSolver>
     make_contact_solver();
 
     const SolverSettings                       &settings;
     const Space<dim>                           &space;
-    std::shared_ptr<const Cholesky::Analysis>   analysis; ///< if there is one
+    std::shared_ptr<const Cholesky::Factor>     analysis; ///< if there is one
     std::shared_ptr<const MultigridLevels<dim>> levels;   ///< likewise
     std::size_t bytes_of_levels = 0; ///< where they were made only
 

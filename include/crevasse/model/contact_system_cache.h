@@ -45,8 +45,6 @@ namespace Crevasse
 
     // Its parts refer to one another.
     ContactSystemCache(const ContactSystemCache &) = delete;
-    ContactSystemCache &
-    operator=(const ContactSystemCache &) = delete;
 
     Instant<dim>
     at(const double t) override;
@@ -65,13 +63,12 @@ namespace Crevasse
     ContactSystem<dim> &
     system_at(const double t);
 
-    /** Of the last evaluation, if there was one. */
-    const ContactSystem<dim> &
-    most_recent() const;
-
     /** See SolverSettings. */
     const SolverSettings &
-    settings() const;
+    settings() const
+    {
+      return solver_settings;
+    }
 
     /** The factor of projected SOR for a matrix: what the scene says, or the
      * best one for the given loads. */
@@ -89,7 +86,10 @@ namespace Crevasse
 
     /** Counts what another system of this run has done. */
     void
-    add(const SolverStatistics &other);
+    add(const SolverStatistics &other)
+    {
+      of_the_past.add(other);
+    }
 
     /** Which solvers there are and why, how often they were called and what it
      * took. */
@@ -113,13 +113,6 @@ namespace Crevasse
     ContactSystem<dim> &
     system_of(const Request &request);
 
-    /** Puts it at the end of the requests. */
-    void
-    remember(const Request &request);
-
-    bool
-    is_kept(const Request &request);
-
     /** Of what depends on a time c. */
     std::pair<double, double>
     step_key(const double              t,
@@ -136,7 +129,7 @@ namespace Crevasse
     std::shared_ptr<ContactSystem<dim>> only_system; ///< constant stiffness
     std::shared_ptr<ContactSystem<dim>> last_system;
     SolverStatistics                    of_the_past;
-    std::vector<Request> requests; ///< in the order in which they came first
+    std::vector<Request> requests; ///< of the systems in the cache, as made
     Request              last_request{false, 0., 0.};
 
     // What belongs to instants. A system is not dropped for a material.

@@ -4,7 +4,10 @@
 #ifndef crevasse_model_elastic_displacement_h
 #define crevasse_model_elastic_displacement_h
 
+#include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/contact_system_cache.h>
+
+#include <vector>
 
 namespace Crevasse
 {
@@ -18,6 +21,15 @@ namespace Crevasse
                        ContactSystemCache<dim> &systems,
                        const Vector            &loads,
                        const bool               lip_closed);
+
+  /** Shows the estimator the elastic body with contact at these instants of
+   * the period. Collective. @throw NumericalError */
+  template <int dim>
+  void
+  look_at_elastic_states(const Body<dim>           &body,
+                         ContactSystemCache<dim>   &systems,
+                         const std::vector<double> &instants,
+                         StressEstimator<dim>      &estimator);
 } // namespace Crevasse
 
 #endif

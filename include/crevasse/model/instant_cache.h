@@ -23,16 +23,37 @@ namespace Crevasse
   {
   public:
     /** @p log must outlive this object. */
-    InstantMemory(const MPI_Comm communicator, const double bytes, Log &log);
+    InstantMemory(const MPI_Comm communicator, const double bytes, Log &log)
+      : communicator(communicator)
+      , limit(bytes)
+      , log(log)
+    {
+    }
 
     /** Counts what a cache keeps on this rank: contact solvers grow. */
     void
-    count(const std::function<std::size_t()> &bytes_kept);
+    count(const std::function<std::size_t()> &bytes_kept)
+    {
+      caches.push_back(bytes_kept);
+    }
 
     /** Whether so many bytes more on this rank may be kept; never again once
      * they may not. Collective. */
     bool
-    grants(const std::size_t bytes);
+    grants(const std::size_t bytes)
+    {
+      if (is_full)
+        return false;
+      std::size_t all = bytes;
+      for (const auto &bytes_kept : caches)
+        all += bytes_kept();
+      is_full = dealii::Utilities::MPI::sum(double(all), communicator) > limit;
+      if (is_full)
+        log.line(
+          "  memory: [Linear solver] Memory for instants is used up; what "
+          "varies in time is made anew for the other instants");
+      return !is_full;
+    }
 
   private:
     const MPI_Comm                            communicator;
@@ -57,11 +78,13 @@ namespace Crevasse
     using Key  = std::pair<double, double>;
     using Make = std::function<std::shared_ptr<Value>()>;
 
-    /** @param bytes of a value on this rank.
-     * @param drop called with a value that is made anew later. */
-    InstantCache(InstantMemory                                   &memory,
-                 const std::function<std::size_t(const Value &)> &bytes,
-                 const std::function<void(const Value &)>        &drop = {})
+    /** @param drop called with a value that is made anew later.
+     * @param bytes of a value on this rank. */
+    InstantCache(
+      InstantMemory                                   &memory,
+      const std::function<void(const Value &)>        &drop = {},
+      const std::function<std::size_t(const Value &)> &bytes =
+        [](const Value &value) { return value.memory_consumption(); })
       : memory(memory)
       , bytes(bytes)
       , drop(drop)
@@ -75,8 +98,6 @@ namespace Crevasse
     }
 
     InstantCache(const InstantCache &) = delete;
-    InstantCache &
-    operator=(const InstantCache &) = delete;
 
     /** The value of an instant, made if need be. Collective. */
     std::shared_ptr<Value>
@@ -97,16 +118,6 @@ namespace Crevasse
       scratch     = std::move(value);
       scratch_key = key;
       return scratch;
-    }
-
-    /** Whether there is a value of this instant. */
-    bool
-    has(const Key &key) const
-    {
-      const auto found =
-        kept.lower_bound({key.first, key.second * (1. - rounding)});
-      return (found != kept.end() && are_equal(found->first, key)) ||
-             (scratch != nullptr && are_equal(scratch_key, key));
     }
 
     /** Shows all values that there are. */

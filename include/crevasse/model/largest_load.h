@@ -5,7 +5,10 @@
 #define crevasse_model_largest_load_h
 
 #include <crevasse/model/body.h>
+#include <crevasse/parameters/scene.h>
 #include <crevasse/time/step_list.h>
+
+#include <vector>
 
 namespace Crevasse
 {
@@ -14,12 +17,12 @@ namespace Crevasse
   Vector
   loads_at(const Body<dim> &body, const double t);
 
-  /** The step of a period at which the load vector is largest. */
+  /** The begin of the step at which the load vector is largest. */
   template <int dim>
-  unsigned int
-  step_of_largest_load(const Body<dim> &body, const StepList &steps);
+  double
+  instant_of_largest_load(const Body<dim> &body, const StepList &steps);
 
-  /** The instants of that step and of the one with the most opposite loads, if
+  /** That instant and the begin of the step with the most opposite loads, if
    * there are opposite ones: a crack may be closed in the one and open in the
    * other. */
   template <int dim>
@@ -45,6 +48,17 @@ namespace Crevasse
   template <int dim>
   std::vector<double>
   instants_of_scale(const Body<dim> &body, const StepList &steps);
+
+  /** The ends of steps at which loads or material jump in time: the end of the
+   * period, where t begins anew, and others if formulas can jump. Collective.
+   *
+   * @param largest_load over all steps, by largest_load(). */
+  template <int dim>
+  std::vector<double>
+  find_jumps(const Scene     &scene,
+             const Body<dim> &body,
+             const StepList  &steps,
+             const double     largest_load);
 } // namespace Crevasse
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef crevasse_model_linear_choice_h
 #define crevasse_model_linear_choice_h
 
+#include <crevasse/grid/geometry.h>
 #include <crevasse/linear/solver_choice.h>
 #include <crevasse/model/body.h>
 
@@ -16,20 +17,6 @@ namespace Crevasse
   bool
   may_use_gmg(const Scene &scene, const Body<dim> &body);
 
-  /** The linear solver of a scene on a body. Collective.
-   * @throw SceneError if the scene asks for one that does not work here. */
-  template <int dim>
-  LinearSolverChoice
-  choose_linear_solver(const Scene &scene, const Body<dim> &body);
-
-  /** The contact solver of a scene on a body. Collective.
-   * @throw SceneError if it works on one process only and there are more. */
-  template <int dim>
-  ContactSolverChoice
-  choose_contact_solver(const Scene              &scene,
-                        const Body<dim>          &body,
-                        const LinearSolverChoice &linear_solver);
-
   /** What solves the linear systems and the contact problems of a run. */
   struct SolverChoice
   {
@@ -37,7 +24,8 @@ namespace Crevasse
     ContactSolverChoice contact;
   };
 
-  /** Both for a scene on a body. Collective. @throw SceneError see above */
+  /** For a scene on a body. Collective.
+   * @throw SceneError if the scene asks for one that does not work here. */
   template <int dim>
   SolverChoice
   choose_solvers(const Scene &scene, const Body<dim> &body);
@@ -48,22 +36,36 @@ namespace Crevasse
   double
   n_unknowns_of_first_mesh(const Body<dim> &body);
 
-  /** Entries of so many rows of a stiffness: on average 3 (degree 1) or 4
-   * (degree 2) nodes along each direction share a cell with a node, each with
-   * dim components. */
+  /** By which factor estimates of memory may be wrong (doc/scaling.md). */
+  constexpr double memory_uncertainty = 1.3;
+
+  /**
+   * Bytes, on all ranks, of a stiffness and what solves with it: the matrix and
+   * its factor, which grows with n log n in the plane and n^(4/3) in space
+   * (nested dissection); twice the matrix for algebraic multigrid; vectors and
+   * the solver of the first mesh for geometric multigrid. One measured constant
+   * for each.
+   *
+   * @param n_coarsest unknowns of the first mesh.
+   */
   template <int dim>
   double
-  n_matrix_entries(const double n_rows, const unsigned int degree);
+  bytes_of_solver(const LinearSolverType type,
+                  const double           n_unknowns,
+                  const double           n_coarsest,
+                  const unsigned int     degree,
+                  const unsigned int     n_ranks);
 
-  /** ML counts the entries of a process with 32 bits.
-   * @param n_own_unknowns of the process with most.
-   * @throw SceneError if they are more than it can do with. */
+  /** Looks before a mesh is made whether it can be computed on: making one that
+   * cannot takes minutes, or all memory. Counts mesh and linear solver only;
+   * report_memory() knows more, once there is a mesh. Collective.
+   * @throw SceneError if the machine has less than that left, or the linear
+   * solver cannot have so many unknowns. */
   template <int dim>
   void
-  require_work_for_ml(const double       n_own_unknowns,
-                      const double       n_unknowns,
-                      const unsigned int degree,
-                      const unsigned int n_ranks);
+  require_room(const Scene      &scene,
+               const CellCounts &cells,
+               const MPI_Comm    communicator);
 } // namespace Crevasse
 
 #endif

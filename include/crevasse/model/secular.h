@@ -4,10 +4,7 @@
 #ifndef crevasse_model_secular_h
 #define crevasse_model_secular_h
 
-#include <crevasse/contact/contact_solver.h>
 #include <crevasse/discretisation/material_field.h>
-#include <crevasse/discretisation/strain_operator.h>
-#include <crevasse/time/secular_flow.h>
 
 #include <vector>
 
@@ -34,27 +31,6 @@ namespace Crevasse
   template <int dim>
   bool
   has_viscosity(const MaterialState<dim> &material);
-
-  /**
-   * The secular problem P3 (model, §2): β ∈ C₀ with
-   *
-   *     ∫ ε(v−β) : η ε(β) ≥ f̄ · (v−β)     for all v ∈ C₀,
-   *
-   * where f̄ is the mean of the loads divided by η₀, and C₀ the cone of a lip
-   * without gap.
-   *
-   * @param contact_solver of ∫ Dᵀ η D / @p time with bounds of gap 0. With
-   * η = τK and τ for the time that is the one of the stiffness.
-   */
-  template <int dim>
-  SecularFlow
-  secular_flow_of(const StrainOperator<dim>  &strain_operator,
-                  const QuadratureField<dim> &points,
-                  const MaterialState<dim>   &material,
-                  const Viscosity<dim>       &viscosity,
-                  const Vector               &mean_load,
-                  const double                time,
-                  ContactSolver              &contact_solver);
 } // namespace Crevasse
 
 #endif

@@ -50,8 +50,13 @@ namespace Crevasse
                        const Integrator *integrator,
                        const bool        needs_periodic_strain);
 
-  /** Solves the secular problem. What it costs is added to the statistics of
-   * the solvers. */
+  /**
+   * Solves the secular problem P3 (model, §2): β ∈ C₀ with
+   *
+   *     ∫ ε(v−β) : η ε(β) ≥ f̄ · (v−β)     for all v ∈ C₀,
+   *
+   * where f̄ is the mean of the loads divided by η₀, and C₀ the cone of a lip
+   * without gap. What it costs is added to the statistics of the solvers. */
   template <int dim>
   SecularFlow
   solve_secular_problem(const Body<dim>         &body,

@@ -5,35 +5,29 @@
 #define crevasse_model_solver_statistics_h
 
 #include <crevasse/base/summary.h>
-#include <crevasse/contact/contact_solver.h>
-#include <crevasse/linear/linear_solver.h>
+#include <crevasse/contact/certificate.h>
 
 namespace Crevasse
 {
   /** Numbers of the expensive operations of a run, and their errors. */
   struct SolverStatistics
   {
-    unsigned int assemblies       = 0;
-    unsigned int factorisations   = 0;
-    unsigned int multigrid_setups = 0;
-
+    std::size_t assemblies        = 0;
+    std::size_t factorisations    = 0;
+    std::size_t multigrid_setups  = 0;
     std::size_t linear_solves     = 0;
     std::size_t linear_iterations = 0;
-    std::size_t back_solves       = 0; ///< with a whole matrix
-    double      back_solve_time   = 0.;
+    std::size_t vi_solves         = 0; ///< with bounds
+    std::size_t vi_iterations     = 0;
 
-    // Without bounds a problem is certified, but no variational inequality.
-    std::size_t vi_solves     = 0;
-    std::size_t vi_iterations = 0;
-    double      vi_time       = 0.;
-    std::size_t certified     = 0; ///< solves with a certificate
+    std::size_t back_solves     = 0; ///< with a whole matrix
+    double      back_solve_time = 0.;
+    double      vi_time         = 0.;
+    std::size_t certified       = 0; ///< solves with a certificate
+
     Certificate certificate;
     double      accuracy = 0.; ///< ContactSolver::accuracy()
 
-    void
-    add(const LinearSolver &solver);
-    void
-    add(const ContactSolver &solver);
     void
     add(const SolverStatistics &other);
 

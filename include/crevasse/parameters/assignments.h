@@ -6,8 +6,6 @@
 
 #include <crevasse/base/problems.h>
 
-#include <deal.II/base/parameter_handler.h>
-
 #include <string>
 #include <vector>
 
@@ -16,8 +14,7 @@ namespace Crevasse
   /** One parameter as somebody set it, whether or not it exists. */
   struct Assignment
   {
-    /** Where: "scene.prm:12", or the option of the command line. */
-    std::string place;
+    Origin origin;
     /** Names joined by "/" where sections are nested. */
     std::string section;
     /** Empty: the section is only opened here. */
@@ -25,26 +22,25 @@ namespace Crevasse
     std::string value;
   };
 
-  /** "Section/Name=value" as somebody wrote it on the command line. */
-  struct Override
-  {
-    std::string text;
-    /** What messages name: the option that brought it. */
-    std::string option = "--set";
-  };
-
-  /** Understands "Section/Name=value" of the command line. */
-  void
-  read_override(const Override          &override,
-                std::vector<Assignment> &assignments,
-                Problems                &problems);
-
-  /** Sets each parameter in turn. What is unknown or has a value of the wrong
-   * type is left as it was and reported with what would be allowed. */
-  void
-  apply(const std::vector<Assignment> &assignments,
-        dealii::ParameterHandler      &prm,
-        Problems                      &problems);
+  /**
+   * What a .prm or .json file and then the command line set, without knowing
+   * what may be set. Other than deal.II, which stops at the first error, this
+   * goes on after what it does not understand and reports it all; and a
+   * parameter that one file sets twice is an error. Files are included
+   * relative to the file that includes them; an included file may set what
+   * another file sets as well; the later one counts.
+   *
+   * JSON is what one writes by hand, {"Geometry": {"Width": 1, "Subdivisions":
+   * [14, 4]}}, or what deal.II prints, where all values are texts, and a
+   * parameter may be an object whose member "value" counts.
+   *
+   * @param overrides "Section/Name=value" of --set.
+   * @throw FileError if the file cannot be read.
+   */
+  std::vector<Assignment>
+  read_assignments(const std::string              &file_name,
+                   const std::vector<std::string> &overrides,
+                   Problems                       &problems);
 } // namespace Crevasse
 
 #endif

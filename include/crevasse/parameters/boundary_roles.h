@@ -4,13 +4,10 @@
 #ifndef crevasse_parameters_boundary_roles_h
 #define crevasse_parameters_boundary_roles_h
 
-#include <crevasse/parameters/parameters.h>
-
 #include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
 
 #include <array>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,6 +24,20 @@ namespace Crevasse
     std::set<dealii::types::boundary_id> contact;
   };
 
+  /** The boundaries that a scene gives a role. */
+  struct BoundaryList
+  {
+    bool                                 is_automatic = false;
+    std::set<dealii::types::boundary_id> ids;
+    std::vector<std::string>             names; ///< of physical groups
+  };
+
+  /** "1, 2, upper lip", "none", or "automatic".
+   *
+   * @throw SceneError that tells what is expected. */
+  BoundaryList
+  parse_boundary_list(const std::string &text);
+
   /** A point where the named components of the displacement are zero. */
   template <int dim>
   struct FixedPoint
@@ -35,27 +46,30 @@ namespace Crevasse
     std::array<bool, dim> components;
   };
 
-  /** "x, y; x, y: 1" as points; components count from 1, and a point that
-   * names none is fixed in all. "automatic" and "none" give no points.
+  /** As in a scene, whose dimension is another parameter. */
+  struct FixedPointList
+  {
+    struct Entry
+    {
+      std::vector<double>    coordinates;
+      std::set<unsigned int> components; ///< from 1; empty: all
+    };
+
+    bool               is_automatic = false;
+    std::vector<Entry> entries;
+  };
+
+  /** "x, y; x, y: 1", "none" or "automatic"; components count from 1, and a
+   * point that names none is fixed in all.
    *
    * @throw SceneError that tells what is expected. */
-  template <int dim>
-  std::vector<FixedPoint<dim>>
+  FixedPointList
   parse_fixed_points(const std::string &text);
 
-  /** "1, 2" as a set, "none" or nothing as an empty set, and "automatic" as no
-   * set at all.
-   *
-   * @throw SceneError that tells what is expected. */
-  std::optional<std::set<dealii::types::boundary_id>>
-  parse_boundary_ids(const std::string &text);
-
-  /** What the user says wins: a role with a list of its own has this list, and
-   * loses nothing to the automatic ones; an id in such a list is taken out of
-   * the automatic lists of the other roles. */
-  BoundaryRoles
-  resolve_roles(const BoundaryParameters &parameters,
-                const BoundaryRoles      &automatic);
+  /** @throw SceneError if there are other coordinates or components. */
+  template <int dim>
+  std::vector<FixedPoint<dim>>
+  to_fixed_points(const FixedPointList &list);
 } // namespace Crevasse
 
 #endif

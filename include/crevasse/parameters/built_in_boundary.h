@@ -31,6 +31,13 @@ namespace Crevasse
   double
   tip_abscissa(const GeometryParameters &parameters);
 
+  /** What the user says wins: a role with a list of its own has this list, and
+   * loses nothing to the automatic ones; an id in such a list is taken out of
+   * the automatic lists of the other roles. */
+  BoundaryRoles
+  resolve_roles(const BoundaryParameters &parameters,
+                const BoundaryRoles      &automatic);
+
   /** The roles that a built-in shape gives its boundary ids; none for a mesh
    * file. */
   BoundaryRoles

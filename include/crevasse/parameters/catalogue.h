@@ -6,53 +6,26 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 namespace Crevasse
 {
-  /** What a scene file may contain, read off a ParameterHandler: deal.II tells
-   * the names and the documentation of its entries only by printing them. */
-  struct Catalogue
-  {
-    struct Parameter
-    {
-      std::string name;
-      std::string default_value;
-      std::string meaning;
-      /** In words, such as "one of: vtu, none". */
-      std::string allowed;
-      /** The same as far as the type of the value goes, ranges aside. */
-      std::string type;
-    };
+  /** What a scene file may contain: an object for each section, which has for
+   * each of its parameters "default_value", "documentation" and what is
+   * "allowed", in words such as "one of: vtu, none"; the sections "" is the top
+   * level. In the order in which they were declared. */
+  using Catalogue = nlohmann::ordered_json;
 
-    struct Section
-    {
-      /** Empty: the top level of the file. */
-      std::string            name;
-      std::vector<Parameter> parameters;
+  /** Reads it off a ParameterHandler, which tells the names and the
+   * documentation of its entries only by printing them. */
+  Catalogue
+  make_catalogue(const dealii::ParameterHandler &prm);
 
-      /** The parameter of this name, or nullptr. */
-      const Parameter *
-      find(const std::string &name) const;
-
-      std::vector<std::string>
-      names() const;
-    };
-
-    explicit Catalogue(const dealii::ParameterHandler &prm);
-
-    /** The section of this name, or nullptr. */
-    const Section *
-    find(const std::string &name) const;
-
-    /** The names of the sections, without the top level. */
-    std::vector<std::string>
-    names() const;
-
-    /** In the order in which they were declared, the top level first. */
-    std::vector<Section> sections;
-  };
+  /** The names of sections or parameters, without the top level. */
+  std::vector<std::string>
+  names_in(const Catalogue &object);
 } // namespace Crevasse
 
 #endif

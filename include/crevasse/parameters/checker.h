@@ -7,7 +7,6 @@
 #include <crevasse/base/parsed.h>
 #include <crevasse/base/problems.h>
 
-#include <functional>
 #include <string>
 
 namespace Crevasse
@@ -17,43 +16,44 @@ namespace Crevasse
   {
   public:
     /** Both arguments must outlive this object. */
-    Checker(const char *section, Problems &problems);
+    Checker(const char *section, Problems &problems)
+      : section(section)
+      , problems(problems)
+    {
+    }
 
     void
     demand(const bool         fulfilled,
            const char        *name,
-           const std::string &value,
-           const std::string &allowed) const;
-
-    /** Neither NaN nor infinity fulfil anything. */
-    void
-    demand(const bool         fulfilled,
-           const char        *name,
-           const double       value,
-           const std::string &allowed) const;
-
-    /** A quantity with a unit. */
-    void
-    demand_positive(const char *name, const double value) const;
+           const std::string &allowed) const
+    {
+      if (!fulfilled)
+        problems.add(section, name, allowed);
+    }
 
     template <typename Value>
     void
     demand_valid(const char *name, const Parsed<Value> &parameter) const
     {
-      demand(parameter.is_valid(), name, parameter.text(), parameter.error());
+      demand(parameter.is_valid(), name, parameter.error());
     }
 
     /** A value that can be read.
      *
      * @param read throws a SceneError that says what is expected. */
+    template <typename Read>
     void
-    demand_readable(const char                  *name,
-                    const std::string           &value,
-                    const std::function<void()> &read) const;
-
-    /** A file that is there and not empty. */
-    void
-    demand_file(const char *name, const std::string &file_name) const;
+    demand_readable(const char *name, const Read &read) const
+    {
+      try
+        {
+          read();
+        }
+      catch (const SceneError &error)
+        {
+          problems.add(section, name, error.what());
+        }
+    }
 
   private:
     const char *section;

@@ -48,6 +48,42 @@ namespace Crevasse
     std::vector<Effect>
     list() const;
   };
+
+  // What the formulas that a scene uses depend on. The scene must have passed
+  // its check.
+
+  /** The coefficients of the stiffness, without its time factor. */
+  std::vector<Expression>
+  stiffness_formulas(const MaterialParameters &material);
+
+  /** Those of the viscosity, likewise. */
+  std::vector<Expression>
+  viscosity_formulas(const MaterialParameters &material);
+
+  /** Whether a property of the material depends on a variable, free strains
+   * included, time factors not. */
+  bool
+  material_depends_on(const std::string        &variable,
+                      const MaterialParameters &material);
+
+  /** Whether the temperature causes strain, where there is one. */
+  bool
+  has_thermal_expansion(const MaterialParameters &material);
+
+  /** Whether there is a change of temperature. */
+  bool
+  has_temperature(const LoadParameters &loads);
+
+  /** Whether a formula can jump in time: has a condition that depends on t, or
+   * on theta while the temperature may vary in time. */
+  bool
+  formulas_can_jump(const Scene &scene);
+
+  /** Which of the formulas vary in time, and why: "[Material] Relaxation time
+   * depends on theta"; nothing if none does. */
+  std::string
+  describe_variation(const std::vector<Expression> &formulas,
+                     const bool                     temperature_varies);
 } // namespace Crevasse
 
 #endif

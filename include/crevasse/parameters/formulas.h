@@ -6,6 +6,7 @@
 
 #include <crevasse/base/expression.h>
 #include <crevasse/base/parsed.h>
+#include <crevasse/base/range.h>
 
 #include <optional>
 #include <string>
@@ -28,32 +29,36 @@ namespace Crevasse
     Expression relaxation_time;
   };
 
-  // Parsers of formulas of x, y, z and t.
+  // Parsers of parameters. Numbers must be in a range; whether the values of a
+  // formula are is known when there are points.
 
   Formula::Parser
-  formula_of_place(const char *section, const char *name);
+  material_formula(const std::string &name,
+                   const Range       &range = Ranges::positive);
 
-  /** Of formulas separated by semicolons. */
-  Formulas::Parser
-  formulas_of_place(const char *section, const char *name);
-
-  // Parsers of formulas of the section Material, which know theta and material
-  // as well.
-
+  /** A formula of t. */
   Formula::Parser
-  material_formula(const char *name);
+  time_factor(const std::string &name);
 
   /** A number, or the components of a symmetric tensor, separated by commas. */
   Formulas::Parser
-  material_components(const char *name);
+  material_components(const std::string &name);
 
   /** Rows separated by semicolons, entries by commas. */
   FormulaMatrix::Parser
-  material_matrix(const char *name);
+  material_matrix(const std::string &name);
 
-  /** "fraction: time; fraction: time".
-   *
-   * @throw SceneError that says what is expected. */
+  /** A formula for each direction, separated by semicolons. */
+  Formulas::Parser
+  load_components(const std::string &name);
+
+  // These throw a SceneError that says what is expected.
+
+  /** A formula of the place, with values of at most 0. */
+  Expression
+  parse_gap(const std::string &text);
+
+  /** "fraction: time; fraction: time". */
   std::vector<ChainBranch>
   parse_chain(const std::string &text);
 
@@ -63,16 +68,13 @@ namespace Crevasse
 
   // Sizes that the dimension demands.
 
-  /** @param plane_stress in which the row 33 may be left out.
-   * @throw SceneError that says what is expected. */
+  /** @param plane_stress in which the row 33 may be left out. */
   void
   require_size(const FormulaMatrix &matrix,
                const unsigned int   dimension,
                const bool           plane_stress);
 
-  /** Of a tensor.
-   *
-   * @throw SceneError that says what is expected. */
+  /** Of a tensor. */
   void
   require_size(const Formulas &components, const unsigned int dimension);
 

@@ -5,6 +5,8 @@
 #define crevasse_parameters_parameters_h
 
 #include <crevasse/base/problems.h>
+#include <crevasse/base/range.h>
+#include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/formulas.h>
 #include <crevasse/parameters/probe_list.h>
 #include <crevasse/parameters/selections.h>
@@ -13,6 +15,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,9 +23,10 @@ namespace Crevasse
 {
   /**
    * One plain struct for each section of a scene file. Every struct declares
-   * its own entries (name, default, documentation) with add_parameters(),
-   * called inside the section, and then judges the values in check(), which
-   * appends what is wrong to a list instead of stopping at the first error.
+   * its own entries (name, default, documentation, range) with
+   * add_parameters(), called inside the section. What several values together
+   * say it judges in check(), which appends what is wrong to a list instead of
+   * stopping at the first error.
    *
    * All quantities are in the user's own consistent units.
    */
@@ -54,22 +58,33 @@ namespace Crevasse
   {
     static constexpr const char *section = "Boundary";
 
-    /** Lists of boundary ids, or "automatic" (what the built-in shape has). */
-    std::string clamped  = "automatic";
-    std::string symmetry = "automatic";
-    std::string loaded   = "automatic";
-    std::string contact  = "automatic";
-    /** "x, y" or "x, y: 1" (only component 1), separated by ";", or
-     * "automatic". */
-    std::string fixed_points = "automatic";
-    /** Expression of x, y, z: the least u_N of the lip, at most 0. */
-    Formula gap{"0", formula_of_place(section, "Gap")};
+    Parsed<BoundaryList>   clamped{"automatic", parse_boundary_list};
+    Parsed<BoundaryList>   symmetry{"automatic", parse_boundary_list};
+    Parsed<BoundaryList>   loaded{"automatic", parse_boundary_list};
+    Parsed<BoundaryList>   contact{"automatic", parse_boundary_list};
+    Parsed<FixedPointList> fixed_points{"automatic", parse_fixed_points};
+    /** The least u_N of the lip. */
+    Formula gap{"0", parse_gap};
 
     void
     add_parameters(dealii::ParameterHandler &prm);
     void
     check(Problems &problems) const;
   };
+
+  /** A role: its parameter, and the boundaries that have it in the end. */
+  struct BoundaryRole
+  {
+    const char          *name;
+    Parsed<BoundaryList> BoundaryParameters::*list;
+    std::set<dealii::types::boundary_id> BoundaryRoles::*ids;
+  };
+
+  constexpr BoundaryRole boundary_role_table[] = {
+    {"Clamped", &BoundaryParameters::clamped, &BoundaryRoles::clamped},
+    {"Symmetry", &BoundaryParameters::symmetry, &BoundaryRoles::symmetry},
+    {"Loaded", &BoundaryParameters::loaded, &BoundaryRoles::loaded},
+    {"Contact", &BoundaryParameters::contact, &BoundaryRoles::contact}};
 
   struct MaterialParameters
   {
@@ -78,20 +93,19 @@ namespace Crevasse
     PlaneState    plane_state = PlaneState::plane_stress;
     ViscosityType viscosity   = ViscosityType::relaxation_time;
 
-    // Formulas of x, y, z, t, theta and material, except the time factors,
-    // which depend on t alone.
     Formula       young_modulus{"1", material_formula("Young modulus")};
-    Formula       poisson_ratio{"0.3", material_formula("Poisson ratio")};
+    Formula       poisson_ratio{"0.3",
+                          material_formula("Poisson ratio",
+                                           Ranges::elastic_ratio)};
     FormulaMatrix stiffness_matrix{"", material_matrix("Stiffness matrix")};
-    Formula       stiffness_time_factor{"1",
-                                  material_formula("Stiffness time factor")};
-    Formula       relaxation_time{"1", material_formula("Relaxation time")};
-    Formula       viscous_modulus{"1", material_formula("Viscous modulus")};
-    Formula       viscous_poisson_ratio{"0.3",
-                                  material_formula("Viscous Poisson ratio")};
+    Formula stiffness_time_factor{"1", time_factor("Stiffness time factor")};
+    Formula relaxation_time{"1", material_formula("Relaxation time")};
+    Formula viscous_modulus{"1", material_formula("Viscous modulus")};
+    Formula viscous_poisson_ratio{"0.3",
+                                  material_formula("Viscous Poisson ratio",
+                                                   Ranges::viscous_ratio)};
     FormulaMatrix viscosity_matrix{"", material_matrix("Viscosity matrix")};
-    Formula       viscosity_time_factor{"1",
-                                  material_formula("Viscosity time factor")};
+    Formula viscosity_time_factor{"1", time_factor("Viscosity time factor")};
     Parsed<std::vector<ChainBranch>> chain{"", parse_chain};
     Formulas thermal_expansion{"0", material_components("Thermal expansion")};
 
@@ -121,8 +135,8 @@ namespace Crevasse
     double period = 1.;
     /** Expressions of x, y, z, t, one per component, separated by ";"; nothing
      * if there is no such load. */
-    Formulas traction{"", formulas_of_place(section, "Traction")};
-    Formulas body_force{"", formulas_of_place(section, "Body force")};
+    Formulas traction{"", load_components("Traction")};
+    Formulas body_force{"", load_components("Body force")};
     /** Change of temperature: a formula of x, y, z, t, or nothing where the
      * text is the name of a file. */
     Parsed<std::optional<Expression>> temperature{"0", parse_temperature};
@@ -148,7 +162,40 @@ namespace Crevasse
     check(Problems &problems) const;
   };
 
-  /** A factor with which over-relaxation converges, or "automatic".
+  /** How the mesh is refined besides [Geometry] Refinements. */
+  struct RefinementParameters
+  {
+    static constexpr const char *section = "Refinement";
+
+    RefinementStrategy strategy = RefinementStrategy::none;
+    /** Refinement ends when the mesh has them; 0: no limit. */
+    unsigned int target_unknowns = 0;
+    /** tip: levels; adaptive: meshes after the first. 0: by the target. */
+    unsigned int cycles           = 0;
+    Marking      marking          = Marking::bulk;
+    double       refine_fraction  = 0.5;
+    double       coarsen_fraction = 0.;
+    /** Estimated error of the stress in the energy norm, relative to that of
+     * the stress, at which cycles end; 0: none. */
+    double tolerance = 0.;
+    /** Instants within the period that the estimate looks at; none: those of
+     * the largest load and of the most opposite one. */
+    std::vector<double> instants;
+    /** Periods after which the mesh is adapted again; 0: never. */
+    unsigned int readapt_every = 0;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(Problems &problems) const;
+  };
+
+  /** Those with which over-relaxation converges. */
+  constexpr Range relaxation_factors = {Ranges::above_0,
+                                        2. - 1e-15,
+                                        "greater than 0 and less than 2"};
+
+  /** A factor, or "automatic".
    *
    * @throw SceneError that says what is expected. */
   std::optional<double>
@@ -170,8 +217,6 @@ namespace Crevasse
 
     void
     add_parameters(dealii::ParameterHandler &prm);
-    void
-    check(Problems &problems) const;
   };
 
   struct LinearSolverParameters
@@ -187,8 +232,6 @@ namespace Crevasse
 
     void
     add_parameters(dealii::ParameterHandler &prm);
-    void
-    check(Problems &problems) const;
   };
 
   struct TimeIntegrationParameters
@@ -236,6 +279,32 @@ namespace Crevasse
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /** What is read off at the crack tip. */
+  struct CrackTipParameters
+  {
+    static constexpr const char *section = "Crack tip";
+
+    bool                  stress_intensity = false;
+    StressIntensityMethod method           = StressIntensityMethod::automatic;
+    /** Half the side of the square around the tip that the integral extends
+     * over, or twice the radius of the smaller disc of the fit; 0: automatic.
+     */
+    double radius = 0.;
+
+    GrowthLawType growth_law = GrowthLawType::none;
+    // da/dN = C (ΔK − ΔK_th)^m or, without a threshold, C ΔK^m.
+    double paris_factor    = 0.;
+    double paris_exponent  = 3.;
+    double paris_threshold = 0.;
+    /** What drives da/dt = D (...)^φ. */
+    CreepParameter creep_parameter = CreepParameter::C_star;
+    double         creep_factor    = 0.;
+    double         creep_exponent  = 1.;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
     void
     check(Problems &problems) const;
   };
@@ -256,8 +325,6 @@ namespace Crevasse
 
     void
     add_parameters(dealii::ParameterHandler &prm);
-    void
-    check(Problems &problems) const;
   };
 } // namespace Crevasse
 

@@ -33,10 +33,14 @@ namespace Crevasse
   std::vector<NamedPoint>
   parse_probes(const std::string &text);
 
-  /** @throw SceneError if a point has not as many coordinates. */
+  /** @throw SceneError unless the text is numbers separated by commas. */
+  std::vector<double>
+  parse_coordinates(const std::string &text);
+
+  /** @throw SceneError unless there are as many coordinates. */
   template <int dim>
-  std::vector<Probe<dim>>
-  to_probes(const std::vector<NamedPoint> &points);
+  dealii::Point<dim>
+  to_point(const std::vector<double> &coordinates);
 } // namespace Crevasse
 
 #endif

@@ -4,11 +4,10 @@
 #ifndef crevasse_parameters_scene_h
 #define crevasse_parameters_scene_h
 
-#include <crevasse/parameters/crack_tip_parameters.h>
 #include <crevasse/parameters/parameters.h>
-#include <crevasse/parameters/refinement_parameters.h>
 
 #include <string>
+#include <vector>
 
 namespace Crevasse
 {
@@ -41,6 +40,12 @@ namespace Crevasse
     void
     check(Problems &problems) const;
   };
+
+  /** The parameters that have another value than their default, but cannot
+   * have an effect beside the others of their scene: a sentence for each, with
+   * the reason. The scene must have passed its check. */
+  std::vector<std::string>
+  unused_parameters(const Scene &scene);
 } // namespace Crevasse
 
 #endif

@@ -34,10 +34,10 @@ namespace Crevasse
    * @throw FileError if the file cannot be read.
    */
   Scene
-  read_scene(const std::string           &file_name,
-             const std::vector<Override> &overrides,
-             dealii::ParameterHandler    &prm,
-             Problems                    &problems);
+  read_scene(const std::string              &file_name,
+             const std::vector<std::string> &overrides,
+             dealii::ParameterHandler       &prm,
+             Problems                       &problems);
 
   /** The text of used.prm: every parameter of a scene that was read. */
   std::string

@@ -4,13 +4,14 @@
 #ifndef crevasse_periodic_anderson_h
 #define crevasse_periodic_anderson_h
 
+#include <crevasse/parameters/parameters.h>
 #include <crevasse/periodic/anderson_acceleration.h>
 #include <crevasse/periodic/drift_leaps.h>
 #include <crevasse/periodic/energy_coordinates.h>
 #include <crevasse/periodic/observed_periods.h>
-#include <crevasse/periodic/periodic_method.h>
 
 #include <deque>
+#include <limits>
 
 namespace Crevasse
 {
@@ -39,42 +40,35 @@ namespace Crevasse
    * stress from period to period, as if it went on at the slowest point's pace.
    */
   template <int dim>
-  class Anderson : public PeriodicMethod
+  class Anderson
   {
   public:
-    struct Settings
-    {
-      AndersonAcceleration::Settings acceleration;
-      unsigned int delay; ///< periods before the first combination
-      /** For the estimated error of the stress relative to its maximum; 0:
-       * compute as many periods as are allowed. */
-      double tolerance;
-      /** 1/(1−λ) with the contraction λ of the slowest point by itself: that
-       * far from the fixed point residuals may be. 1 if it is not known. */
-      double slowness;
-      /** Periods without a lesser residual before it begins anew. */
-      unsigned int patience;
-      unsigned int most_stagnations; ///< beyond them run() gives up
-    };
+    /** @param slowness 1/(1−λ) with the contraction λ of the slowest point by
+     * itself: that far from the fixed point residuals may be. 1 if it is not
+     * known.
+     * @param may_fall_back whether run() gives up where it stagnates. */
+    Anderson(ObservedPeriods<dim>          &periods,
+             const EnergyCoordinates<dim>  &coordinates,
+             const PeriodicStateParameters &parameters,
+             const double                   slowness,
+             const bool                     may_fall_back);
 
-    Anderson(ObservedPeriods<dim>         &periods,
-             const EnergyCoordinates<dim> &coordinates,
-             const Settings               &settings);
-
+    /** Starts from the viscous strain @p r at the beginning of a period, which
+     * afterwards is that at the end of the last one computed. */
     ConvergenceStatus
-    run(Vector &r) override;
+    run(Vector &r);
 
     /** How often the iteration began anew because it stagnated, or
      * because a step went astray. */
     unsigned int
-    n_restarts() const;
+    n_restarts() const
+    {
+      return restarts;
+    }
 
   private:
     void
     serialize(StateArchive &archive);
-
-    void
-    forget();
 
     /** Where no combination explains the residual, makes the next start that
      * of a march some periods on, if the strain is known to return. Gives back
@@ -82,17 +76,10 @@ namespace Crevasse
     bool
     follow_drift(const Vector &image, Vector &next);
 
-    void
-    remember_best(const Vector &image);
-
     /** Begins anew from the image of the start with the least residual if
      * residuals have not been less for long, leaps aside, or have risen far. */
     void
     restart_if_stagnant(Vector &next);
-
-    /** Takes the change of stress that the last step has made. */
-    void
-    remember_change(const double change);
 
     /** Of the stress of the last period, once the step to the next start is
      * known.
@@ -100,20 +87,23 @@ namespace Crevasse
     double
     estimated_error(const double change) const;
 
-    ObservedPeriods<dim>         &periods;
-    const EnergyCoordinates<dim> &coordinates;
-    const Settings                settings;
-    AndersonAcceleration          acceleration;
+    ObservedPeriods<dim>          &periods;
+    const EnergyCoordinates<dim>  &coordinates;
+    const PeriodicStateParameters &parameters;
+    const double                   slowness;
+    const bool                     may_fall_back;
+    AndersonAcceleration           acceleration;
 
     Vector       start;      ///< of the period, in these coordinates
     unsigned int number = 0; ///< of the period, from 0
     Vector       best_image; ///< of the start with the least residual
-    double       least_residual = 0.;
+    double       least_residual = std::numeric_limits<double>::infinity();
     unsigned int since_least    = 0; ///< periods
     unsigned int restarts       = 0;
     unsigned int stagnations    = 0; ///< restarts before which nothing fell
-    double       residual_at_restart = 0.; ///< the least one then
-    DriftLeaps   leaps;
+    /** The least one then. */
+    double     residual_at_restart = std::numeric_limits<double>::infinity();
+    DriftLeaps leaps;
 
     double             last_residual = 0.; ///< from a start to its image
     double             last_step     = 0.; ///< from start to start

@@ -32,11 +32,17 @@ namespace Crevasse
       double       damping; ///< β in ]0, 1]; 1: none
     };
 
-    explicit AndersonAcceleration(const Settings &settings);
+    explicit AndersonAcceleration(const Settings &settings)
+      : settings(settings)
+    {
+    }
 
     /** Forgets all points. */
     void
-    clear();
+    clear()
+    {
+      pairs.clear();
+    }
 
     /** Remembers a point @p x and its image G(x). */
     void
@@ -58,12 +64,18 @@ namespace Crevasse
 
     /** |f − ΔF γ| / |f| of the last point; 1 if nothing is remembered. */
     double
-    unexplained_part() const;
+    unexplained_part() const
+    {
+      return residual_norm > 0. ? unexplained / residual_norm : 1.;
+    }
 
     /** |f − f'| / |f| with the residual f' of the point before; infinite if
      * that is not remembered, or if the change is rounding. */
     double
-    residual_change() const;
+    residual_change() const
+    {
+      return change;
+    }
 
     void
     serialize(StateArchive &archive);

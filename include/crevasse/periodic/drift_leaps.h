@@ -4,10 +4,10 @@
 #ifndef crevasse_periodic_drift_leaps_h
 #define crevasse_periodic_drift_leaps_h
 
+#include <crevasse/base/state_archive.h>
+
 namespace Crevasse
 {
-  class StateArchive;
-
   /**
    * How many periods at once a search for the fixed point of r(0) → r(T) goes
    * along a drift: a residual that is the same period after period, so that no
@@ -25,7 +25,10 @@ namespace Crevasse
   public:
     /** Forgets what it knows of the drift. */
     void
-    clear();
+    clear()
+    {
+      *this = DriftLeaps();
+    }
 
     /** How many periods the next step is to go; 0: there is no drift, or it has
      * been followed for too long.
@@ -41,10 +44,19 @@ namespace Crevasse
     /** Whether the last leap went to where there is no drift: what was
      * remembered before is of another branch of the map. */
     bool
-    has_left() const;
+    has_left() const
+    {
+      return left;
+    }
 
     void
-    serialize(StateArchive &archive);
+    serialize(StateArchive &archive)
+    {
+      archive.common(length);
+      archive.common(drift_residual);
+      archive.common(leaps);
+      archive.common(left);
+    }
 
   private:
     double length         = 1.; ///< of the next leap, in periods

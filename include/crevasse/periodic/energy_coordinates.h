@@ -33,21 +33,22 @@ namespace Crevasse
 
     /** y, with the layout of r. */
     void
-    from_strain(const Vector &r, Vector &y) const;
+    from_strain(const Vector &r, Vector &y) const
+    {
+      transform(false, r, y);
+    }
 
     void
-    to_strain(const Vector &y, Vector &r) const;
+    to_strain(const Vector &y, Vector &r) const
+    {
+      transform(true, y, r);
+    }
 
   private:
     using Matrices = PointValues<VoigtMatrix<dim>>;
 
-    /** target = factor × source at each point, with w as factor. */
-    template <typename Weight>
     void
-    transform(const Matrices &matrices,
-              const Weight   &weight,
-              const Vector   &source,
-              Vector         &target) const;
+    transform(const bool to_strain, const Vector &source, Vector &target) const;
 
     std::vector<double> weights;   ///< √(det J × weight) of each point
     std::vector<double> fractions; ///< √wᵢ

@@ -4,9 +4,7 @@
 #ifndef crevasse_periodic_march_h
 #define crevasse_periodic_march_h
 
-#include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/observed_periods.h>
-#include <crevasse/periodic/periodic_method.h>
 
 namespace Crevasse
 {
@@ -15,28 +13,19 @@ namespace Crevasse
    * repeats. The paper judges by the change of stress from one period to the
    * next; this one by its Contraction, and unless all of the lip goes on to
    * open, by what the viscous strain lacks to return (ReturnDefect).
+   *
+   * @param tolerance for the estimated error of the stress relative to its
+   * maximum; 0: compute as many periods as are allowed.
+   * @param slowness 1/(1−λ) with the contraction λ of the slowest point by
+   * itself: changes may decrease by that ratio in the end. 1: not known.
+   * @param r at the beginning of a period; afterwards at the end of the last.
    */
   template <int dim>
-  class March : public PeriodicMethod
-  {
-  public:
-    /** @param tolerance for the estimated error of the stress relative to its
-     * maximum; 0: compute as many periods as are allowed.
-     * @param slowness 1/(1−λ) with the contraction λ of the slowest point by
-     * itself: changes may decrease by that ratio in the end. 1: not known. */
-    March(ObservedPeriods<dim> &periods,
-          const double          tolerance,
-          const double          slowness);
-
-    ConvergenceStatus
-    run(Vector &r) override;
-
-  private:
-    ObservedPeriods<dim> &periods;
-    const double          tolerance, slowness;
-    Contraction           contraction;
-    bool                  is_first = true;
-  };
+  ConvergenceStatus
+  march(ObservedPeriods<dim> &periods,
+        const double          tolerance,
+        const double          slowness,
+        Vector               &r);
 } // namespace Crevasse
 
 #endif

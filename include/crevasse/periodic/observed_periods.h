@@ -4,9 +4,11 @@
 #ifndef crevasse_periodic_observed_periods_h
 #define crevasse_periodic_observed_periods_h
 
-#include <crevasse/periodic/period_map.h>
+#include <crevasse/base/checkpointer.h>
 #include <crevasse/periodic/return_defect.h>
 #include <crevasse/periodic/stress_history.h>
+#include <crevasse/time/observer.h>
+#include <crevasse/time/step_control.h>
 
 #include <deal.II/base/timer.h>
 
@@ -32,10 +34,32 @@ namespace Crevasse
     std::vector<double> stress_error_estimate;
   };
 
+  /** How the search for the periodic state ended. */
+  enum class ConvergenceStatus
+  {
+    converged,      ///< the estimated error is within the tolerance
+    out_of_periods, ///< as many periods as allowed were computed
+    stagnant        ///< more periods would not help
+  };
+
+  /** What integrates a body over the steps of a period. */
+  template <int dim>
+  struct PeriodIntegration
+  {
+    Evolution<dim> &evolution;
+    /** Null for a body without viscosity, whose periods are sequences of
+     * elastic states. */
+    Integrator   *integrator;
+    StepControl  &step_control;
+    StepList     &steps;
+    Checkpointer *checkpointer; ///< called between steps
+  };
+
   /**
-   * The periods that a method computes, one after the other: each is seen by
-   * the observers, measured against the one before, and reported once the
-   * method has judged it.
+   * The periods that a method computes, one after the other: each maps
+   * r(0) to r(T) (the paper's Remark 2), is seen by the observers at the
+   * beginning of every step, measured against the one before, and reported once
+   * the method has judged it.
    */
   template <int dim>
   class ObservedPeriods
@@ -44,13 +68,14 @@ namespace Crevasse
     /** The number of variational inequalities solved so far. */
     using SolveCount = std::function<std::size_t()>;
 
-    /** All arguments but the numbers must outlive this object.
+    /** All arguments but the numbers must outlive this object, and so must what
+     * @p integration refers to.
      *
      * @param before what was computed, and shown, already.
      * @param is_comparable whether the stress of the first period is compared
      * with none at all; that of another mesh it cannot be compared with.
      * @param defect null: the strain is not known to return. */
-    ObservedPeriods(PeriodMap<dim>                &period_map,
+    ObservedPeriods(const PeriodIntegration<dim>  &integration,
                     const SolveCount              &n_solves,
                     const std::vector<Observer *> &observers,
                     const unsigned int             maximum_periods,
@@ -60,13 +85,20 @@ namespace Crevasse
 
     /** Whether another period is allowed. */
     bool
-    may_go_on() const;
+    may_go_on() const
+    {
+      return so_far.periods < maximum_periods;
+    }
 
-    /** Whether bodies without viscosity, of which one period tells all. */
+    /** Whether the body remembers: without viscosity one period tells all. */
     bool
-    has_memory() const;
+    has_memory() const
+    {
+      return integration.integrator != nullptr;
+    }
 
-    /** Advances @p r over a period. Returns the change of stress, see
+    /** Advances @p r over a period. A resumed run continues in the middle of
+     * another one. Returns the change of stress, see
      * PeriodReport; nan if the steps are not those of the period before. */
     double
     compute(Vector &r);
@@ -74,15 +106,24 @@ namespace Crevasse
     /** Of the strain over the last period, relative to its largest stress; 0 if
      * it is not known to return. */
     double
-    return_defect() const;
+    return_defect() const
+    {
+      return so_far.return_defect;
+    }
 
     /** From now on it need not return where the lip opens, see ReturnDefect. */
     void
-    ignore_drift_while_opening();
+    ignore_drift_while_opening()
+    {
+      ignores_drift = true;
+    }
 
     /** Whether it is known to return. */
     bool
-    strain_returns() const;
+    strain_returns() const
+    {
+      return defect != nullptr;
+    }
 
     /** Instead of compute(): another period is not allowed, but others may go
      * on from here. */
@@ -95,20 +136,26 @@ namespace Crevasse
     void
     report(const double error_estimate);
 
-    /** Shows the state at the end of the last period. */
+    /** Solves for the state at the end of the last period, which otherwise only
+     * the next period would, and shows it if @p is_shown. */
     void
-    finish(const Vector &r);
+    finish(const Vector &r, const bool is_shown = true);
 
-    /** Whoever wants to pause; null: nobody. */
     Checkpointer *
-    checkpointer() const;
+    checkpointer() const
+    {
+      return integration.checkpointer;
+    }
 
     /** All but whether it converged. */
     const PeriodicResult &
-    result() const;
+    result() const
+    {
+      return so_far;
+    }
 
   private:
-    PeriodMap<dim>                &period_map;
+    const PeriodIntegration<dim>   integration;
     const SolveCount               n_solves;
     const std::vector<Observer *> &observers;
     const unsigned int             maximum_periods;
@@ -118,15 +165,32 @@ namespace Crevasse
     void
     begin_period(const Vector &r);
 
+    /** All steps of a period. */
     void
-    show(const Sample &sample);
+    advance(Vector &r);
+
+    /** From the beginning of step @p k to the next one. */
+    void
+    advance_step(const unsigned int k, Vector &r);
+
+    /** What observers see where step @p k begins, or at the very end. */
+    Sample
+    sample(const unsigned int k, const Vector &r) const;
+
+    void
+    show(const Sample &sample) const;
 
     void
     serialize(StateArchive &archive);
 
+    /** Where step @p k begins. */
+    void
+    serialize_step(StateArchive &archive, unsigned int &k, Vector &r);
+
     StressHistory  history;
     PeriodicResult so_far;
     PeriodReport   last; ///< not reported yet
+    Vector         rate; ///< at the beginning of a step
 
     // About the return of the strain, if it is known to.
     Vector r_before, u_before; ///< at the beginning of the period

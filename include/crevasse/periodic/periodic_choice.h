@@ -23,15 +23,24 @@ namespace Crevasse
 
     /** Whether harmonic balance is used. */
     bool
-    uses_fourier() const;
+    uses_fourier() const
+    {
+      return starts_from_fourier || method == PeriodicMethodType::fourier;
+    }
 
     /** Whether r must be periodic, and so a secular flow split off. */
     bool
-    needs_periodic_strain() const;
+    needs_periodic_strain() const
+    {
+      return method != PeriodicMethodType::march;
+    }
 
     /** Whether only the last period is one of the body. */
     bool
-    periods_are_iterates() const;
+    periods_are_iterates() const
+    {
+      return method == PeriodicMethodType::anderson;
+    }
 
     /** One line for the log. */
     std::string

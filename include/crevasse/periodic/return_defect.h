@@ -25,27 +25,8 @@ namespace Crevasse
    * a strain continues to creep without bearing stress until a lip touches.
    */
   template <int dim>
-  class ReturnDefect
+  struct ReturnDefect
   {
-  public:
-    /** All arguments must outlive this object.
-     *
-     * @param material that makes it a stress; of what varies in time, at one
-     * instant.
-     * @param mean_fluidity_factor mean of 1/η₀ over the period, instead of that
-     * of the instant: the strain flows by all of it.
-     * @param flow that goes on besides; null: none.
-     * @param is_split whether that is not in the strain.
-     * @param period in units of time.
-     * @param bounds of the lip. */
-    ReturnDefect(const QuadratureField<dim> &points,
-                 const MaterialState<dim>   &material,
-                 const SecularFlow          *flow,
-                 const bool                  is_split,
-                 const double                mean_fluidity_factor,
-                 const double                period,
-                 const UnilateralBounds     &bounds);
-
     /** The largest component of that stress at all points, relative to
      * that of the stress itself; 0 if it is rounding. Collective. */
     double
@@ -60,14 +41,16 @@ namespace Crevasse
     bool
     lip_opens(const Vector &before, const Vector &after) const;
 
-  private:
-    const std::size_t         n_points; ///< of this rank
+    const std::size_t n_points; ///< of this rank
+    /** That makes it a stress; of what varies in time, at one instant. */
     const MaterialState<dim> &material;
-    const SecularFlow        *flow;
-    const bool                is_split;
-    const double              mean_fluidity_factor;
-    const double              period;
-    const UnilateralBounds   &bounds;
+    const SecularFlow        *flow;     ///< that goes on besides; null: none
+    const bool                is_split; ///< whether that is not in the strain
+    /** Mean of 1/η₀ over the period, instead of that of the instant: the strain
+     * flows by all of it. */
+    const double            mean_fluidity_factor;
+    const double            period;
+    const UnilateralBounds &bounds; ///< of the lip
   };
 } // namespace Crevasse
 

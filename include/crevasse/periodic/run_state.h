@@ -4,6 +4,7 @@
 #ifndef crevasse_periodic_run_state_h
 #define crevasse_periodic_run_state_h
 
+#include <crevasse/base/state_archive.h>
 #include <crevasse/model/solver_statistics.h>
 #include <crevasse/periodic/observed_periods.h>
 
@@ -16,8 +17,6 @@
 
 namespace Crevasse
 {
-  class StateArchive;
-
   /** A part of a run on one mesh. */
   struct MeshStage
   {
@@ -69,7 +68,22 @@ namespace Crevasse
 
     /** Shows all but the fields and what belongs to the stage. */
     void
-    serialize(StateArchive &archive);
+    serialize(StateArchive &archive)
+    {
+      archive.section("run");
+      archive.common(result.periods);
+      archive.common(result.converged);
+      archive.common(result.steps_repeat);
+      archive.common(result.stress_change);
+      archive.common(result.stress_error_estimate);
+      archive.common(solvers);
+      archive.common(rate_evaluations);
+      archive.common(largest_stress);
+      archive.common(largest_displacement);
+      archive.common(largest_opening);
+      archive.common(seconds);
+      archive.common(methods_left);
+    }
   };
 } // namespace Crevasse
 

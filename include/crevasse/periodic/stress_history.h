@@ -36,12 +36,18 @@ namespace Crevasse
     /** Whether at least three quarters of the instants of the last period were
      * those of the period before: else its change says little. */
     bool
-    is_comparable() const;
+    is_comparable() const
+    {
+      return comparable;
+    }
 
     /** Largest stress component of the last period for which take_change() was
      * called. */
     double
-    largest_stress() const;
+    largest_stress() const
+    {
+      return largest_of_last;
+    }
 
     void
     serialize(StateArchive &archive);

@@ -6,6 +6,8 @@
 
 #include <crevasse/base/log.h>
 #include <crevasse/base/summary.h>
+#include <crevasse/crack_tip/strain_energy.h>
+#include <crevasse/crack_tip/williams_fit.h>
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/secular_problem.h>
 #include <crevasse/postprocess/crack_tip_choice.h>
@@ -46,6 +48,8 @@ namespace Crevasse
                Log                              &log) const;
 
   private:
+    friend class CrackTipTable;
+
     void
     summarise(const CrackTipTable &table,
               const SecularFlow   *flow,
@@ -65,6 +69,7 @@ namespace Crevasse
     choose_radius() const;
     double
     choose_fit_radius() const;
+
     /** Of the square where the body creeps everywhere alike: there the stress
      * is Williams' series whatever the rest of the body does; 0: none. */
     double
@@ -88,26 +93,22 @@ namespace Crevasse
                         Summary          &summary,
                         Log              &log) const;
 
-    /** There is a growth law. */
-    void
-    summarise_growth(const TipHistory &history, Summary &tip, Log &log) const;
-
-    /** 8μ/(κ + 1) at an instant within the period. */
+    /** E' = 8μ/(κ + 1) at an instant within the period. */
     double
     modulus(const double t) const;
 
-    const Scene                           &scene;
-    const Body<2>                         &body;
-    const PointGeometry                    points;
-    const CrackTipChoice                   choice;
-    const TipRegion                        region;
-    const double                           radius; ///< of the integral
-    const WilliamsFit                      fit;
-    const StrainEnergy                     energy;
-    const std::unique_ptr<const GrowthLaw> growth_law;
-    std::unique_ptr<const TipRegion>       viscous_region;
-    const std::string                      no_c_star; ///< why; empty: known
-    const bool                             mean_load_vanishes;
+    const Scene                   &scene;
+    const Body<2>                 &body;
+    const PointGeometry            points;
+    const CrackTipChoice           choice;
+    const TipRegion                region;
+    const double                   radius; ///< of the integral
+    const WilliamsFit              fit;
+    const StrainEnergy             energy;
+    const std::string              growth_law; ///< its description; empty: none
+    std::optional<const TipRegion> viscous_region;
+    const std::string              no_c_star; ///< why; empty: known
+    const bool                     mean_load_vanishes;
   };
 } // namespace Crevasse
 

@@ -10,7 +10,7 @@
 
 namespace Crevasse
 {
-  /** How K_I is found: see InteractionIntegral and WilliamsFit. */
+  /** How K_I is found: see interaction_integral() and WilliamsFit. */
   struct CrackTipChoice
   {
     bool        integral; ///< or the fit
@@ -18,7 +18,11 @@ namespace Crevasse
 
     /** "interaction integral" or "williams fit". */
     std::string
-    name() const;
+    name() const
+    {
+      return name_of(integral ? StressIntensityMethod::interaction_integral
+                              : StressIntensityMethod::williams_fit);
+    }
   };
 
   /**

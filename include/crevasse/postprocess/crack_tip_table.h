@@ -5,14 +5,13 @@
 #define crevasse_postprocess_crack_tip_table_h
 
 #include <crevasse/base/csv_table.h>
+#include <crevasse/base/log.h>
 #include <crevasse/crack_tip/growth_law.h>
-#include <crevasse/crack_tip/strain_energy.h>
-#include <crevasse/crack_tip/weight_function.h>
-#include <crevasse/crack_tip/williams_fit.h>
+#include <crevasse/crack_tip/interaction_integral.h>
 #include <crevasse/time/observer.h>
+#include <crevasse/time/secular_flow.h>
 #include <crevasse/time/step_list.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +19,8 @@
 
 namespace Crevasse
 {
+  class CrackTipAnalysis;
+
   /**
    * crack_tip.csv: what is read off at the crack tip at each accepted step.
    *
@@ -42,24 +43,13 @@ namespace Crevasse
         energy;
     };
 
-    /** The interaction integral over two squares, and the coefficient of the
-     * singular function that opens the crack, if there is one. */
+    /** Weight functions: of the interaction integral over two squares, and of
+     * the coefficient of the singular function that opens the crack, if there
+     * is one. */
     struct Integrals
     {
-      WeightFunction                large, small;
-      std::optional<WeightFunction> singular;
-    };
-
-    /** What a step is evaluated by. References must outlive the table. */
-    struct Evaluation
-    {
-      std::optional<Integrals> integrals; ///< none: the fit serves for K_I
-      const WilliamsFit       &fit;
-      const StrainEnergy      &energy;
-      /** E' as a function of the instant within the period. */
-      std::function<double(const double)> modulus;
-      const ExternalLoads<2>             &loads;
-      double relative_error; ///< of the elastic energy
+      IntensityFunctional                large, small;
+      std::optional<IntensityFunctional> singular;
     };
 
     /** Where its rows go. */
@@ -69,14 +59,18 @@ namespace Crevasse
       bool        is_continuing; ///< whether it has rows already
     };
 
-    /** What is made of the last period in the end. */
-    using Conclusion = std::function<void(const CrackTipTable &, Summary &)>;
-
-    /** @param steps must outlive this object. */
-    CrackTipTable(Evaluation      &&evaluation,
-                  const StepList   &steps,
-                  const File       &file,
-                  const Conclusion &conclusion);
+    /** References must outlive this object.
+     *
+     * @param integrals none: the fit serves for K_I
+     * @param relative_error of the elastic energy
+     * @param flow none: none was found. */
+    CrackTipTable(const CrackTipAnalysis           &analysis,
+                  std::optional<Integrals>        &&integrals,
+                  const double                      relative_error,
+                  const StepList                   &steps,
+                  const std::optional<SecularFlow> &flow,
+                  const File                       &file,
+                  Log                              &log);
 
     void
     observe(const Sample &sample) override;
@@ -102,19 +96,20 @@ namespace Crevasse
     }
 
   private:
-    bool
-    has_singular_function() const;
-
     Values
     evaluate(const Sample &sample);
 
-    const Evaluation          by;
-    const StepList           &steps;
-    const Conclusion          conclusion;
-    Vector                    nodal_forces;
-    std::unique_ptr<CsvTable> table;
-    TipHistory                history;
-    std::vector<Values>       of_last_period;
+    const CrackTipAnalysis           &analysis;
+    const std::optional<Integrals>    integrals;
+    const double                      relative_error;
+    const StepList                   &steps;
+    const std::optional<SecularFlow> &flow;
+    Log                              &log;
+    const bool                        has_singular_function;
+    Vector                            nodal_forces;
+    std::unique_ptr<CsvTable>         table;
+    TipHistory                        history;
+    std::vector<Values>               of_last_period;
   };
 } // namespace Crevasse
 

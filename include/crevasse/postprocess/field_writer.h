@@ -5,11 +5,9 @@
 #define crevasse_postprocess_field_writer_h
 
 #include <crevasse/base/log.h>
-#include <crevasse/discretisation/contact_boundary.h>
-#include <crevasse/discretisation/space.h>
 #include <crevasse/discretisation/stress_recovery.h>
+#include <crevasse/model/body.h>
 #include <crevasse/time/observer.h>
-#include <crevasse/time/step_list.h>
 
 #include <map>
 #include <set>
@@ -18,12 +16,14 @@
 
 namespace Crevasse
 {
-  /** Instants within the period; the nearest steps are taken. */
-  struct FieldTimes
-  {
-    const StepList            &steps;
-    const std::vector<double> &times;
-  };
+  /** Nodal contact pressure: g / weight, that of a neighbour at held nodes
+   * (see ContactBoundary), zero off the lip. */
+  template <int dim>
+  Vector
+  contact_pressure(const Space<dim>           &space,
+                   const StressRecovery<dim>  &recovery,
+                   const ContactBoundary<dim> &lip,
+                   const std::vector<double>  &contact_forces);
 
   /**
    * Fields for ParaView at chosen instants of the last period and at the end
@@ -40,12 +40,20 @@ namespace Crevasse
   class FieldWriter : public Observer
   {
   public:
-    FieldWriter(const Space<dim>           &space,
-                const StressRecovery<dim>  &recovery,
-                const ContactBoundary<dim> &lip,
-                const FieldTimes           &times,
-                const std::string          &directory,
-                Log                        &log);
+    /** @param instants those of steps within the period, its end included. */
+    FieldWriter(const Body<dim>           &body,
+                const StressRecovery<dim> &recovery,
+                const std::set<double>    &instants,
+                const std::string         &directory,
+                Log                       &log)
+      : space(body.space)
+      , recovery(recovery)
+      , lip(body.lip)
+      , wanted(instants)
+      , directory(directory)
+      , log(log)
+    {
+    }
 
     void
     observe(const Sample &sample) override;
@@ -53,16 +61,11 @@ namespace Crevasse
     void
     serialize(StateArchive &archive) override;
 
-    /** Writes the fields. @throw FileError */
+    /** Writes solution_<n>.vtu, .pvtu and solution.pvd. @throw FileError */
     void
     summarise(Summary &) override;
 
   private:
-    /** Writes solution_<n>.vtu, .pvtu and solution.pvd; returns the number of
-     * instants. Collective. @throw FileError */
-    unsigned int
-    write() const;
-
     struct Snapshot
     {
       double time;
@@ -76,12 +79,12 @@ namespace Crevasse
     const Space<dim>           &space;
     const StressRecovery<dim>  &recovery;
     const ContactBoundary<dim> &lip;
+    std::set<double>            wanted;
     const std::string           directory;
     Log                        &log;
 
     /** By instant, so that a period replaces the one before. */
     std::map<double, Snapshot> snapshots;
-    std::set<double>           wanted;
   };
 } // namespace Crevasse
 

@@ -16,11 +16,11 @@ namespace Crevasse
     double       force            = 0.; ///< ∫ pressure, held nodes included
     double       largest_pressure = 0.; ///< g / weight
     double       largest_opening  = 0.; ///< u_N − gap
-    double       largest_displacement = 0.; ///< of all nodes of the body
   };
 
   /** A node is closed where its opening vanishes against the largest
-   * displacement; with no displacement at all the lip touches. Collective. */
+   * displacement of the body; with no displacement at all the lip touches.
+   * Collective. */
   template <int dim>
   LipState
   lip_state(const ContactBoundary<dim> &lip, const State &state);

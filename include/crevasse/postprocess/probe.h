@@ -8,7 +8,7 @@
 #include <crevasse/discretisation/space.h>
 #include <crevasse/discretisation/stress_recovery.h>
 #include <crevasse/parameters/probe_list.h>
-#include <crevasse/time/evolution.h>
+#include <crevasse/time/observer.h>
 
 #include <array>
 #include <string>
@@ -51,46 +51,41 @@ namespace Crevasse
     dealii::Tensor<1, dim>
     displacement(const Vector &displacement) const;
 
-    /** Along the inward normal of the lip; 0 off it. */
-    double
-    normal_component(const dealii::Tensor<1, dim> &displacement) const;
-
     VoigtVector<dim>
-    stress(const Vector &stress) const;
+    stress(const Vector &stress) const
+    {
+      return recovery.evaluate(stress, stress_weights);
+    }
 
     /** Opening u_N − gap and contact pressure, interpolated from the nodes of
      * the lip; both 0 off the lip. */
     std::array<double, 2>
     opening_and_pressure(const State &state) const;
 
-  private:
-    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
-    using DofWeights =
-      std::vector<std::pair<dealii::types::global_dof_index, double>>;
+    /** The columns of probe_<name>.csv. */
+    std::vector<std::string>
+    columns() const;
 
+    /** What they hold: with the flow that is split off. Collective. */
+    std::vector<double>
+    row(const Sample &sample) const;
+
+  private:
     /** A point in one of the cells around it. */
     struct Place
     {
-      Cell               cell;
-      dealii::Point<dim> unit_point;
-      bool               found    = false;
-      unsigned int       lip_face = dealii::numbers::invalid_unsigned_int;
+      typename dealii::DoFHandler<dim>::active_cell_iterator cell;
+      dealii::Point<dim>                                     unit_point;
+      bool                                                   found = false;
+      unsigned int lip_face = dealii::numbers::invalid_unsigned_int;
     };
 
+    /** One rank finds it. */
     Place
     find_place(const Space<dim> &space) const;
 
-    /** Whether the place of this rank is the one to take; one rank has it. */
-    bool
-    is_chosen(const Place &place) const;
-
     void
     find_displacement_weights(const Place &place, const Space<dim> &space);
-    /** What singular functions have at the place. */
-    static void
-    add_singular_values(const Place         &place,
-                        const Space<dim>    &space,
-                        std::vector<Vector> &weights);
     void
     find_stress_weights(const Place &place);
     void
@@ -102,7 +97,9 @@ namespace Crevasse
     const ContactBoundary<dim> &lip;
 
     /** Of the dofs and lip nodes that this rank owns. */
-    std::array<DofWeights, dim>                  displacement_weights;
+    std::array<std::vector<std::pair<dealii::types::global_dof_index, double>>,
+               dim>
+                                                 displacement_weights;
     typename StressRecovery<dim>::PointWeights   stress_weights;
     std::vector<std::pair<unsigned int, double>> pressure_weights;
 
@@ -117,7 +114,17 @@ namespace Crevasse
   make_probes(const std::vector<NamedPoint> &probes,
               const Space<dim>              &space,
               const StressRecovery<dim>     &recovery,
-              const ContactBoundary<dim>    &lip);
+              const ContactBoundary<dim>    &lip)
+  {
+    std::vector<ProbeEvaluator<dim>> evaluators;
+    for (const NamedPoint &probe : probes)
+      evaluators.emplace_back(Probe<dim>{probe.name,
+                                         to_point<dim>(probe.coordinates)},
+                              space,
+                              recovery,
+                              lip);
+    return evaluators;
+  }
 } // namespace Crevasse
 
 #endif

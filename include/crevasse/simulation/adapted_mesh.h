@@ -7,7 +7,7 @@
 #include <crevasse/base/log.h>
 #include <crevasse/base/summary.h>
 #include <crevasse/checkpoint/checkpoints.h>
-#include <crevasse/discretisation/marking.h>
+#include <crevasse/discretisation/refinement.h>
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/body.h>
 #include <crevasse/parameters/scene.h>
@@ -54,30 +54,43 @@ namespace Crevasse
                 Log           &log,
                 Checkpoints   &checkpoints);
 
-    /** Shows how the mesh came to be. */
+    /** Shows what was estimated; the mesh is saved with the fields. */
     void
     serialize(StateArchive &archive);
 
     std::shared_ptr<Mesh<dim>>
-    mesh() const;
+    mesh() const
+    {
+      return current;
+    }
 
-    /** Flags cells of the mesh for a change that Target unknowns allows.
-     * Collective. */
-    void
+    /** Flags cells of the mesh for a change that Target unknowns allows, if
+     * there is one. Collective.
+     *
+     * @return whether cells are to be divided. */
+    bool
     flag(const dealii::Vector<float> &squares);
 
-    /** Instead of flag(): the mesh stays as it is. */
+    /** To be called after the mesh has been changed: takes another one with the
+     * same cells on each rank, in the order in which a checkpoint has them. So
+     * a resumed run computes the same. Collective. */
     void
-    keep();
+    renew();
 
     /** Of the meshes on the way, this one the last; none if nothing was
      * adapted. */
     const std::vector<MeshEstimate> &
-    estimates() const;
+    estimates() const
+    {
+      return all;
+    }
 
     /** What all of that took; 0 if nothing was adapted. */
     double
-    seconds() const;
+    seconds() const
+    {
+      return seconds_of_all;
+    }
 
     /** summary.json "refinement" */
     void
@@ -93,21 +106,15 @@ namespace Crevasse
     void
     report(Log &log) const;
 
-    /** Whether it has no more than Target unknowns. Collective. */
-    bool
-    is_affordable(const Mesh<dim> &mesh) const;
+    /** A mesh with the same cells as the current one. Collective. */
+    std::shared_ptr<Mesh<dim>>
+    copy() const;
 
-    /** Sets flags for a change that Target unknowns allows: if the whole one
-     * does not, fewer cells are divided. None if that does not help. */
-    Marks
-    affordable_marks(const dealii::Vector<float> &squares);
-
-    /** Takes the next mesh, unless it would hardly be another one. */
+    /** Changes the mesh, unless it would hardly be another one. */
     bool
     advance(const dealii::Vector<float> &squares);
 
     const Scene                scene; ///< with fast solvers
-    MeshHistory<dim>           history;
     std::shared_ptr<Mesh<dim>> current;
     std::vector<MeshEstimate>  all;
     double                     seconds_of_all = 0.;

@@ -5,7 +5,8 @@
 #define crevasse_simulation_adaptive_run_h
 
 #include <crevasse/simulation/adapted_mesh.h>
-#include <crevasse/simulation/run_stage.h>
+#include <crevasse/simulation/workspace.h>
+#include <crevasse/time/observer.h>
 
 #include <deal.II/base/timer.h>
 
@@ -38,14 +39,14 @@ namespace Crevasse
     void
     describe() const;
 
-    /** See run_stage(). */
+    /** Computes the run and writes everything to the directory, which must
+     * exist. Collective.
+     *
+     * @param stress_record see StressWriter.
+     * @throw NumericalError; after all that was computed has been written if
+     * the periodic state was not reached. */
     void
-    run(const std::string             &directory,
-        const std::vector<Observer *> &others = {});
-
-    /** On the mesh of the moment. */
-    const Body<dim> &
-    discretised_body() const;
+    run(const std::string &directory, const bool stress_record = false);
 
   private:
     /** Shows what is known about the meshes. */

@@ -17,19 +17,16 @@ namespace Crevasse
    * verified and shown; otherwise the periods are marched or accelerated, and
    * marched where the acceleration stagnates.
    *
-   * @param state At the beginning; afterwards its result and its strain are
-   * those after the last period, and so is its displacement unless the run
-   * ends.
+   * @param work whose state is that at the beginning; afterwards result and
+   * strain of the state are those after the last period, and so is the
+   * displacement unless the run ends.
    * @throw NumericalError if a step fails, or if the motion that was found is
    * not a solution and no other method may take over.
    */
   template <int dim>
   void
-  compute_periods(const RunSetup<dim>           &setup,
-                  Workspace<dim>                &work,
-                  const RunOutput               &output,
-                  const std::vector<Observer *> &observers,
-                  RunState                      &state);
+  compute_periods(Workspace<dim>                &work,
+                  const std::vector<Observer *> &observers);
 } // namespace Crevasse
 
 #endif

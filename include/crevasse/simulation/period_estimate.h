@@ -4,11 +4,10 @@
 #ifndef crevasse_simulation_period_estimate_h
 #define crevasse_simulation_period_estimate_h
 
+#include <crevasse/base/state_archive.h>
 #include <crevasse/discretisation/stress_estimator.h>
-#include <crevasse/model/body.h>
-#include <crevasse/parameters/scene.h>
+#include <crevasse/simulation/adapted_mesh.h>
 #include <crevasse/time/observer.h>
-#include <crevasse/time/step_list.h>
 
 #include <set>
 
@@ -23,16 +22,48 @@ namespace Crevasse
      * @param period that is looked at. */
     PeriodEstimate(const Scene       &scene,
                    const Body<dim>   &body,
-                   const unsigned int period);
+                   const unsigned int period)
+      : body(body)
+      , period(period)
+      , rounding(1e-12 * scene.loads.period)
+      , stress_estimator(body.space, body.points, body.lip, scene.loads)
+    {
+      const StepList steps(scene.time_integration,
+                           scene.loads.period,
+                           scene.output.field_times);
+      for (const double t : instants_of_estimate(scene, body, steps))
+        instants.insert(steps.within_period(steps.instant(steps.nearest(t))));
+    }
 
     void
-    observe(const Sample &sample) override;
+    observe(const Sample &sample) override
+    {
+      if (sample.period != period)
+        return;
+      // Adaptive steps may pass by an instant: then the next one is looked at.
+      const auto next = instants.upper_bound(sample.instant + rounding);
+      if (next == instants.begin())
+        return;
+      instants.erase(instants.begin(), next);
+      stress_estimator.look_at(sample.instant,
+                               sample.state.stress,
+                               sample.state.contact_forces,
+                               body.material.at(sample.instant));
+    }
 
     void
-    serialize(StateArchive &archive) override;
+    serialize(StateArchive &archive) override
+    {
+      archive.section("estimate");
+      archive.common(instants);
+      stress_estimator.serialize(archive);
+    }
 
     const StressEstimator<dim> &
-    estimator() const;
+    estimator() const
+    {
+      return stress_estimator;
+    }
 
   private:
     const Body<dim>     &body;

@@ -5,7 +5,6 @@
 #define crevasse_simulation_periodic_start_h
 
 #include <crevasse/harmonic_balance/fourier_problem.h>
-#include <crevasse/model/contact_system_cache.h>
 #include <crevasse/simulation/run_setup.h>
 
 #include <optional>
@@ -24,15 +23,16 @@ namespace Crevasse
     std::vector<std::string>     warnings;
   };
 
+  template <int dim>
+  struct Workspace;
+
   /** Solves what is to be known: the motion by harmonic balance, or the
    * secular problem. Where one fails, and the run can do without, it does.
    * Collective.
    * @throw NumericalError where it cannot. */
   template <int dim>
-  PeriodicStart
-  find_periodic_start(const RunSetup<dim>     &setup,
-                      ContactSystemCache<dim> &systems,
-                      Log                     &log);
+  void
+  find_periodic_start(Workspace<dim> &work);
 } // namespace Crevasse
 
 #endif

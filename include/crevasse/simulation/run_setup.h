@@ -5,18 +5,20 @@
 #define crevasse_simulation_run_setup_h
 
 #include <crevasse/discretisation/stress_recovery.h>
-#include <crevasse/linear/solver_choice.h>
 #include <crevasse/model/body.h>
+#include <crevasse/model/linear_choice.h>
 #include <crevasse/model/secular_problem.h>
 #include <crevasse/parameters/scene.h>
 #include <crevasse/periodic/periodic_choice.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
+#include <crevasse/postprocess/load_factors.h>
 #include <crevasse/postprocess/probe.h>
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/step_control.h>
 #include <crevasse/time/step_list.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Crevasse
@@ -56,14 +58,15 @@ namespace Crevasse
     const std::vector<ProbeEvaluator<dim>>  probes;
     StepList                                steps;      ///< of the first period
     const std::unique_ptr<const Integrator> integrator; ///< what it is like
-    const RelaxationTimes                   relaxation_times;
-    const double                            largest_thermal_strain;
-    const double                            largest_nodal_force;
-    const double                            missed_load; ///< by the steps
-    const PeriodicChoice                    periodic_choice;
-    const SecularSplit                      secular_split;
-    const SolverChoice                      solvers;
-    const std::unique_ptr<const CrackTipAnalysis> crack_tip; ///< or null
+    RelaxationTimes                         relaxation_times;
+    double                                  largest_thermal_strain;
+    double                                  largest_nodal_force;
+    double                                  missed_load; ///< by the steps
+    PeriodicChoice                          periodic_choice;
+    SecularSplit                            secular_split;
+    SolverChoice                            solvers;
+    std::unique_ptr<const CrackTipAnalysis> crack_tip;    ///< or null
+    std::optional<LoadFactors>              load_factors; ///< to compare by
   };
 } // namespace Crevasse
 

@@ -5,6 +5,7 @@
 #define crevasse_simulation_setup_report_h
 
 #include <crevasse/base/log.h>
+#include <crevasse/base/summary.h>
 #include <crevasse/simulation/run_setup.h>
 
 #include <string>
@@ -12,6 +13,12 @@
 
 namespace Crevasse
 {
+  /** summary.json: how large a discretised body is, "cells_of_ranks" on the
+   * first rank. Collective. */
+  template <int dim>
+  Summary
+  sizes_of(const Body<dim> &body);
+
   /** Prints effects, sizes, predicted memory and choices. Collective.
    * @throw SceneError if there is not enough memory. */
   template <int dim>

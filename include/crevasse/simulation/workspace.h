@@ -24,22 +24,29 @@ namespace Crevasse
     Log              &log;
     Checkpoints      &checkpoints;
     const std::string directory;
+    bool              stress_record; ///< see StressWriter
   };
 
   /**
-   * What changes while a run computes on one mesh: its steps, what integrates
-   * over them, and the systems that solve for the displacement.
+   * A run on one mesh: what it computes with, where it writes to, what it has
+   * come to, and what changes meanwhile: its steps, what integrates over them,
+   * and the systems that solve for the displacement.
    */
   template <int dim>
   struct Workspace
   {
-    /** @param setup must outlive this object, and so must @p log. */
-    Workspace(const RunSetup<dim> &setup, Log &log);
+    /** All arguments must outlive this object. */
+    Workspace(const RunSetup<dim> &setup,
+              const RunOutput     &output,
+              RunState            &state);
 
     /** The state of the run with what was counted and timed here. */
     RunState
-    add_to(RunState state) const;
+    state_so_far() const;
 
+    const RunSetup<dim>         &setup;
+    const RunOutput             &output;
+    RunState                    &state;
     dealii::Timer                timer;
     dealii::TimerOutput          phases;
     StepList                     steps; ///< adaptive ones change

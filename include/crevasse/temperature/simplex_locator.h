@@ -9,6 +9,7 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <array>
+#include <boost/functional/hash.hpp>
 #include <mutex>
 #include <unordered_map>
 #include <utility>
@@ -58,13 +59,8 @@ namespace Crevasse
     static constexpr double largest_gap = 0.05;
 
   private:
-    struct Hash
-    {
-      std::size_t
-      operator()(const std::array<double, dim> &coordinates) const;
-    };
-
-    using Box = std::pair<dealii::BoundingBox<dim>, std::size_t>;
+    using Coordinates = std::array<double, dim>;
+    using Box         = std::pair<dealii::BoundingBox<dim>, std::size_t>;
 
     /** Weights that are all zero if the point lies outside. */
     Location
@@ -80,8 +76,9 @@ namespace Crevasse
     std::vector<double>                   diameters;
     dealii::RTree<Box>                    boxes;
 
-    mutable std::mutex                                                  guard;
-    mutable std::unordered_map<std::array<double, dim>, Location, Hash> known;
+    mutable std::mutex guard;
+    mutable std::unordered_map<Coordinates, Location, boost::hash<Coordinates>>
+      known;
   };
 } // namespace Crevasse
 

@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace Crevasse
@@ -22,10 +23,12 @@ namespace Crevasse
   class Temperature
   {
   public:
-    /** @param source [Loads] Temperature.
-     * @throw SceneError if the formula or the file cannot be used, FileError
-     * if there is no file to read. */
-    Temperature(const std::string &source, const double period);
+    /** @param formula nothing: it is a file.
+     * @throw SceneError if the file cannot be used, FileError if there is none
+     * to read. */
+    Temperature(const std::optional<Expression> &formula,
+                const std::string               &file_name,
+                const double                     period);
     Temperature(Temperature &&) noexcept;
     ~Temperature();
 
@@ -35,18 +38,26 @@ namespace Crevasse
     value(const dealii::Point<dim> &point, const double t) const;
 
     bool
-    is_zero() const;
+    is_zero() const
+    {
+      return formula && formula->is_zero();
+    }
+
+    bool
+    depends_on_space() const
+    {
+      return !formula || formula->depends_on_space();
+    }
+
     bool
     depends_on_time() const;
-    bool
-    depends_on_space() const;
 
     /** Whether [Loads] Temperature names a file. */
     static bool
     is_file(const std::string &source);
 
   private:
-    std::unique_ptr<const Expression>           formula; ///< or
+    std::optional<Expression>                   formula; ///< or
     std::unique_ptr<const TemperatureFile<dim>> file;
   };
 } // namespace Crevasse

@@ -11,6 +11,10 @@
 
 namespace Crevasse
 {
+  /** @throw SceneError that names the file. */
+  [[noreturn]] void
+  refuse_temperature(const std::string &file_name, const std::string &reason);
+
   /**
    * A temperature that a file gives at some instants of the period: linear in
    * time between these, and periodic. How it is interpolated in space is left
@@ -20,7 +24,12 @@ namespace Crevasse
   class TemperatureFile
   {
   public:
-    TemperatureFile(const std::string &file_name, const double period);
+    TemperatureFile(const std::string &file_name, const double period)
+      : file_name(file_name)
+      , period(period)
+    {
+    }
+
     virtual ~TemperatureFile() = default;
 
     /** @throw SceneError if the file knows nothing about the point. */
@@ -28,16 +37,16 @@ namespace Crevasse
     value(const dealii::Point<dim> &point, const double t) const;
 
     std::size_t
-    n_instants() const;
+    n_instants() const
+    {
+      return instants.size();
+    }
 
   protected:
     /** To be called first of all by whoever reads the file, with the instants
      * in ascending order. @throw SceneError if one is outside of the period. */
     void
     set_instants(std::vector<double> instants);
-
-    [[noreturn]] void
-    throw_error(const std::string &reason) const;
 
     const std::string file_name;
 

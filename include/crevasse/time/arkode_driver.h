@@ -4,15 +4,16 @@
 #ifndef crevasse_time_arkode_driver_h
 #define crevasse_time_arkode_driver_h
 
-#include <crevasse/time/arkode_table.h>
 #include <crevasse/time/cached_rate.h>
-#include <crevasse/time/exact_stage.h>
+#include <crevasse/time/integrator.h>
 
 #include <deal.II/sundials/n_vector.h>
 
+#include <arkode/arkode_butcher.h>
 #include <exception>
 #include <memory>
 #include <string>
+#include <sundials/sundials_nonlinearsolver.h>
 #include <type_traits>
 #include <vector>
 
@@ -27,25 +28,25 @@ namespace Crevasse
   class ArkodeDriver
   {
   public:
-    struct Settings
-    {
-      bool   is_implicit;
-      double longest_step;
-      /** Error of r that a step may make, in the root mean square of all
-       * entries divided by theirs; empty if steps are fixed. */
-      Vector tolerances;
-      /** Whether evolve() stops at the roots of the switching functions of all
-       * contact nodes (RateEquation::switching_functions). */
-      bool seeks_events;
-    };
+    /** Begins at (t, r). The equation must have been evaluated there, and
+     * outlive this object. The table is copied. */
+    ArkodeDriver(const bool               is_implicit,
+                 const ARKodeButcherTable table,
+                 CachedRate              &equation,
+                 const double             t,
+                 const Vector            &r);
 
-    /** Begins at (t, r). The equation must have been evaluated there. Table and
-     * equation must outlive this object. */
-    ArkodeDriver(const Settings    &settings,
-                 const ArkodeTable &table,
-                 CachedRate        &equation,
-                 const double       t,
-                 const Vector      &r);
+    /** Makes evolve() possible.
+     *
+     * @param tolerances Error of r that a step may make, in the root mean
+     * square of all entries divided by theirs. */
+    void
+    control_steps(Vector tolerances, const double longest_step);
+
+    /** From now on evolve() stops at the roots of the switching functions of
+     * all contact nodes (RateEquation::switching_functions). */
+    void
+    seek_events();
 
     /** Continues from (t, r). @param is_new Whether ARKODE estimates the next
      * step without what it knows of the last ones. */
@@ -68,15 +69,15 @@ namespace Crevasse
       return current_time;
     }
 
-    /** The end of ARKODE's last step, which may be beyond time(). */
-    double
-    end_of_step() const;
-
     const Vector &
     state() const
     {
       return current;
     }
+
+    /** The end of ARKODE's last step, which may be beyond time(). */
+    double
+    end_of_step() const;
 
     /** Steps, rejected steps, and stages that failed. */
     IntegratorStatistics
@@ -84,13 +85,13 @@ namespace Crevasse
 
   private:
     void
-    set_method(const ArkodeTable &table);
-
-    void
-    set_step_control();
-
-    void
     collect_messages();
+
+    void
+    solve_stages_exactly();
+
+    int
+    solve_stage(N_Vector correction);
 
     /** Runs @p evaluate and returns 0; else keeps what it threw. */
     template <typename Evaluate>
@@ -108,24 +109,23 @@ namespace Crevasse
     static int
     right_hand_side(sunrealtype t, N_Vector y, N_Vector f, void *self);
 
-    static int
-    root_function(sunrealtype t, N_Vector y, sunrealtype *values, void *self);
-
     using Context =
       std::unique_ptr<std::remove_pointer_t<SUNContext>, void (*)(SUNContext)>;
     using View   = dealii::SUNDIALS::internal::NVectorView<Vector>;
     using Memory = std::unique_ptr<void, void (*)(void *)>;
+    using Solver = std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>,
+                                   void (*)(SUNNonlinearSolver)>;
 
-    Settings                    settings;
-    CachedRate                 &equation;
-    std::string                 words; ///< SUNDIALS' last message
-    const Context               context;
-    double                      current_time;
-    Vector                      current;
-    const View                  view;   ///< of it: ARKODE keeps a pointer
-    const Memory                memory; ///< ARKODE's
-    std::unique_ptr<ExactStage> exact_stage;
-    std::exception_ptr          thrown;
+    CachedRate        &equation;
+    std::string        words; ///< SUNDIALS' last message
+    const Context      context;
+    double             current_time;
+    Vector             current;
+    const View         view;        ///< of it: ARKODE keeps a pointer
+    const Memory       memory;      ///< ARKODE's
+    const Solver       solver;      ///< of implicit stages
+    Vector             known, rate; ///< of a stage
+    std::exception_ptr thrown;
   };
 
 

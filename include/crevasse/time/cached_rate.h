@@ -23,11 +23,18 @@ namespace Crevasse
     /** From now on this equation is evaluated; it must live until the next
      * call. */
     void
-    attach(RateEquation &equation);
+    attach(RateEquation &new_equation)
+    {
+      equation = &new_equation;
+    }
 
     /** Others have evaluated the equation. */
     void
-    forget();
+    forget()
+    {
+      of_method.is_known = of_sample.is_known = false;
+      latest                                  = nullptr;
+    }
 
     /** f(r,t) for a method, to which only the rate matters.
      * @throw NumericalError if it is not finite. Collective. */
@@ -44,7 +51,10 @@ namespace Crevasse
     implicit_rate(const double  t,
                   const Vector &known,
                   const double  c,
-                  Vector       &rate);
+                  Vector       &rate)
+    {
+      evaluate(of_method, t, known, c, rate);
+    }
 
     /** Of the last evaluation's instant. */
     const RateEquation &
@@ -69,21 +79,18 @@ namespace Crevasse
       bool   is_known = false;
       double t        = 0.;
       Vector r, rate;
+
+      bool
+      is_of(const double t, const Vector &r) const;
     };
 
-    static bool
-    matches(const Evaluation &evaluation, const double t, const Vector &r);
-
-    /** f(r,t), to be kept there. */
+    /** f(r,t) with r = @p known + @p c f(r,t). Keeps it, and its r. */
     void
-    evaluate(const double  t,
-             const Vector &r,
-             Vector       &rate,
-             Evaluation   &evaluation);
-
-    /** Of the last evaluation; its r is set already. */
-    void
-    keep(const double t, const Vector &rate, Evaluation &evaluation);
+    evaluate(Evaluation   &evaluation,
+             const double  t,
+             const Vector &known,
+             const double  c,
+             Vector       &rate);
 
     RateEquation     *equation = nullptr;
     Evaluation        of_method, of_sample;

@@ -4,6 +4,7 @@
 #ifndef crevasse_time_evolution_h
 #define crevasse_time_evolution_h
 
+#include <crevasse/base/state_archive.h>
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/strain_operator.h>
@@ -16,8 +17,6 @@
 
 namespace Crevasse
 {
-  class StateArchive;
-
   /** The body at one instant. */
   struct State
   {
@@ -28,7 +27,13 @@ namespace Crevasse
     double              stiffness_factor = 1.; ///< k(t)
 
     void
-    serialize(StateArchive &archive);
+    serialize(StateArchive &archive)
+    {
+      archive.nodal(displacement);
+      archive.at_points(stress);
+      archive.on_bounds(contact_forces);
+      archive.common(stiffness_factor);
+    }
   };
 
   template <int dim>
@@ -60,17 +65,26 @@ namespace Crevasse
     /** Splits off a secular flow, which must outlive this object: q and r are
      * periodic then. */
     void
-    split_off(const SecularFlow &flow);
+    split_off(const SecularFlow &secular_flow)
+    {
+      flow = &secular_flow;
+    }
 
     /** From now on times of the equation are brought into the period of these
      * steps, which must outlive this object. */
     void
-    repeat(const StepList &steps);
+    repeat(const StepList &steps)
+    {
+      period = &steps;
+    }
 
     /** A step begins at @p t: where something jumps at its end, it sees what
      * was before. */
     void
-    begin_step(const double t);
+    begin_step(const double t)
+    {
+      step_begin = t;
+    }
 
     /** The flow that is split off; null: none. */
     const SecularFlow *
@@ -144,7 +158,12 @@ namespace Crevasse
 
     /** Shows what the last evaluation has solved, where the next one starts. */
     void
-    serialize(StateArchive &archive);
+    serialize(StateArchive &archive)
+    {
+      archive.section("evolution");
+      last.serialize(archive);
+      archive.nodal(loading);
+    }
 
   private:
     const StrainOperator<dim> &strain_operator;
@@ -158,30 +177,29 @@ namespace Crevasse
     double
     instant_of(const double t) const;
 
-    /** Makes the right-hand side of the contact problem at @p t.
-     *
-     * @param inelastic_strain Σ wᵢ rᵢ + χθ; null: none. */
+    /** Solves for q with a given viscous strain; empty: none. */
     void
-    assemble_loading(const double                t,
-                     const MaterialState<dim>   &material,
-                     const InelasticStrain<dim> *inelastic_strain);
+    solve_explicitly(const double        t,
+                     const Instant<dim> &instant,
+                     const Vector       &r);
 
-    /** Solves the variational inequality for q.
+    /** Solves the variational inequality for q with the right-hand side that
+     * was made.
      *
      * @param k the factor of the contact solver's stiffness. */
     void
-    solve_for_displacement(ContactSolver &contact_solver, const double k);
+    solve(ContactSolver &contact_solver, const double k);
 
-    /** r̂ᵢ − cαᵢ */
+    /** r̂ᵢ − cαᵢ of the point and branch whose strain is at @p place. */
     VoigtVector<dim>
-    known_strain(const InelasticStrain<dim> &known,
-                 const std::size_t           offset,
-                 const unsigned int          branch,
-                 const double                c) const;
+    known_strain(const Vector     &known,
+                 const std::size_t place,
+                 const double      c) const;
 
     /** Stress and rates for the last displacement.
      *
-     * @param branch_stress sᵢ/k of (offset, branch i, e − χθ). */
+     * @param branch_stress sᵢ/k of (point, branch i, place of its strain,
+     * e − χθ). */
     template <typename BranchStress>
     void
     stress_and_rates(const InelasticStrain<dim> &inelastic,
@@ -200,10 +218,6 @@ namespace Crevasse
     plain_rate(const MaterialState<dim> &material,
                const Vector             &r,
                Vector                   &rate);
-
-    /** Stress and rates of any other material. */
-    void
-    general_rate(const InelasticStrain<dim> &inelastic, Vector &rate);
 
     ContactSolver *last_solver = nullptr; ///< of the last evaluation
 

@@ -7,7 +7,6 @@
 #include <crevasse/contact/contact_solver.h>
 #include <crevasse/discretisation/algorithmic_moduli.h>
 #include <crevasse/discretisation/material_field.h>
-#include <crevasse/discretisation/relaxation_functions.h>
 
 namespace Crevasse
 {

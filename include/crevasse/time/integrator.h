@@ -6,6 +6,7 @@
 
 #include <crevasse/time/rate_equation.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,16 +25,59 @@ namespace Crevasse
   /** How often an integrator has done what, by name. */
   using IntegratorStatistics = std::vector<std::pair<std::string, std::size_t>>;
 
+  constexpr double no_stability_limit = std::numeric_limits<double>::infinity();
+
+  /** What a method is like, whatever it integrates. */
+  struct IntegratorProperties
+  {
+    std::string name; ///< for the log
+    /** Largest Δt / τ_min for which decaying solutions decay. */
+    double stability_limit = no_stability_limit;
+    /** The instants of a step at which f is evaluated, as fractions of the
+     * step, and the rule by which it integrates an f that does not depend on
+     * r. */
+    TimeQuadrature quadrature;
+    /** Whether every length of step has a matrix, and so a factorisation, of
+     * its own. */
+    bool has_matrix_of_step = false;
+    /** Whether it chooses its own steps by their error. The last one reaches
+     * beyond the end of the step it was given, and is not shown: its state can
+     * be kept at the beginning of a period alone. */
+    bool controls_steps = false;
+  };
+
+  /** One step from (t, r), which was the last start, to t + length. Several of
+   * different lengths may be tried from one start. */
+  struct TimeStep
+  {
+    RateEquation &f;
+    const double  t, length;
+    const Vector &rate; ///< what Integrator::start() gave
+    Vector       &r;
+    /** Null, or a vector to which the estimated error of the step is added by
+     * methods that have one: the difference to an embedded method of order 1,
+     * in which the step is not continued. */
+    Vector *error = nullptr;
+  };
+
   /** Advances the ODE ṙ = f(r,t) step by step. */
   class Integrator
   {
   public:
+    explicit Integrator(const IntegratorProperties &properties)
+      : properties(properties)
+    {
+    }
+
     virtual ~Integrator() = default;
 
     /** Forgets what the last step knows about the beginning of the next:
      * r was changed, or the time. */
     virtual void
-    restart();
+    restart()
+    {
+      is_continuing = false;
+    }
 
     /**
      * Makes the last evaluation of f that at (t, r), so that what f has solved
@@ -44,65 +88,19 @@ namespace Crevasse
      * it has the layout of r.
      */
     virtual void
-    start(RateEquation &f, const double t, const Vector &r, Vector &rate);
+    start(RateEquation &f, const double t, const Vector &r, Vector &rate)
+    {
+      f.rate(t, r, rate);
+    }
 
-    /**
-     * One step from (t, r), which was the last start, to t + Δt. Several steps
-     * of different lengths may be tried from one start.
-     *
-     * @param rate what start() gave.
-     * @param[in,out] error null, or a vector to which the estimated error of
-     * the step is added, if the method has_error_estimate(). It is the
-     * difference to an embedded method of order 1, in which the step is not
-     * continued.
-     */
     virtual void
-    advance(RateEquation &f,
-            const double  t,
-            const double  time_step,
-            const Vector &rate,
-            Vector       &r,
-            Vector       *error = nullptr) = 0;
-
-    virtual bool
-    has_error_estimate() const
-    {
-      return false;
-    }
-
-    /** Largest Δt / τ_min for which decaying solutions decay; infinite for
-     * methods without such a limit. */
-    virtual double
-    stability_limit() const = 0;
-
-    /** Whether its state between two steps of a period can be shown; at the
-     * beginning of a period it always can. */
-    virtual bool
-    may_pause() const
-    {
-      return true;
-    }
+    advance(const TimeStep &step) = 0;
 
     /** Shows what it knows between two steps; nothing if that is nothing. */
     virtual void
-    serialize(StateArchive &);
-
-    /** Whether every length of step has a matrix, and so a factorisation, of
-     * its own. */
-    virtual bool
-    has_matrix_of_step() const
+    serialize(StateArchive &)
     {
-      return false;
     }
-
-    /** The instants of a step at which f is evaluated, as fractions of the
-     * step, and the rule by which it integrates an f that does not depend on
-     * r. */
-    virtual TimeQuadrature
-    quadrature() const = 0;
-
-    virtual std::string
-    description() const = 0;
 
     /** Empty if there is nothing that the number of steps does not tell. */
     virtual IntegratorStatistics
@@ -110,6 +108,11 @@ namespace Crevasse
     {
       return {};
     }
+
+    const IntegratorProperties properties;
+
+  protected:
+    bool is_continuing = false; ///< the next step begins where the last ended
   };
 } // namespace Crevasse
 

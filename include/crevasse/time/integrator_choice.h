@@ -4,9 +4,8 @@
 #ifndef crevasse_time_integrator_choice_h
 #define crevasse_time_integrator_choice_h
 
-#include <crevasse/parameters/scene.h>
+#include <crevasse/parameters/parameters.h>
 #include <crevasse/time/integrator.h>
-#include <crevasse/time/step_control.h>
 
 #include <memory>
 
@@ -19,16 +18,6 @@ namespace Crevasse
   make_integrator(TimeIntegrationParameters parameters,
                   const double              period,
                   const bool                has_contact);
-
-  /** @param smallest_relaxation_time bounds adaptive steps, which are none
-   * longer than those of Steps per period.
-   * @throw NumericalError if the steps are beyond the limit of the integrator,
-   * and that is to be checked. */
-  std::unique_ptr<StepControl>
-  make_step_control(const TimeIntegrationParameters &parameters,
-                    const StepList                  &steps,
-                    const Integrator                &integrator,
-                    const double                     smallest_relaxation_time);
 } // namespace Crevasse
 
 #endif

@@ -4,12 +4,26 @@
 #ifndef crevasse_time_step_control_h
 #define crevasse_time_step_control_h
 
+#include <crevasse/parameters/parameters.h>
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/step_list.h>
 
+#include <memory>
+
 namespace Crevasse
 {
-  /** Decides how far a step goes. */
+  /** A step of a period and what it works with. */
+  struct PeriodStep
+  {
+    Integrator        &integrator;
+    RateEquation      &f;
+    StepList          &steps;
+    const unsigned int k; ///< its number
+    Vector            &r;
+    Vector            &rate; ///< what Integrator::start() gives
+  };
+
+  /** Decides how far a step goes: this one takes the steps as they are. */
   class StepControl
   {
   public:
@@ -17,60 +31,54 @@ namespace Crevasse
 
     /** Makes @p steps those of the next period, as far as they are known. */
     virtual void
-    begin_period(StepList &steps) = 0;
+    begin_period(StepList &)
+    {
+    }
 
-    /** Integrator::start() at instant @p k. */
+    /** Integrator::start() at instant k. */
     virtual void
-    start(Integrator        &integrator,
-          RateEquation      &f,
-          const StepList    &steps,
-          const unsigned int k,
-          const Vector      &r,
-          Vector            &rate);
+    start(const PeriodStep &step)
+    {
+      step.integrator.start(step.f,
+                            step.steps.instant(step.k),
+                            step.r,
+                            step.rate);
+    }
 
-    /**
-     * Advances r from instant @p k, the last start, to instant k + 1 of the
-     * steps, which may be divided for that.
-     *
-     * @param rate what Integrator::start() gave.
-     */
+    /** Advances r from instant k, the last start, to instant k + 1 of the
+     * steps, which may be divided for that. */
     virtual void
-    advance(Integrator        &integrator,
-            RateEquation      &f,
-            StepList          &steps,
-            const unsigned int k,
-            const Vector      &rate,
-            Vector            &r) = 0;
+    advance(const PeriodStep &step)
+    {
+      step.integrator.advance({step.f,
+                               step.steps.instant(step.k),
+                               step.steps.step(step.k),
+                               step.rate,
+                               step.r});
+    }
 
     virtual IntegratorStatistics
-    statistics() const = 0;
-
-    /** Shows what it has learned so far; nothing if it does not. */
-    virtual void
-    serialize(StateArchive &);
-  };
-
-  /** Takes the steps as they are. */
-  class FixedSteps : public StepControl
-  {
-  public:
-    void
-    begin_period(StepList &steps) override;
-
-    void
-    advance(Integrator        &integrator,
-            RateEquation      &f,
-            StepList          &steps,
-            const unsigned int k,
-            const Vector      &rate,
-            Vector            &r) override;
-
-    IntegratorStatistics
-    statistics() const override
+    statistics() const
     {
       return {};
     }
+
+    /** Shows what it has learned so far; nothing if it does not. */
+    virtual void
+    serialize(StateArchive &)
+    {
+    }
   };
+
+  /** @param smallest_relaxation_time bounds adaptive steps, which are none
+   * longer than those of Steps per period.
+   * @throw NumericalError if the steps are beyond the limit of the integrator,
+   * and that is to be checked. */
+  std::unique_ptr<StepControl>
+  make_step_control(const TimeIntegrationParameters &parameters,
+                    const StepList                  &steps,
+                    const IntegratorProperties      &integrator,
+                    const double                     smallest_relaxation_time);
 } // namespace Crevasse
 
 #endif

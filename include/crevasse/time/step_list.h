@@ -4,14 +4,13 @@
 #ifndef crevasse_time_step_list_h
 #define crevasse_time_step_list_h
 
+#include <crevasse/base/state_archive.h>
 #include <crevasse/parameters/parameters.h>
 
 #include <vector>
 
 namespace Crevasse
 {
-  class StateArchive;
-
   /** The instants 0 = t₀ < t₁ < … = T at which a period is sampled: M = 1 +
    * number of steps in the paper's count. Adaptive steps change while they are
    * taken. */
@@ -28,37 +27,60 @@ namespace Crevasse
 
     /** Replaces all instants; the first is 0, the last the period. */
     void
-    reset(const std::vector<double> &new_instants);
+    reset(const std::vector<double> &new_instants)
+    {
+      instants = new_instants;
+    }
 
     /** Ends step @p k at @p t, where a new one begins. */
     void
-    divide(const unsigned int k, const double t);
+    divide(const unsigned int k, const double t)
+    {
+      instants.insert(instants.begin() + k + 1, t);
+    }
 
-    /** Shows all instants. */
     void
-    serialize(StateArchive &archive);
+    serialize(StateArchive &archive)
+    {
+      archive.common(instants);
+    }
 
     /** Makes known that loads or material jump at these instants: a step that
      * ends there sees what was before, the next one what comes after. */
     void
-    set_jumps(const std::vector<double> &instants);
+    set_jumps(const std::vector<double> &new_jumps)
+    {
+      jumps = new_jumps;
+    }
 
     bool
     jumps_at(const double t) const;
 
     /** By so little that nothing changes but by a jump. */
     double
-    just_before(const double t) const;
+    just_before(const double t) const
+    {
+      return t - 1e-11 * period();
+    }
 
     unsigned int
-    n_steps() const;
+    n_steps() const
+    {
+      return instants.size() - 1;
+    }
 
     double
-    period() const;
+    period() const
+    {
+      return instants.back();
+    }
 
     /** Instant k within the period, 0 ≤ k ≤ n_steps(). */
     double
-    instant(const unsigned int k) const;
+    instant(const unsigned int k) const
+    {
+      return instants[k];
+    }
 
     /** Those instants that the scene asks for by name, 0 and the period. */
     const std::vector<double> &
@@ -68,7 +90,10 @@ namespace Crevasse
     }
 
     double
-    step(const unsigned int k) const;
+    step(const unsigned int k) const
+    {
+      return instants[k + 1] - instants[k];
+    }
 
     double
     largest_step() const;
@@ -88,21 +113,7 @@ namespace Crevasse
     double
     within_period(const double t) const;
 
-    /** @throw NumericalError if the largest step is not below @p limit ×
-     * @p smallest_relaxation_time, with both numbers and what to set. */
-    void
-    require_stability(const double limit,
-                      const double smallest_relaxation_time) const;
-
-    /** @throw NumericalError if steps of at most this length are too many. */
-    void
-    require_possible(const double longest_step) const;
-
   private:
-    static double
-    within_period(const double t, const double period);
-
-    const bool          uniform;
     std::vector<double> instants;
     std::vector<double> fixed;
     std::vector<double> jumps;

@@ -7,7 +7,7 @@ import importlib
 import os
 import sys
 
-NAMES = ("advise", "figures", "report", "temperature")
+NAMES = ("sweep", "advise", "figures", "report", "temperature")
 FILE_FAILURE = 4
 
 

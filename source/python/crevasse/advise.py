@@ -7,11 +7,7 @@ relative to its largest value. Schemes and steps, elements and meshes, and the s
 for the periodic state are tried; body and loads never change."""
 
 import argparse
-import fcntl
-import os
 import pathlib
-import re
-import socket
 import sys
 
 from crevasse import advise_report
@@ -21,8 +17,10 @@ from crevasse.advise_errors import Errors, choose_quantities
 from crevasse.advise_pairs import (PART_IN_SPACE, PART_IN_TIME, RESULT, SEARCH,
                                    Pairs)
 from crevasse.advise_period import Period
-from crevasse.advise_runs import CommandError, Program, Runs, Stop
+from crevasse.advise_runs import Runs
 from crevasse.advise_search import Search
+from crevasse.command import CommandError, Log, Parser, Stop, taken
+from crevasse.program import Program
 from crevasse.results import named_points, number, parse_parameters
 
 ERROR_OF_BASE = 0.1  # of the steps with which meshes are compared
@@ -52,42 +50,15 @@ def target_error(text):
     return error
 
 
-def wall_time(text):
-    """Seconds; "3600", "1:00:00", "2-12:00:00"."""
-    clock = re.fullmatch(r"(?:(\d{1,4})-)?(\d{1,4}):([0-5]?\d):([0-5]?\d)", text)
-    if clock:
-        days, hours, minutes, seconds = (int(part or 0) for part in clock.groups())
-        return ((24 * days + hours) * 60 + minutes) * 60 + seconds
-    seconds = number(text)
-    if not seconds or not seconds > 0:
-        raise argparse.ArgumentTypeError(
-            f"\"{text}\" is no time: write seconds, hours:minutes:seconds, or "
-            "days-hours:minutes:seconds, as 3600, 1:00:00 or 2-12:00:00.")
-    return seconds
-
-
 def arguments(words):
-    parser = argparse.ArgumentParser(
-        prog="crevasse advise", description=__doc__, epilog=EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scene", type=pathlib.Path,
-                        help="the scene: a .prm or .json file")
+    parser = Parser("advise", description=__doc__, epilog=EPILOG)
     parser.add_argument("--error", type=target_error, required=True, metavar="NUMBER",
                         help="the relative error of the histories, as 1e-3")
     parser.add_argument("--quantities", metavar="LIST", help="quantities that are to "
                         "have it, separated by commas, as probe_mouth/u, "
                         "crack_tip/K_I; without it u and s of all probes")
-    parser.add_argument("--set", action="append", default=[], metavar="ASSIGNMENT",
-                        help="\"Section/Name=value\": overrides a parameter of the "
-                        "scene; may be repeated")
-    parser.add_argument("--output", type=pathlib.Path, metavar="DIR",
-                        help="(results/<scene name>_advice)")
-    parser.add_argument("--quiet", action="store_true",
-                        help="print nothing but errors")
-    parser.add_argument("--wall-time", type=wall_time, metavar="TIME",
-                        help="stop after this time: seconds, hours:minutes:seconds, or "
-                        "days-hours:minutes:seconds")
-    return parser.parse_args(words)
+    parser.add_common("results/<scene name>_advice")
+    return parser.parse(words)
 
 
 class Advice:
@@ -191,45 +162,17 @@ class Advice:
             self.log(line)
 
 
-def take(directory):
-    """Keeps others out of the directory as long as the file is open."""
-    directory.mkdir(parents=True, exist_ok=True)
-    path = directory / "running"
-    file = open(path, "a+")
-    try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        raise CommandError(f"Another run writes to {directory}. Choose another "
-                           "directory by --output DIR, or wait.", 4) from None
-    file.truncate(0)
-    file.write(f"process {os.getpid()} on {socket.gethostname()}\n")
-    file.flush()
-    return file
-
-
-def advise(options, stop):
-    lines = []
-
-    def log(line):
-        lines.append(line)
-        if not options.quiet:
-            print(line, flush=True)
-
-    program = Program(os.environ.get("CREVASSE_PROGRAM", "crevasse"), stop)
-    advice = Advice(options, program, log)
-    lock = take(advice.directory)
-    stop.file = advice.directory / "stop"
-    try:
+def advise(options, stop, log):
+    advice = Advice(options, Program(stop), log)
+    with taken(advice.directory):
+        log.open(advice.directory / "advice.log")
+        stop.file = advice.directory / "stop"
         log(f"Settings of {options.scene.name} for an error of {options.error:g}")
         log("  compared is the periodic state: the last period, displacements without "
             "their mean values" if advice.errors.periodic else
             "  compared are all instants from rest")
         advice.find()
         advice.write()
-    finally:
-        (advice.directory / "advice.log").write_text("\n".join(lines) + "\n")
-        (advice.directory / "running").unlink(missing_ok=True)
-        lock.close()
     if not advice.reached:
         raise CommandError(
             "the error is not reached: the nearest settings have an error of "
@@ -238,9 +181,10 @@ def advise(options, stop):
 
 
 def main(words):
+    options = arguments(words)
     try:
-        options = arguments(words)
-        advise(options, Stop(options.wall_time))
+        advise(options, Stop(options.wall_time, "The finished runs are kept: repeat "
+                             "the command to continue."), Log(options.quiet))
     except CommandError as error:
         print(f"crevasse advise: {error}", file=sys.stderr)
         return error.status

@@ -6,6 +6,8 @@ more expensive than the one before it."""
 
 import dataclasses
 
+from crevasse.quantities import has_lip
+
 LEVELS_IN_TIME = 9
 LEVELS_IN_SPACE = 7
 # Cells that are too large are halved; other reasons of a refusal remain, and each
@@ -46,14 +48,6 @@ def fewest_steps(scene):
     if scene[TIME + "Step control"] == "uniform":
         return next((n for n in range(10, 20) if own % n == 0), 10)
     return 10
-
-
-def has_lip(scene):
-    """Contact is on the lip of a built-in crack, or on the boundaries named."""
-    contact = scene["Boundary/Contact"]
-    if contact == "automatic":
-        return "crack" in scene["Geometry/Shape"]
-    return contact not in ("", "none")
 
 
 def equal_steps(scene, scheme, locate_events=False):

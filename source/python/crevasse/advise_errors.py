@@ -3,25 +3,23 @@
 
 """The quantities of an advice, and how they differ between two runs."""
 
-import difflib
 import math
 
 import numpy
 
-from crevasse.advise_candidates import has_lip
-from crevasse.advise_runs import CommandError
+from crevasse.command import CommandError
+from crevasse.quantities import TABLES as ALL_TABLES
+from crevasse.quantities import (PROBE, SAME_INSTANT, common_instants, did_you_mean,
+                                 has_lip, selects)
 
-PROBE = ("u", "s", "u_1", "u_2", "u_3", "s_11", "s_22", "s_33", "s_12", "s_13",
-         "s_23", "opening", "pressure")
-TABLES = {"contact": ("force", "largest_pressure"), "load_work": ("load_work",),
-          "crack_tip": ("K_I", "K_I_stress", "energy_release_rate", "strain_energy")}
 # These differ from mesh to mesh.
 OF_MESH = ("stress", "periods/stress_change", "contact/closed_nodes",
            "crack_tip/K_I_error")
+TABLES = {table: columns for table, names in ALL_TABLES.items()
+          if (columns := [name for name in names if f"{table}/{name}" not in OF_MESH])}
 # A stress or displacement that is so much smaller than at the other probes is zero
 # except for rounding.
 VANISHES = 1e-9
-SAME_INSTANT = 1e-9  # of the period
 
 
 def choose_quantities(text, scene, probes):
@@ -54,9 +52,8 @@ def problem_of(name, scene, tables):
                 "crack_tip or load_work.")
     table, slash, column = name.partition("/")
     if table not in tables or not slash:
-        near = difflib.get_close_matches(table, tables, 1)
         return ("is no quantity; allowed is TABLE/COLUMN with a table of: "
-                + ", ".join(tables) + (f"; did you mean {near[0]}?" if near else "."))
+                + ", ".join(tables) + (did_you_mean(table, tables) or "."))
     if column not in tables[table]:
         return f"there is no such column; columns are: {', '.join(tables[table])}."
     if table == "contact" and not has_lip(scene):
@@ -110,14 +107,13 @@ class Errors:
         there is no such column, or too few common instants."""
         table, column = quantity.split("/")
         mine, theirs = self.table(one, table), self.table(reference, table)
-        names = [name for name in theirs if name in mine
-                 and (name == column or column in ("u", "s")
-                      and name.startswith(column + "_"))]
+        names = [name for name in theirs if name in mine and selects(column, name)]
         if not names:
             return math.inf, None
-        pairs = common_instants(mine["t"], theirs["t"], self.period)
-        if pairs is None:
+        rows, objection = common_instants(mine["t"], theirs["t"], self.period)
+        if objection:
             return math.inf, None
+        pairs = numpy.array(rows).T
         difference = size = 0.
         for name in names:
             a, b, whole = mine[name][pairs[0]], theirs[name][pairs[1]], theirs[name]
@@ -158,23 +154,3 @@ class Errors:
             raise CommandError(f"{run.name}: all that is compared is 0 at all "
                                "instants, and has no relative error. Is the body "
                                "loaded, and do the probes move?", 3)
-
-
-def common_instants(one, other, period):
-    """Rows of both with the same t; None if they are too few to tell an error: a
-    quarter of the rows, or ten a period."""
-    rows, i, j = [], 0, 0
-    while i < len(one) and j < len(other):
-        if abs(one[i] - other[j]) <= SAME_INSTANT * period:
-            rows.append((i, j))
-            i, j = i + 1, j + 1
-        elif one[i] < other[j]:
-            i += 1
-        else:
-            j += 1
-    if not rows or one[rows[-1][0]] <= SAME_INSTANT * period:
-        return None
-    if (4 * len(rows) < min(len(one), len(other))
-            and len(rows) < 10 * one[rows[-1][0]] / period):
-        return None
-    return numpy.array(rows).T

@@ -9,7 +9,8 @@ corrects the predictions, until no other pair promises to be cheaper."""
 import dataclasses
 import math
 
-from crevasse.advise_runs import CommandError, Run
+from crevasse.advise_runs import Run
+from crevasse.command import CommandError
 
 # The errors, of the target, which the searches are to reach first. Steps are searched
 # on a coarse mesh, where finer steps cost little and leave more choice.

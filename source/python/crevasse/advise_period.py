@@ -7,7 +7,7 @@ periods from rest stays as it is; searches take the first of them."""
 
 from crevasse.advise_candidates import family_of
 from crevasse.advise_pairs import REFERENCE, SEARCH
-from crevasse.advise_runs import CommandError
+from crevasse.command import CommandError
 
 PERIODS_OF_A_SEARCH = 3
 PERIODS_OF_A_MARCH = 30  # a faster method has found the state by then

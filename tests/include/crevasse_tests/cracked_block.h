@@ -5,7 +5,7 @@
 #define crevasse_tests_cracked_block_h
 
 #include <crevasse/discretisation/point_values.h>
-#include <crevasse/material/isotropic.h>
+#include <crevasse/material/voigt_matrix.h>
 
 #include <deal.II/grid/grid_generator.h>
 

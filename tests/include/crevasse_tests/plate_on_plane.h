@@ -5,7 +5,7 @@
 #define crevasse_tests_plate_on_plane_h
 
 #include <crevasse/discretisation/stiffness.h>
-#include <crevasse/material/isotropic.h>
+#include <crevasse/material/voigt_matrix.h>
 
 #include <deal.II/grid/grid_generator.h>
 

@@ -3,8 +3,8 @@
 
 // The problem on the lip against brute force: 1000 random symmetric positive
 // definite compliances (seeded) with up to 10 nodes, some nearly singular, some
-// with degenerate nodes (w = g = 0). Active sets cycle on some of them; the
-// method of Lawson and Hanson must end them.
+// with degenerate nodes (w = g = 0). Active sets cycle on some of them;
+// changing one node at a time must end them.
 
 #include <crevasse/contact/condensed_problem.h>
 

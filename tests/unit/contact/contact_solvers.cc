@@ -12,7 +12,6 @@
 #include <crevasse/contact/lip_graph.h>
 #include <crevasse/contact/projected_newton.h>
 #include <crevasse/contact/projected_sor.h>
-#include <crevasse/contact/unconstrained.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/linear/amg_cg.h>
 #include <crevasse/linear/cholesky.h>
@@ -229,7 +228,7 @@ namespace
     Solvers solvers;
     if (bounds.dofs.empty())
       solvers["unconstrained, AMG"] =
-        std::make_unique<Unconstrained>(problem, amg, tolerance);
+        std::make_unique<CondensedActiveSet>(problem, amg, tolerance);
     solvers["condensed active set, Cholesky"] =
       std::make_unique<CondensedActiveSet>(problem, cholesky, tolerance);
     solvers["condensed active set, MUMPS"] =

@@ -8,7 +8,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/contact/projected_sor.h>
-#include <crevasse/contact/relaxation_factor.h>
+#include <crevasse/contact/sweep.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
@@ -155,11 +155,9 @@ namespace
     b = 1.;
     const Sweep  sweep(problem);
     const double theory = 2. / (1. + std::sin(dealii::numbers::PI / (m + 1)));
-    const double found =
-      find_relaxation_factor(problem, sweep, b, 1e-8, 100000);
-    const auto count = [&](const double factor) {
-      return count_sor_iterations(problem, sweep, b, factor, 1e-8, 100000)
-        .iterations;
+    const double found  = sweep.best_factor(b, 1e-8, 100000);
+    const auto   count  = [&](const double factor) {
+      return sweep.count_iterations(b, factor, 1e-8, 100000).iterations;
     };
     check("the factor found needs at most 5 % more iterations than theory's",
           count(found) <= 1.05 * count(theory));

@@ -7,8 +7,8 @@
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/discretisation/strain_operator.h>
-#include <crevasse/linear/matrix_product.h>
-#include <crevasse/material/isotropic.h>
+#include <crevasse/linear/matrix_operator.h>
+#include <crevasse/material/voigt_matrix.h>
 #include <crevasse/postprocess/probe.h>
 
 #include <crevasse_tests/distorted_cube.h>

@@ -10,8 +10,7 @@
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/linear/matrix_operator.h>
-#include <crevasse/linear/matrix_product.h>
-#include <crevasse/material/isotropic.h>
+#include <crevasse/material/voigt_matrix.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
 #include <deal.II/dofs/dof_tools.h>

@@ -12,11 +12,11 @@
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/linear/mumps.h>
-#include <crevasse/material/isotropic.h>
+#include <crevasse/material/voigt_matrix.h>
 #include <crevasse/model/body.h>
 #include <crevasse/parameters/built_in_boundary.h>
+#include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/lip_state.h>
-#include <crevasse/postprocess/nodal_fields.h>
 #include <crevasse/postprocess/probe.h>
 
 #include <deal.II/dofs/dof_tools.h>

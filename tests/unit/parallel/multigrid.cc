@@ -7,10 +7,10 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/contact/active_set.h>
-#include <crevasse/discretisation/rigid_motions.h>
+#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/linear/gmg_cg.h>
-#include <crevasse/linear/matrix_product.h>
+#include <crevasse/linear/matrix_operator.h>
 #include <crevasse/linear/mumps.h>
 #include <crevasse/linear/operator_check.h>
 

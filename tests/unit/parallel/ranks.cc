@@ -8,7 +8,6 @@
 #include <crevasse/contact/active_set.h>
 #include <crevasse/contact/condensed_active_set.h>
 #include <crevasse/discretisation/rigid_modes.h>
-#include <crevasse/linear/abandoned_factors.h>
 #include <crevasse/linear/amg_cg.h>
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/linear/mumps.h>

@@ -7,17 +7,10 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/material/maxwell_law.h>
-#include <crevasse/material/phi_functions.h>
 #include <crevasse/material/voigt_matrix.h>
-#include <crevasse/time/arkode.h>
 #include <crevasse/time/arkode_driver.h>
-#include <crevasse/time/contact_events.h>
-#include <crevasse/time/exponential_heun.h>
-#include <crevasse/time/predictor_corrector.h>
-#include <crevasse/time/runge_kutta.h>
-#include <crevasse/time/sdirk.h>
-#include <crevasse/time/step_list.h>
-#include <crevasse/time/trapezoid.h>
+#include <crevasse/time/integrator_choice.h>
+#include <crevasse/time/step_control.h>
 
 #include <crevasse_tests/tests.h>
 
@@ -161,6 +154,16 @@ namespace
     const double tau, p;
   };
 
+  /** By its name, with all else as it is by default. */
+  std::unique_ptr<Integrator>
+  make(const std::string &name, const double heun_weight = 0.75)
+  {
+    TimeIntegrationParameters parameters;
+    parameters.scheme      = value_of<Scheme>(name);
+    parameters.heun_weight = heun_weight;
+    return make_integrator(parameters, 1., false);
+  }
+
   double
   integrate(Integrator        &scheme,
             RateEquation      &equation,
@@ -174,7 +177,7 @@ namespace
     for (unsigned int k = 0; k < n_steps; ++k)
       {
         scheme.start(equation, end * k / n_steps, r, rate);
-        scheme.advance(equation, end * k / n_steps, end / n_steps, rate, r);
+        scheme.advance({equation, end * k / n_steps, end / n_steps, rate, r});
       }
     return r(0);
   }
@@ -183,7 +186,7 @@ namespace
   template <typename Equation>
   void
   check_order(const std::string &name,
-              Integrator       &&scheme,
+              Integrator        &scheme,
               Equation           equation,
               const unsigned int order,
               const unsigned int n_steps = 160)
@@ -229,18 +232,18 @@ namespace
   }
 
   void
-  check_bound(const std::string &name, Integrator &&scheme, const double p = 0.)
+  check_bound(const std::string &name, Integrator &scheme, const double p = 0.)
   {
-    const double limit = scheme.stability_limit();
+    const double limit = scheme.properties.stability_limit;
     check(name + ": decays below its limit, grows above",
           what_is_left(scheme, p, 0.99 * limit, 1000) < 1. &&
             what_is_left(scheme, p, 1.01 * limit, 1000) > 1.);
   }
 
   void
-  check_no_bound(const std::string &name, Integrator &&scheme)
+  check_no_bound(const std::string &name, Integrator &scheme)
   {
-    bool decays = scheme.stability_limit() > 1e300;
+    bool decays = scheme.properties.stability_limit > 1e300;
     for (const double p : {0., 1. / 3., 0.9})
       for (const double time_step : {3., 30., 300.})
         decays = decays && what_is_left(scheme, p, time_step, 100) < 1.;
@@ -250,24 +253,25 @@ namespace
   void
   check_predictor_corrector()
   {
-    PredictorCorrector scheme;
-    bool               decays = true;
+    const std::unique_ptr<Integrator> made   = make("predictor corrector");
+    Integrator                       &scheme = *made;
+    bool                              decays = true;
     for (double p = 0.; p < 1.; p += 1. / 64.)
-      decays =
-        decays &&
-        what_is_left(scheme, p, 0.99 * scheme.stability_limit(), 1000) < 1.;
+      decays = decays && what_is_left(scheme,
+                                      p,
+                                      0.99 * scheme.properties.stability_limit,
+                                      1000) < 1.;
     check("predictor corrector: decays below its limit whatever the shares",
           decays);
-    check_bound("predictor corrector, shares 1:2",
-                PredictorCorrector(),
-                1. / 3.);
+    check_bound("predictor corrector, shares 1:2", scheme, 1. / 3.);
   }
 
   void
   check_l_stability()
   {
-    Sdirk2   scheme;
-    Parallel equation(0.);
+    const std::unique_ptr<Integrator> made   = make("sdirk2");
+    Integrator                       &scheme = *made;
+    Parallel                          equation(0.);
     check_below("sdirk2: what a step of 1e6 relaxation times leaves",
                 std::abs(integrate(scheme, equation, 1., 1e6, 1)),
                 1e-5);
@@ -310,10 +314,13 @@ namespace
     double last_time = 0.;
   };
 
-  ContactEvents
+  std::unique_ptr<Integrator>
   rk4_with_events()
   {
-    return ContactEvents(std::make_unique<RungeKutta>(rk4_tableau()));
+    TimeIntegrationParameters parameters;
+    parameters.scheme                = Scheme::rk4;
+    parameters.locate_contact_events = true;
+    return make_integrator(parameters, 2., true);
   }
 
   /** 200 nodes that switch one after the other within a step. */
@@ -341,7 +348,7 @@ namespace
   void
   check_contact_events()
   {
-    const auto error = [](const unsigned int n_steps, ContactEvents &scheme) {
+    const auto error = [](const unsigned int n_steps, Integrator &scheme) {
       Kinks equation;
       return std::abs(integrate(scheme, equation, 1., 2., n_steps) -
                       equation.solution(2.));
@@ -349,23 +356,23 @@ namespace
     double errors[2];
     for (unsigned int i = 0; i < 2; ++i)
       {
-        ContactEvents scheme = rk4_with_events();
-        errors[i]            = error(20 * (i + 1), scheme);
+        const std::unique_ptr<Integrator> scheme = rk4_with_events();
+        errors[i]                                = error(20 * (i + 1), *scheme);
         check(std::to_string(20 * (i + 1)) +
                 " steps: one event of two functions that switch together",
-              count(scheme, "contact_events") == 1 &&
-                count(scheme, "steps_with_too_many_events") == 0);
+              count(*scheme, "contact_events") == 1 &&
+                count(*scheme, "steps_with_too_many_events") == 0);
       }
     check_below("rk4 with events through a kink: |order - 4|",
                 std::abs(std::log2(errors[0] / errors[1]) - 4.),
                 0.2);
 
-    ManyKinks     equation;
-    ContactEvents scheme = rk4_with_events();
-    const double  r      = integrate(scheme, equation, 1., 2., 4);
+    ManyKinks                         equation;
+    const std::unique_ptr<Integrator> scheme = rk4_with_events();
+    const double r = integrate(*scheme, equation, 1., 2., 4);
     check("events without end: a step is divided 100 times, which is counted",
-          count(scheme, "steps_with_too_many_events") == 1 &&
-            count(scheme, "contact_events") == 101);
+          count(*scheme, "steps_with_too_many_events") == 1 &&
+            count(*scheme, "contact_events") == 101);
     check_below("events without end: error",
                 std::abs(r / equation.solution(2.) - 1.),
                 1e-3);
@@ -391,14 +398,14 @@ namespace
             const std::string name =
               "arkode " + kind + ", order " + std::to_string(order);
             check_order(name,
-                        Arkode(parameters, 2.),
+                        *make_integrator(parameters, 2., false),
                         Relaxation(0.5, 0.6),
                         order,
                         order < 4 ? 320 : 20);
             if (kind == "explicit")
-              check_bound(name, Arkode(parameters, 1e6));
+              check_bound(name, *make_integrator(parameters, 1e6, false));
             else
-              check_no_bound(name, Arkode(parameters, 1e6));
+              check_no_bound(name, *make_integrator(parameters, 1e6, false));
           }
 
         double least = 1e300, largest = 0.;
@@ -407,10 +414,10 @@ namespace
             auto parameters               = arkode(kind, 4);
             parameters.step_control       = StepControlType::adaptive;
             parameters.relative_tolerance = tolerance;
-            Arkode       scheme(parameters, 2.);
+            const auto   scheme = make_integrator(parameters, 2., false);
             Relaxation   equation(0.5, 0.6);
             const double error = std::abs(
-              integrate(scheme, equation, equation.solution(0.), 2., 4) -
+              integrate(*scheme, equation, equation.solution(0.), 2., 4) -
               equation.solution(2.));
             least   = std::min(least, error / tolerance);
             largest = std::max(largest, error / tolerance);
@@ -478,11 +485,11 @@ namespace
   {
     auto parameters         = arkode("explicit", 4);
     parameters.step_control = StepControlType::adaptive;
-    Arkode   scheme(parameters, 2.);
-    Hopeless equation(throws);
+    const auto scheme       = make_integrator(parameters, 2., false);
+    Hopeless   equation(throws);
     try
       {
-        integrate(scheme, equation, 1., 2., 4);
+        integrate(*scheme, equation, 1., 2., 4);
       }
     catch (const NumericalError &error)
       {
@@ -567,7 +574,7 @@ namespace
     const auto refused = [&](const double tau) {
       try
         {
-          steps.require_stability(2., tau);
+          make_step_control(parameters, steps, {"heun", 2., {}}, tau);
           return false;
         }
       catch (const NumericalError &)
@@ -583,26 +590,30 @@ namespace
 void
 time_schemes()
 {
-  check_order("euler", RungeKutta(euler_tableau()), Quadratic(), 1);
-  check_bound("euler", RungeKutta(euler_tableau()));
+  const auto check_explicit = [](const std::string                 &name,
+                                 const std::unique_ptr<Integrator> &scheme,
+                                 const unsigned int                 order) {
+    check_order(name, *scheme, Quadratic(), order);
+    check_bound(name, *scheme);
+  };
+  check_explicit("euler", make("euler"), 1);
   for (const double weight : {0.5, 0.75, 1.})
-    {
-      const std::string name = "heun with weight " + std::to_string(weight);
-      check_order(name, RungeKutta(heun_tableau(weight)), Quadratic(), 2);
-      check_bound(name, RungeKutta(heun_tableau(weight)));
-    }
-  check_order("rk4", RungeKutta(rk4_tableau()), Quadratic(), 4);
-  check_bound("rk4", RungeKutta(rk4_tableau()));
+    check_explicit("heun with weight " + std::to_string(weight),
+                   make("heun", weight),
+                   2);
+  check_explicit("rk4", make("rk4"), 4);
   const Relaxation relaxation(0.5, 0.6);
-  check_order("predictor corrector", PredictorCorrector(), relaxation, 2);
+  check_order("predictor corrector",
+              *make("predictor corrector"),
+              relaxation,
+              2);
   check_predictor_corrector();
-  check_order("sdirk2", Sdirk2(), relaxation, 2);
-  check_no_bound("sdirk2", Sdirk2());
+  for (const std::string name : {"sdirk2", "trapezoid", "exponential"})
+    {
+      check_order(name, *make(name), relaxation, 2);
+      check_no_bound(name, *make(name));
+    }
   check_l_stability();
-  check_order("trapezoid", Trapezoid(), relaxation, 2);
-  check_no_bound("trapezoid", Trapezoid());
-  check_order("exponential", ExponentialHeun(), relaxation, 2);
-  check_no_bound("exponential", ExponentialHeun());
   check_arkode();
   check_failures_of_arkode();
   check_contact_events();

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_discretisation_stress_residual_h
+#define crevasse_discretisation_stress_residual_h
+
+#include <crevasse/base/expression.h>
+#include <crevasse/discretisation/cell_polynomials.h>
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/space.h>
+#include <crevasse/material/voigt.h>
+#include <crevasse/parameters/parameters.h>
+
+#include <deal.II/fe/fe_interface_values.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace Crevasse
+{
+  /** What a stress, given as polynomials of cells, lacks to equilibrium at an
+   * instant, in the volume, between cells and at the boundary. */
+  template <int dim>
+  class StressResidual
+  {
+  public:
+    using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    /** All arguments must outlive this object. Collective.
+     *
+     * @param contact_forces of the nodes of the lip on this rank. */
+    StressResidual(const Space<dim>           &space,
+                   const CellPolynomials<dim> &polynomials,
+                   const ContactBoundary<dim> &lip,
+                   const LoadParameters       &loads,
+                   const double                t,
+                   const std::vector<double>  &contact_forces)
+      : stress(polynomials.coefficients())
+      , space(space)
+      , body_force(*loads.body_force)
+      , traction(*loads.traction)
+      , instant(t)
+      , inside(space.mapping(),
+               polynomials.dof_handler().get_fe(),
+               dealii::QGauss<dim>(space.finite_element().degree + 1),
+               dealii::update_gradients | dealii::update_quadrature_points |
+                 dealii::update_JxW_values)
+      , faces(space.mapping(),
+              polynomials.dof_handler().get_fe(),
+              space.face_quadrature(),
+              dealii::update_values | dealii::update_normal_vectors |
+                dealii::update_JxW_values | dealii::update_quadrature_points)
+      , displacement(space.mapping(),
+                     space.finite_element(),
+                     space.face_quadrature(),
+                     dealii::update_values)
+      , gradients(inside.n_quadrature_points,
+                  std::vector<dealii::Tensor<1, dim>>(n_stress_components<dim>))
+      , here(space.face_quadrature().size(),
+             dealii::Vector<double>(n_stress_components<dim>))
+      , there(here)
+      , pressure(space.ghosted_vector())
+      , pressures(here.size(), dealii::Vector<double>(dim))
+    {
+      for (unsigned int k = 0; k < lip.nodes().size(); ++k)
+        pressure(lip.nodes()[k].dof) =
+          contact_forces[k] / lip.nodes()[k].weight;
+      lip.spread_to_held_nodes(pressure);
+    }
+
+    /** ∫ ‖div s + φ₁‖² */
+    double
+    in_volume(const Cell &cell)
+    {
+      inside.reinit(cell);
+      inside.get_function_gradients(stress, gradients);
+      double integral = 0.;
+      for (const unsigned int q : inside.quadrature_point_indices())
+        {
+          dealii::Tensor<1, dim> residual;
+          for (unsigned int i = 0; i < body_force.size(); ++i)
+            residual[i] =
+              body_force[i].value(inside.quadrature_point(q), instant);
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              residual[i] += gradients[q][voigt_index<dim>(i, j)][j];
+          integral += residual.norm_square() * inside.JxW(q);
+        }
+      return integral;
+    }
+
+    /** Σ h ∫ c ‖[s n]‖² over a face to other cells, with the compliance of the
+     * stiffer one. */
+    double
+    jump(const Cell                &cell,
+         const unsigned int         face,
+         const std::vector<double> &compliance)
+    {
+      constexpr auto whole = dealii::numbers::invalid_unsigned_int;
+      double         sum   = 0.;
+      const auto     add   = [&](const unsigned int subface,
+                           const Cell        &other,
+                           const unsigned int other_face,
+                           const unsigned int other_subface) {
+        faces.reinit(cell, face, subface, other, other_face, other_subface);
+        const auto &mine = faces.get_fe_face_values(0);
+        mine.get_function_values(stress, here);
+        faces.get_fe_face_values(1).get_function_values(stress, there);
+        double integral = 0.;
+        for (const unsigned int q : mine.quadrature_point_indices())
+          {
+            here[q] -= there[q];
+            integral +=
+              traction_of(here[q], mine.normal_vector(q)).norm_square() *
+              mine.JxW(q);
+          }
+        sum += size_of(mine) * integral *
+               std::min(compliance[cell->active_cell_index()],
+                        compliance[other->active_cell_index()]);
+      };
+
+      const auto neighbor = cell->neighbor(face);
+      if (neighbor->has_children())
+        for (unsigned int s = 0; s < cell->face(face)->n_children(); ++s)
+          add(s,
+              cell->neighbor_child_on_subface(face, s),
+              cell->neighbor_of_neighbor(face),
+              whole);
+      else if (cell->neighbor_is_coarser(face))
+        {
+          const auto place = cell->neighbor_of_coarser_neighbor(face);
+          add(whole, neighbor, place.first, place.second);
+        }
+      else
+        add(whole, neighbor, cell->neighbor_of_neighbor(face), whole);
+      return sum;
+    }
+
+    /** h ∫ ‖what of the traction s n the boundary does not bear‖²: on loaded
+     * faces the difference to the load, on planes of symmetry and lips what is
+     * tangential, on lips also the normal traction plus the contact pressure,
+     * and nothing where the body is clamped.
+     *
+     * @param added(point) a stress besides that of the polynomials. */
+    template <typename Function>
+    double
+    at_boundary(const Cell        &cell,
+                const unsigned int face,
+                const Function    &added)
+    {
+      const BoundaryRoles &roles = space.roles();
+      const auto           id    = cell->face(face)->boundary_id();
+      if (roles.clamped.count(id) > 0)
+        return 0.;
+      const bool is_lip = roles.contact.count(id) > 0;
+      if (is_lip)
+        {
+          displacement.reinit(Cell(&space.mesh(),
+                                   cell->level(),
+                                   cell->index(),
+                                   &space.dof_handler()),
+                              face);
+          displacement.get_function_values(pressure, pressures);
+        }
+      faces.reinit(cell, face);
+      const auto &values = faces.get_fe_face_values(0);
+      values.get_function_values(stress, here);
+      double integral = 0.;
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          const auto            &point  = values.quadrature_point(q);
+          const auto             normal = values.normal_vector(q);
+          const VoigtVector<dim> more   = added(point);
+          for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+            here[q][c] += more[c];
+          dealii::Tensor<1, dim> residual = traction_of(here[q], normal);
+          if (roles.loaded.count(id) > 0)
+            for (unsigned int d = 0; d < traction.size(); ++d)
+              residual[d] -= traction[d].value(point, instant);
+          if (roles.symmetry.count(id) > 0)
+            residual -= (residual * normal) * normal;
+          else if (is_lip)
+            // The only component that is not zero is the normal one.
+            for (unsigned int d = 0; d < dim; ++d)
+              residual += pressures[q][d] * normal;
+          integral += residual.norm_square() * values.JxW(q);
+        }
+      return size_of(values) * integral;
+    }
+
+    Vector stress; ///< coefficients of the polynomials
+
+  private:
+    /** s n */
+    static dealii::Tensor<1, dim>
+    traction_of(const dealii::Vector<double> &stress,
+                const dealii::Tensor<1, dim> &normal)
+    {
+      dealii::Tensor<1, dim> traction;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          traction[i] += stress[voigt_index<dim>(i, j)] * normal[j];
+      return traction;
+    }
+
+    static double
+    size_of(const dealii::FEFaceValuesBase<dim> &face)
+    {
+      double measure = 0.;
+      for (const unsigned int q : face.quadrature_point_indices())
+        measure += face.JxW(q);
+      return std::pow(measure, 1. / (dim - 1));
+    }
+
+    const Space<dim>             &space;
+    const std::vector<Expression> body_force, traction;
+    const double                  instant;
+
+    dealii::FEValues<dim>          inside;
+    dealii::FEInterfaceValues<dim> faces;
+    dealii::FEFaceValues<dim>      displacement;
+
+    std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
+    std::vector<dealii::Vector<double>> here, there; ///< stress at points
+    Vector                              pressure;    ///< at the dofs of the lip
+    std::vector<dealii::Vector<double>> pressures;   ///< at the points
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_simulation_secular_motion_h
+#define crevasse_simulation_secular_motion_h
+
+#include <crevasse/base/format.h>
+#include <crevasse/base/state_archive.h>
+#include <crevasse/simulation/workspace.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace Crevasse
+{
+  /**
+   * What the body gains from period to period: measured over the last one,
+   * whether the stress is periodic yet or not, and the flow β of the secular
+   * problem, where that is solved: its limit.
+   *
+   * With it t₀, the time after which the contact conditions of the whole
+   * displacement u = βt + q agree with those of the periodic part q (paper,
+   * §5.1 and the comment on P2): the nodes of the lip that the flow opens,
+   * β_N > 0, bear nothing in the periodic state, but touch as long as β_N t is
+   * less than what q swings. The constant in q is free; with the mean value
+   * zero, as the paper has it,
+   *
+   *     t₀ = max (gap − min q_N) / β_N     over these nodes, at least 0.
+   */
+  template <int dim>
+  class SecularMotion : public Observer
+  {
+  public:
+    /** @param work before the first period on this mesh; it must outlive this
+     * object. */
+    explicit SecularMotion(const Workspace<dim> &work)
+      : work(work)
+      , setup(work.setup)
+      , communicator(setup.body.space.communicator())
+      , follows_lip(setup.body.effects.contact.on && work.start.flow &&
+                    !work.state.has_begun()) // nodes of other meshes are others
+    {
+      if (!follows_lip)
+        return;
+      const Vector    &beta     = work.start.flow->velocity;
+      const auto      &nodes    = setup.body.lip.nodes();
+      constexpr double rounding = 1e-10;
+      const double     opens    = rounding * beta.linfty_norm();
+      for (unsigned int k = 0; k < nodes.size(); ++k)
+        if (const double rate = nodes[k].sign * beta(nodes[k].dof);
+            rate > opens)
+          opening_nodes.push_back({k, rate});
+    }
+
+    void
+    observe(const Sample &sample) override
+    {
+      if (sample.step == 0)
+        start = sample.state.displacement;
+      else if (sample.step == work.steps.n_steps())
+        {
+          gain = sample.state.displacement;
+          gain -= start;
+          if (sample.secular_flow != nullptr)
+            gain.add(work.steps.period(), sample.secular_flow->velocity);
+        }
+      if (follows_lip)
+        observe_lip(sample);
+    }
+
+    void
+    serialize(StateArchive &archive) override
+    {
+      archive.section("secular motion");
+      archive.nodal(start);
+      if (!follows_lip)
+        return;
+      for (double OpeningNode::*entry :
+           {&OpeningNode::least, &OpeningNode::integral, &OpeningNode::last})
+        {
+          std::vector<double> values(setup.body.lip.nodes().size());
+          for (const OpeningNode &node : opening_nodes)
+            values[node.index] = node.*entry;
+          archive.on_bounds(values);
+          for (OpeningNode &node : opening_nodes)
+            node.*entry = values[node.index];
+        }
+      archive.common(last_instant);
+      archive.maximum(last_pressed);
+      archive.part_of_sum(last_force);
+      archive.part_of_sum(impulse);
+    }
+
+    /** summary.json "drift" and "secular". */
+    void
+    summarise(Summary &summary) override
+    {
+      const Effects &effects = setup.body.effects;
+      Summary        drift;
+      Summary        secular = {{"on", work.start.split.effect.on},
+                                {"why", work.start.split.effect.why}};
+      if (effects.viscosity.on)
+        {
+          const double period   = work.steps.period();
+          drift["largest_rate"] = gain.linfty_norm() / period;
+          for (const auto &probe : setup.probes)
+            drift["per_probe"][probe.name()] =
+              components(probe.displacement(gain) / period);
+          if (effects.contact.on)
+            drift["largest_closing_rate"] =
+              largest_closing_rate(summary["certificate"]["accuracy"]);
+          if (follows_lip)
+            summarise_lip(secular);
+          if (work.start.flow)
+            summarise_flow(secular);
+          else
+            {
+              secular["largest_rate"] = drift["largest_rate"];
+              for (const auto &probe : setup.probes)
+                secular["per_probe"][probe.name()]["beta"] =
+                  drift["per_probe"][probe.name()];
+            }
+          summary["drift"] = drift;
+        }
+      summary["secular"] = secular;
+    }
+
+    /** q(T n) − q(T (n−1)); constrained entries are zero. After the run. */
+    const Vector &
+    drift() const
+    {
+      return gain;
+    }
+
+  private:
+    /** A node with β_N > 0. */
+    struct OpeningNode
+    {
+      unsigned int index; ///< in the lip
+      double       rate;  ///< β_N
+      // Of q_N in this period.
+      double least = 0., integral = 0., last = 0.;
+    };
+
+    static std::vector<double>
+    components(const dealii::Tensor<1, dim> &tensor)
+    {
+      return {tensor.begin_raw(), tensor.end_raw()};
+    }
+
+    void
+    observe_lip(const Sample &sample)
+    {
+      constexpr double rounding = 1e-9; // of the forces that are in balance
+      const double pressing = rounding * sample.right_hand_side.linfty_norm();
+      const bool   is_whole = sample.secular_flow == nullptr;
+      const auto  &nodes    = setup.body.lip.nodes();
+      const std::vector<double> &forces = sample.state.contact_forces;
+      const double half_step            = 0.5 * (sample.instant - last_instant);
+      for (OpeningNode &opening : opening_nodes)
+        {
+          const LipNode<dim> &node = nodes[opening.index];
+          const double q = node.sign * sample.state.displacement(node.dof) -
+                           (is_whole ? sample.time * opening.rate : 0.);
+          if (sample.step == 0)
+            {
+              opening.least    = q;
+              opening.integral = 0.;
+            }
+          else
+            {
+              opening.least = std::min(opening.least, q);
+              opening.integral += half_step * (q + opening.last);
+            }
+          opening.last = q;
+          if (is_whole && forces[opening.index] > pressing)
+            last_pressed = sample.time;
+        }
+      const double force =
+        std::accumulate(forces.begin(), forces.begin() + nodes.size(), 0.);
+      impulse =
+        sample.step == 0 ? 0. : impulse + half_step * (force + last_force);
+      last_force   = force;
+      last_instant = sample.instant;
+    }
+
+    /** How fast the lip closes at a node at most, which no β does. */
+    double
+    largest_closing_rate(const double accuracy) const
+    {
+      double closing = 0.;
+      for (const LipNode<dim> &node : setup.body.lip.nodes())
+        closing = std::max(closing, -node.sign * gain(node.dof));
+      closing = dealii::Utilities::MPI::max(closing, communicator);
+      // Where the lip never opens, solves move its nodes by what they leave.
+      constexpr double some = 100.;
+      const bool       is_noise =
+        closing <= some * accuracy * work.state.largest_displacement;
+      return is_noise ? 0. : closing / work.steps.period();
+    }
+
+    void
+    summarise_flow(Summary &secular) const
+    {
+      const auto &nodes = setup.body.lip.nodes();
+      State       mean;
+      mean.displacement   = work.start.flow->velocity;
+      mean.contact_forces = work.start.flow->contact_forces;
+      double force        = 0.;
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        force += nodes[k].force(mean.contact_forces[k]);
+      secular["largest_rate"] = mean.displacement.linfty_norm();
+      secular["contact_force"] =
+        dealii::Utilities::MPI::sum(force, communicator);
+      for (const auto &probe : setup.probes)
+        {
+          auto        &entry    = secular["per_probe"][probe.name()];
+          const double pressure = probe.opening_and_pressure(mean)[1];
+          entry["beta"] = components(probe.displacement(mean.displacement));
+          if (probe.on_lip())
+            entry["mean_pressure"] = pressure;
+        }
+    }
+
+    /** t₀, the last instant at which one of these nodes was pressed, and the
+     * mean of the contact force over the last period: in the periodic state
+     * that of the secular problem but for the steps' error, if η₀ is
+     * constant. */
+    void
+    summarise_lip(Summary &secular) const
+    {
+      double onset = 0.;
+      for (const OpeningNode &opening : opening_nodes)
+        {
+          const double swing = opening.integral / last_instant - opening.least;
+          const double gap   = setup.body.lip.nodes()[opening.index].gap;
+          onset              = std::max(onset, (gap + swing) / opening.rate);
+        }
+      onset = dealii::Utilities::MPI::max(onset, communicator);
+      const double pressed =
+        dealii::Utilities::MPI::max(last_pressed, communicator);
+      const auto number =
+        dealii::Utilities::MPI::sum(opening_nodes.size(), communicator);
+
+      secular["mean_contact_force_of_last_period"] =
+        dealii::Utilities::MPI::sum(impulse, communicator) / last_instant;
+      secular["opening_nodes"] = number;
+      secular["onset"]         = onset;
+      // null: none of them was pressed at all
+      secular["last_contact_of_opening_nodes"] =
+        pressed >= 0. ? Summary(pressed) : Summary();
+      if (number > 0)
+        work.output.log.line(
+          Text::Message() << "  the flow opens " << number
+                          << " nodes of the lip: none touches after t_0 = "
+                          << onset << " at the latest (q of mean value zero)");
+    }
+
+    const Workspace<dim> &work;
+    const RunSetup<dim>  &setup;
+    const MPI_Comm        communicator;
+
+    Vector start; ///< of the period
+    Vector gain;
+
+    const bool               follows_lip;
+    std::vector<OpeningNode> opening_nodes;
+    double                   last_instant = 0.;
+    /** −1: never, or what was computed was q, whose contact is another one. */
+    double last_pressed = -1.;
+    double last_force = 0., impulse = 0.; ///< of this rank's nodes
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/app/command_line.h>
+#include <crevasse/app/server.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace Crevasse
+{
+  namespace
+  {
+    using Json = nlohmann::json;
+
+
+
+    void
+    redirect(const int   descriptor,
+             const Json &request,
+             const char *name,
+             const int   flags)
+    {
+      const std::string file = request.value(name, "/dev/null");
+      dup2(open(file.c_str(), flags), descriptor);
+    }
+
+
+
+    [[noreturn]] void
+    run(const Json &request, const Program program)
+    {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      redirect(STDIN_FILENO, request, "input", O_RDONLY);
+      redirect(STDOUT_FILENO, request, "output", O_WRONLY);
+      redirect(STDERR_FILENO, request, "error", O_WRONLY);
+      const std::string directory = request.value("directory", ".");
+      if (chdir(directory.c_str()) != 0)
+        {
+          std::cerr << "Cannot change to " << directory << std::endl;
+          std::_Exit(file_failure);
+        }
+      for (const auto &name : request.value("unset", Json::array()))
+        unsetenv(name.get<std::string>().c_str());
+      const Json variables = request.value("set", Json::object());
+      for (const auto &[name, value] : variables.items())
+        setenv(name.c_str(), value.get<std::string>().c_str(), 1);
+      alarm(request.value("seconds", 0u)); // SIGALRM ends the run
+
+      std::vector<std::string> words = {"crevasse"};
+      for (const auto &word : request.at("arguments"))
+        words.push_back(word);
+      std::vector<char *> pointers;
+      for (std::string &word : words)
+        pointers.push_back(word.data());
+      pointers.push_back(nullptr);
+      std::exit(program(int(words.size()), pointers.data()));
+    }
+
+
+
+    /** In one piece: others answer as well. */
+    void
+    answer(const Json &json)
+    {
+      const std::string line = json.dump() + '\n';
+      if (write(STDOUT_FILENO, line.data(), line.size()) < 0)
+        std::_Exit(file_failure);
+    }
+
+
+
+    /** A process for each run waits for it. */
+    [[noreturn]] void
+    watch(const Json &request, const Program program)
+    {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      std::signal(SIGCHLD, SIG_DFL);
+      const Json  id    = request.at("id");
+      const pid_t child = fork();
+      if (child == 0)
+        run(request, program);
+
+      answer({{"id", id}, {"process", child}});
+      int    status = W_EXITCODE(file_failure, 0); // if there is no child
+      rusage usage  = {};
+      wait4(child, &status, 0, &usage);
+      const auto seconds = [](const timeval &time) {
+        return time.tv_sec + 1e-6 * time.tv_usec;
+      };
+      answer({{"id", id},
+              {"status",
+               WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status)},
+              {"cpu", seconds(usage.ru_utime) + seconds(usage.ru_stime)}});
+      std::_Exit(done);
+    }
+  } // namespace
+
+
+
+  int
+  serve(const Program program)
+  {
+    setsid(); // what is typed at a terminal is meant for others
+    std::signal(SIGCHLD, SIG_IGN);
+    for (std::string line; std::getline(std::cin, line);)
+      {
+        const pid_t child = fork();
+        if (child == 0)
+          watch(Json::parse(line), program);
+        if (child < 0)
+          return file_failure;
+      }
+    return done;
+  }
+
+
+
+  void
+  leave_server(const Program program)
+  {
+    int requests[2], answers[2];
+    if (pipe(requests) != 0 || pipe(answers) != 0)
+      return;
+    if (fork() == 0)
+      {
+        dup2(requests[0], STDIN_FILENO);
+        dup2(answers[1], STDOUT_FILENO);
+        for (const int end : {requests[0], requests[1], answers[0], answers[1]})
+          close(end);
+        std::_Exit(serve(program));
+      }
+    close(requests[0]);
+    close(answers[1]);
+    setenv(
+      "CREVASSE_SERVER",
+      (std::to_string(requests[1]) + ',' + std::to_string(answers[0])).c_str(),
+      1);
+  }
+} // namespace Crevasse

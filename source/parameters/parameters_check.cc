@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/range.h>
+#include <crevasse/base/text.h>
+#include <crevasse/base/text_file.h>
+#include <crevasse/parameters/checker.h>
+#include <crevasse/parameters/parameters.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** A file that is there and not empty. */
+    void
+    demand_file(const char        *section,
+                const char        *name,
+                const std::string &file_name,
+                Problems          &problems)
+    {
+      std::error_code no_size; // as of pipes
+      if (const std::string why = why_unreadable(file_name); !why.empty())
+        {
+          problems.add(section, name, file_name, why);
+          problems.last_is_unreadable();
+        }
+      else if (std::filesystem::file_size(file_name, no_size) == 0 && !no_size)
+        problems.add(section, name, file_name, "is empty");
+    }
+
+
+
+    void
+    check_crack_length(const GeometryParameters &geometry,
+                       const Checker            &checker)
+    {
+      const double      width = geometry.width, length = geometry.crack_length;
+      const std::string of_width = "Width = " + Text::from_number(width);
+      checker.demand(length < width,
+                     "Crack length",
+                     "must be shorter than the plate: " + of_width);
+      // Beyond this the cells at the tip vanish in rounding.
+      const double shortest = 1e-8 * width;
+      checker.demand(length >= width ||
+                       (length >= shortest && width - length >= shortest),
+                     "Crack length",
+                     "crack and ligament must each be at least 1e-8 of " +
+                       of_width);
+    }
+
+
+
+    /** Blames Subdivisions only where they are too many by themselves. */
+    void
+    check_number_of_cells(const GeometryParameters &geometry,
+                          const Checker            &checker)
+    {
+      constexpr double         most = 2e7;
+      double                   n    = 1.;
+      std::vector<std::string> factors;
+      for (const unsigned int n_steps : geometry.subdivisions)
+        {
+          n *= n_steps;
+          factors.push_back(std::to_string(n_steps));
+        }
+      const double n_refined =
+        n * std::pow(2., geometry.subdivisions.size() * geometry.refinements);
+      checker.demand(n <= most,
+                     "Subdivisions",
+                     "makes " + Text::from_number(n) +
+                       " cells; more than 2e7 are refused");
+      checker.demand(n > most || n_refined <= most,
+                     "Refinements",
+                     "makes " + Text::from_number(n_refined) +
+                       " cells of Subdivisions = " + Text::join(factors, ", ") +
+                       "; more than 2e7 are refused");
+    }
+  } // namespace
+
+
+
+  void
+  GeometryParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    if (traits(shape).has_crack)
+      {
+        if (!problems.concern(section, "Width") &&
+            !problems.concern(section, "Crack length"))
+          check_crack_length(*this, checker);
+        checker.demand(subdivisions.empty() || subdivisions[0] != 1,
+                       "Subdivisions",
+                       "must begin with at least 2, along x, because the crack "
+                       "tip is a vertex of the mesh");
+      }
+    if (shape != Shape::mesh_file)
+      {
+        check_number_of_cells(*this, checker);
+        checker.demand(mesh_file.empty(),
+                       "Mesh file",
+                       "is allowed only for the shape \"mesh file\"; the shape "
+                       "is \"" +
+                         name_of(shape) + "\"");
+      }
+    else if (mesh_file.empty())
+      checker.demand(false,
+                     "Mesh file",
+                     "must be given, for the shape is \"mesh file\"");
+    else
+      demand_file(section, "Mesh file", mesh_file, problems);
+  }
+
+
+
+  void
+  BoundaryParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+
+    std::map<dealii::types::boundary_id, std::string> role_of;
+    for (const BoundaryRole &role : boundary_role_table)
+      {
+        const Parsed<BoundaryList> &list = this->*role.list;
+        checker.demand_valid(role.name, list);
+        if (!list.is_valid())
+          continue;
+        checker.demand(list->names.empty(),
+                       role.name,
+                       "names of boundaries are those of physical groups of a "
+                       "Gmsh file; must be \"automatic\", \"none\" or boundary "
+                       "ids separated by commas");
+        for (const auto id : list->ids)
+          {
+            const auto [first, is_new] = role_of.emplace(id, role.name);
+            checker.demand(is_new,
+                           role.name,
+                           "the boundary id " + std::to_string(id) +
+                             " must have one role only; " + first->second +
+                             " names it as well");
+          }
+      }
+    checker.demand_valid("Fixed points", fixed_points);
+    checker.demand_valid("Gap", gap);
+  }
+
+
+
+  void
+  MaterialParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    if (stiffness_matrix.text().empty())
+      {
+        checker.demand_valid("Young modulus", young_modulus);
+        checker.demand_valid("Poisson ratio", poisson_ratio);
+      }
+    checker.demand_valid("Stiffness matrix", stiffness_matrix);
+    checker.demand_valid("Stiffness time factor", stiffness_time_factor);
+    checker.demand_valid("Viscosity time factor", viscosity_time_factor);
+    for (const FreeStrain &strain : free_strains())
+      checker.demand_valid(strain.parameter, strain.components);
+
+    switch (viscosity)
+      {
+        case ViscosityType::relaxation_time:
+          checker.demand_valid("Relaxation time", relaxation_time);
+          break;
+        case ViscosityType::isotropic:
+          checker.demand_valid("Viscous modulus", viscous_modulus);
+          checker.demand_valid("Viscous Poisson ratio", viscous_poisson_ratio);
+          break;
+        case ViscosityType::matrix:
+          checker.demand_valid("Viscosity matrix", viscosity_matrix);
+          checker.demand(!viscosity_matrix.text().empty(),
+                         "Viscosity matrix",
+                         "must be given, for the viscosity is \"matrix\": a "
+                         "list such as 9, 2, 0; 2, 9, 0; 0, 0, 3 (plane "
+                         "stress), its rows separated by semicolons");
+          break;
+        case ViscosityType::chain:
+          checker.demand_valid("Chain", chain);
+          checker.demand(!chain.text().empty(),
+                         "Chain",
+                         "must be given, for the viscosity is \"chain\": a "
+                         "list such as 0.5: 10; 0.3: 100");
+          break;
+        case ViscosityType::none:
+          break;
+      }
+  }
+
+
+
+  void
+  LoadParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    checker.demand_valid("Traction", traction);
+    checker.demand_valid("Body force", body_force);
+    checker.demand_valid("Temperature", temperature);
+    if (temperature.is_valid() && !*temperature)
+      demand_file(section, "Temperature", temperature.text(), problems);
+  }
+
+
+
+  void
+  DiscretisationParameters::check(Problems &problems) const
+  {
+    Checker(section, problems)
+      .demand(volumetric_strain != VolumetricStrain::mean || degree == 1,
+              "Volumetric strain",
+              "is for linear elements only; with Degree = " +
+                std::to_string(degree) + " it must be full");
+  }
+
+
+
+  std::optional<double>
+  parse_relaxation_factor(const std::string &text)
+  {
+    if (text == "automatic")
+      return {};
+    const auto factor = Text::to_number(text);
+    if (!factor || !relaxation_factors.contains(*factor))
+      throw SceneError("must be \"automatic\" or a number " +
+                       std::string(relaxation_factors.words));
+    return factor;
+  }
+
+
+
+  void
+  TimeIntegrationParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    if (step_control == StepControlType::adaptive)
+      {
+        checker.demand(relative_tolerance > 0. || absolute_tolerance > 0.,
+                       "Relative tolerance",
+                       "must be greater than 0, or Absolute tolerance, for the "
+                       "step control \"adaptive\"");
+        checker.demand(
+          traits(scheme).estimates_error,
+          "Scheme",
+          "cannot tell the error of its steps, which the step control "
+          "\"adaptive\" needs; heun, exponential, sdirk2 and those of arkode "
+          "can");
+      }
+    if (step_control == StepControlType::uniform)
+      return;
+    checker.demand(step_control != StepControlType::list || !steps.empty(),
+                   "Steps",
+                   "must be given, for the step control is \"list\"");
+    // Of two instants that rounding takes apart a step would be noise.
+    const double shortest = steps.empty() ? 0. : 1e-12 * steps.back();
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      if (const double before = i == 0 ? 0. : steps[i - 1];
+          !(steps[i] - before > shortest || (i == 0 && steps[i] == 0.)))
+        checker.demand(false,
+                       "Steps",
+                       Text::from_number(steps[i]) +
+                         " must be later than the instant before it, " +
+                         Text::from_number(before) + ", by more than rounding");
+  }
+
+
+
+  void
+  RefinementParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    const bool    tip      = strategy == RefinementStrategy::tip;
+    const bool    adaptive = strategy == RefinementStrategy::adaptive;
+    const bool    ends     = cycles > 0 || target_unknowns > 0;
+    checker.demand(coarsen_fraction + refine_fraction <= 1.,
+                   "Coarsen fraction",
+                   "must be, with Refine fraction, at most 1");
+    // Each level halves the cells: 2^-40 is at the rounding of coordinates.
+    checker.demand(!tip || cycles <= 40,
+                   "Cycles",
+                   "must be at most 40 with Strategy = tip: each divides the "
+                   "size of the cells at the tip by 2");
+    checker.demand(!tip || ends,
+                   "Strategy",
+                   "needs Cycles or Target unknowns to be greater than 0: "
+                   "otherwise it would not end");
+    checker.demand(!adaptive || ends || tolerance > 0.,
+                   "Strategy",
+                   "needs Cycles, Target unknowns or Tolerance to be greater "
+                   "than 0: otherwise it would not end");
+    checker.demand(readapt_every == 0 || adaptive,
+                   "Readapt every",
+                   "is for Strategy = adaptive; otherwise it must be 0");
+  }
+
+
+
+  void
+  CrackTipParameters::check(Problems &problems) const
+  {
+    const Checker checker(section, problems);
+    checker.demand(growth_law == GrowthLawType::none || stress_intensity,
+                   "Crack growth law",
+                   "needs Stress intensity = true");
+    checker.demand(!traits(growth_law).has_paris_part ||
+                     Ranges::positive.contains(paris_factor),
+                   "Paris factor",
+                   Ranges::positive.text());
+    checker.demand(!traits(growth_law).has_creep_part ||
+                     Ranges::positive.contains(creep_factor),
+                   "Creep factor",
+                   Ranges::positive.text());
+  }
+} // namespace Crevasse

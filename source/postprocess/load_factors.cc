@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/format.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/model/largest_load.h>
+#include <crevasse/postprocess/load_factors.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    void
+    demand(const bool         fulfilled,
+           const ComparedLip  comparison,
+           const std::string &reason)
+    {
+      if (!fulfilled)
+        throw SceneError(
+          "[Output] Elastic comparison = " + name_of(comparison) + ": " +
+          reason + " Set it to none.");
+    }
+
+
+
+    template <int dim>
+    void
+    require_suitable_body(const Body<dim> &body, const ComparedLip comparison)
+    {
+      bool has_gap = false;
+      for (const LipNode<dim> &node : body.lip.nodes())
+        has_gap = has_gap || node.gap != 0.;
+      demand(Utilities::MPI::max(has_gap ? 1 : 0, body.space.communicator()) ==
+               0,
+             comparison,
+             "the closed forms hold for a lip without initial opening; here "
+             "[Boundary] Gap is not 0.");
+      demand(!body.material.stiffness_varies() &&
+               !body.material.has_thermal_strain(),
+             comparison,
+             "the closed forms hold for a constant stiffness and without "
+             "thermal strain.");
+      demand(!body.effects.viscosity.on || body.law.uniform_relaxation_time(),
+             comparison,
+             "the closed forms hold for a viscosity in proportion to the "
+             "stiffness ([Material] Viscosity = relaxation time), all "
+             "constant, or none.");
+    }
+
+
+
+    /** A lip that stays closed needs loads of one sign, and so does any lip
+     * without viscosity, which has no memory to stay open by. */
+    template <int dim>
+    void
+    require_suitable_signs(const Body<dim>           &body,
+                           const std::vector<double> &factors,
+                           const ComparedLip          comparison)
+    {
+      const auto [least, most] =
+        std::minmax_element(factors.begin(), factors.end());
+      const double negligible = 1e-12 * std::max(-*least, *most);
+      const bool one_sign = !body.effects.contact.on || *least >= -negligible ||
+                            *most <= negligible;
+      const std::string reason =
+        "the loads F(t) p(x) change their sign over "
+        "the period, ";
+      demand(one_sign || comparison != ComparedLip::closed,
+             comparison,
+             reason + "so that the lip does not stay closed.");
+      demand(one_sign || body.effects.viscosity.on,
+             comparison,
+             reason +
+               "and without viscosity the lip opens and closes with them.");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  LoadFactors
+  load_factors(const Body<dim>  &body,
+               const StepList   &steps,
+               const Integrator *integrator,
+               const ComparedLip comparison)
+  {
+    require_suitable_body(body, comparison);
+    const double time   = instant_of_largest_load(body, steps);
+    LoadFactors  result = {loads_at(body, time), {}, 0.};
+    const double norm   = result.reference.l2_norm();
+    const auto   factor = [&](const double instant) {
+      if (norm == 0.)
+        return 0.;
+      const double t     = steps.within_period(instant);
+      Vector       loads = loads_at(body, t);
+      const double value = (loads * result.reference) / (norm * norm);
+      loads.add(-value, result.reference);
+      demand(loads.l2_norm() <= 1e-12 * norm,
+             comparison,
+             Text::Message()
+               << "the loads at t = " << t
+               << " are not a multiple of those at t = " << time
+               << "; the closed form holds for loads F(t) p(x) only.");
+      return value;
+    };
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      result.at_steps.push_back(factor(steps.instant(k)));
+    require_suitable_signs(body, result.at_steps, comparison);
+    if (integrator == nullptr)
+      return result;
+
+    const TimeQuadrature &rule = integrator->properties.quadrature;
+    demand(!rule.weights.empty(),
+           comparison,
+           "[Time integration] Scheme = " + integrator->properties.name +
+             " weights the loads by how fast they relax.");
+    double integral = 0.;
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      for (unsigned int s = 0; s < rule.nodes.size(); ++s)
+        if (rule.weights[s] != 0.)
+          integral += steps.step(k) * rule.weights[s] *
+                      factor(steps.instant(k) + rule.nodes[s] * steps.step(k));
+    result.drift = integral / *body.law.uniform_relaxation_time();
+    return result;
+  }
+
+
+
+  template LoadFactors
+  load_factors(const Body<2> &,
+               const StepList &,
+               const Integrator *,
+               const ComparedLip);
+  template LoadFactors
+  load_factors(const Body<3> &,
+               const StepList &,
+               const Integrator *,
+               const ComparedLip);
+} // namespace Crevasse

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""Runs scenes. The program is loaded once, as a server that forks for each run
+(source/app/server.h has its language); several may be under way at a time."""
+
+import dataclasses
+import json
+import math
+import os
+import re
+import select
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from crevasse.command import CommandError
+
+# mpirun starts the runs if it started this process. They must not inherit its
+# variables.
+OF_MPIRUN = re.compile(r"PMIX_|ORTE_|OMPI_(COMM|UNIVERSE|APP|FIRST|NUM|FILE|ARGV|"
+                       r"COMMAND)|OMPI_MCA_(orte|ess|pmix|shmem|initial|mpi_)")
+ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1",
+         "OMPI_MCA_btl": "self"}
+WARNING = re.compile(r"^crevasse: warning: .*\n?", re.M)
+# Of the summary; the counters have names of their own.
+COSTS = {"unknowns": ("unknowns",), "periods": ("periods",),
+         **{name: ("counters", name) for name in (
+             "vi_solves", "linear_solves", "factorisations", "rate_evaluations")},
+         "seconds": ("seconds", "total"),
+         "seconds_time_stepping": ("seconds", "time stepping"),
+         "processor_seconds": ("processor_seconds",)}
+
+
+class Call:
+    """The program on one command line, under way as long as it has no status: a
+    number below zero is minus that of the signal that ended it."""
+
+    def __init__(self):
+        self.files = [tempfile.TemporaryFile() for _ in range(2)]
+        self.status = self.process = None
+        self.seconds = 0.  # CPU time
+
+    @property
+    def output(self):
+        return self.text(self.files[0])
+
+    @property
+    def error(self):
+        return self.text(self.files[1])
+
+    def text(self, file):
+        file.seek(0)
+        return file.read().decode(errors="replace")
+
+    def terminate(self):
+        if self.process and self.status is None:
+            os.kill(self.process, signal.SIGTERM)
+
+
+class Server:
+    """Ends with this process, and with it what it runs."""
+
+    def __init__(self, program, environment=None):
+        if ends := os.environ.pop("CREVASSE_SERVER", ""):  # of this process
+            requests, self.answers = map(int, ends.split(","))
+            self.requests = os.fdopen(requests, "wb")
+            os.set_inheritable(requests, False)
+            os.set_inheritable(self.answers, False)
+        else:
+            self.process = subprocess.Popen(
+                [program, "serve"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                env=environment)
+            self.requests = self.process.stdin
+            self.answers = self.process.stdout.fileno()
+        self.calls, self.n_calls, self.rest = {}, 0, b""
+
+    def start(self, words, **options):
+        """A run with these words; options are "directory", "seconds", "set", "unset".
+        """
+        call = Call()
+        self.n_calls += 1
+        self.calls[self.n_calls] = call
+        output, error = (f"/proc/{os.getpid()}/fd/{file.fileno()}"
+                         for file in call.files)
+        self.requests.write(json.dumps(
+            {"id": self.n_calls, "arguments": list(map(str, words)),
+             "output": output, "error": error, **options}).encode() + b"\n")
+        self.requests.flush()
+        return call
+
+    def wait(self, call, seconds=None):
+        """Until it has ended, or for some seconds."""
+        while call.status is None:
+            if not select.select([self.answers], [], [], seconds)[0]:
+                return
+            part = os.read(self.answers, 1 << 16)
+            if not part:
+                raise CommandError("the process that runs the scenes has ended.", 4)
+            *lines, self.rest = (self.rest + part).split(b"\n")
+            for answer in map(json.loads, lines):
+                if "process" in answer:
+                    self.calls[answer["id"]].process = answer["process"]
+                else:
+                    ended = self.calls.pop(answer["id"])
+                    ended.status, ended.seconds = answer["status"], answer["cpu"]
+
+
+class Program:
+    """Starts the program as often as is wanted. Requests to stop are handed on."""
+
+    def __init__(self, stop):
+        self.stop = stop
+        self.path = os.environ.get("CREVASSE_PROGRAM", "crevasse")
+        self.ranks = int(os.environ.get("OMPI_COMM_WORLD_SIZE", 1))
+        self.of_mpirun = list(filter(OF_MPIRUN.match, os.environ))
+        self.server = Server(self.path)
+
+    def start(self, *words):
+        self.stop.check()
+        return self.server.start(words, unset=self.of_mpirun, set={
+            name: value for name, value in ALONE.items() if name not in os.environ})
+
+    def finish(self, call):
+        while call.status is None:
+            self.server.wait(call, 0.2)
+            if call.status is None and self.stop.asked():
+                call.terminate()
+        self.stop.check()
+        return call
+
+    def run_parallel(self, words):
+        """On as many processes as mpirun has started of this one."""
+        self.stop.check()
+        call = Call()
+        process = subprocess.Popen(
+            ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca",
+             "mpi_yield_when_idle", "1", "-np", str(self.ranks), self.path,
+             *map(str, words)], stdin=subprocess.DEVNULL,
+            stdout=call.files[0], stderr=call.files[1], start_new_session=True,
+            env={name: value for name, value in os.environ.items()
+                 if name not in self.of_mpirun})
+        while call.status is None:
+            try:
+                call.status = process.wait(0.2)
+            except subprocess.TimeoutExpired:
+                if self.stop.asked():
+                    process.terminate()
+        self.stop.check()
+        return call
+
+    def start_parameters(self, scene, texts):
+        return self.start(scene, *options(texts), "--print-parameters", "prm")
+
+    def finish_parameters(self, call):
+        """The text of used.prm, if the scene is in order."""
+        if self.finish(call).status:
+            raise CommandError(message_of(call), max(call.status, 2))
+        return call.output
+
+    def parameters(self, scene, settings):
+        return self.finish_parameters(
+            self.start_parameters(scene, assignments(settings)))
+
+    def compute(self, scene, texts, folder, *words):
+        """What became of a run: its results replace those in the folder."""
+        # A later --set replaces an earlier one; fields of many runs fill disks.
+        words = (scene, *options(["Output/Fields=none", *texts]),
+                 "--output", folder, "--force", "--quiet", *words)
+        if self.stop.end < math.inf:
+            words += "--wall-time", max(self.stop.end - time.monotonic(), 1e-3)
+        try:
+            call = (self.finish(self.start(*words)) if self.ranks == 1 else
+                    self.run_parallel(words))
+        finally:
+            shutil.rmtree(folder / "checkpoint", ignore_errors=True)
+        sys.stderr.write("".join(WARNING.findall(call.error)))
+        message = message_of(call)
+        if call.status == 5:
+            self.stop.name = "--wall-time"  # with some time left
+            self.stop.check()
+        if call.status == 4:
+            raise CommandError(message, 4)
+        summary = read_summary(folder)
+        # A run writes used.prm when nothing is wrong with its scene and its step.
+        status = ("done" if call.status == 0 else
+                  "refused" if not (folder / "used.prm").exists() else
+                  "not converged" if summary.get("converged") is False else "failed")
+        return Outcome(status, message.replace(" and continue by --resume", ""),
+                       costs_in(summary), call.status)
+
+
+@dataclasses.dataclass
+class Outcome:
+    status: str  # done, not converged, refused, failed
+    message: str
+    costs: dict
+    exit_status: int = 0
+
+    @property
+    def has_results(self):
+        return self.status in ("done", "not converged")
+
+
+def assignments(settings):
+    """Those of {"Section/Name": value}."""
+    return [f"{name}={value}" for name, value in settings.items()]
+
+
+def options(texts):
+    return [word for text in texts for word in ("--set", text)]
+
+
+def message_of(call):
+    """The last word of a run; after it there is that of mpirun."""
+    message = WARNING.sub("", call.error).split("\n" + 20 * "-")[0].strip()
+    if not message and call.status < 0:
+        return f"ended by {signal.Signals(-call.status).name}"
+    return message.removeprefix("crevasse: ")
+
+
+def read_summary(folder):
+    try:
+        return json.loads((folder / "summary.json").read_text())
+    except (OSError, ValueError):
+        return {}
+
+
+def costs_in(summary):
+    """By their names in tables; what a summary lacks is left out."""
+    costs = {}
+    for name, place in COSTS.items():
+        value = summary
+        for key in place:
+            value = value.get(key) if isinstance(value, dict) else None
+        if value is not None:
+            costs[name] = value
+    return costs

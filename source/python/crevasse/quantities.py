@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""Quantities that runs are compared in: "stress", or "TABLE/COLUMN"."""
+
+import difflib
+
+PROBE = ("u", "s", "u_1", "u_2", "u_3", "s_11", "s_22", "s_33", "s_12", "s_13",
+         "s_23", "opening", "pressure")
+TABLES = {"contact": ("force", "largest_pressure", "closed_nodes"),
+          "periods": ("stress_change",), "load_work": ("load_work",),
+          "crack_tip": ("K_I", "K_I_stress", "K_I_error", "energy_release_rate",
+                        "strain_energy")}
+SAME_INSTANT = 1e-9  # of the period
+
+
+def has_lip(scene):
+    """Contact is on the lip of a built-in crack, or on the boundaries named."""
+    contact = scene["Boundary/Contact"]
+    if contact == "automatic":
+        return "crack" in scene["Geometry/Shape"]
+    return contact not in ("", "none")
+
+
+def selects(column, other):
+    """Whether a column belongs to a quantity: "u" and "s" of a probe stand for all
+    displacements and all stresses."""
+    return other == column or column in ("u", "s") and other.startswith(column + "_")
+
+
+def did_you_mean(word, words):
+    near = difflib.get_close_matches(word, words, 1)
+    return f"; did you mean \"{near[0]}\"?" if near else ""
+
+
+def common_instants(one, other, period):
+    """Rows of two ascending lists with the same t, and why a comparison at these
+    says nothing: at rest all runs agree, and a few instants at which the load is zero
+    may be all that adaptive steps have in common with others."""
+    tolerance = SAME_INSTANT * period
+    one, other = list(one), list(other)
+    rows, i, j = [], 0, 0
+    while i < len(one) and j < len(other):
+        if abs(one[i] - other[j]) <= tolerance:
+            rows.append((i, j))
+            i, j = i + 1, j + 1
+        elif one[i] < other[j]:
+            i += 1
+        else:
+            j += 1
+    fewer = min(len(one), len(other))
+    objection = ""
+    if not rows or one[rows[-1][0]] <= tolerance:
+        objection = "no instant in common with the reference but t = 0"
+    # One of four, or ten a period.
+    elif 4 * len(rows) < fewer and len(rows) < 10 * one[rows[-1][0]] / period:
+        objection = (f"only {len(rows)} of {fewer} instants in common with the "
+                     "reference: take multiples of the number of steps, or name "
+                     "instants in [Time integration] Steps")
+    return rows, objection

@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The quantities of a sweep, and the errors of its points: the largest difference
+over the largest value of the reference, at all instants that both have."""
+
+import csv
+import math
+
+import numpy
+
+from crevasse.command import CommandError
+from crevasse.quantities import (PROBE, SAME_INSTANT, TABLES, common_instants,
+                                 did_you_mean, has_lip, selects)
+from crevasse.results import ResultsError, named_points
+from crevasse.sweep_plan import quote, require_none, shorten, split, squeeze
+
+STRESS = "stress"
+STRESS_FILE = "stress_samples.bin"
+MARK = int.from_bytes(b"CSTRESS2", "little")
+
+
+def choose_quantities(options, scenes, program):
+    """{name: formula or None}: those of --error and --exact, or, where there is a
+    reference but no --error, the stress, u and s of every probe, and the contact
+    force. The reference's scene is the first."""
+    probes = list(dict.fromkeys(
+        name for scene in scenes for name, _ in named_points(scene["Output/Probes"])))
+    tables = TABLES | {f"probe_{probe}": PROBE for probe in probes}
+    problems, chosen = [], {}
+    if options.error or not options.reference:
+        for name in split(options.error, ","):
+            if problem := problem_of(name, tables):
+                problems.append(f"--error {shorten(name)}: {problem}")
+            else:
+                chosen[name] = None
+    else:
+        chosen = dict.fromkeys([STRESS, *(f"probe_{probe}/{kind}"
+                                          for probe in probes for kind in "us"),
+                                *["contact/force"] * has_lip(scenes[0])])
+    for text in options.exact:
+        name, equals, formula = text.partition("=")
+        name = squeeze(name)
+        problem = (problem_of(name, tables) if equals else
+                   "must have the form \"QUANTITY=formula of t\"")
+        problem = problem or problem_with_formula(name, formula, program)
+        if not problem and chosen.get(name) is not None:
+            problem = "has two closed forms"
+        if problem:
+            problems.append(quote("--exact", text) + problem)
+        else:
+            chosen[name] = formula
+    require_none(problems)
+    run = ("give a run that is accurate enough, --reference \"Section/Name=value\", or "
+           "{}, --exact \"{}=formula of t\".")
+    for name, formula in chosen.items():
+        if formula is None and not options.reference:
+            raise CommandError(f"There is nothing to compare {name} with: "
+                               + run.format("a closed form", name), 2)
+    if not chosen:
+        raise CommandError("There is nothing to compare with: "
+                           + run.format("closed forms", "probe_NAME/COLUMN"), 2)
+    return chosen
+
+
+def problem_of(name, tables):
+    """What is wrong with the name of a quantity; None if nothing is."""
+    table, slash, column = name.partition("/")
+    if name == STRESS or slash and column in tables.get(table, ()):
+        return None
+    if slash and table in tables:
+        return (f"has no column \"{shorten(column)}\"; columns are: "
+                + ", ".join(tables[table]))
+    return ("is no quantity; allowed are \"stress\" and \"TABLE/COLUMN\" with a table "
+            "of: " + ", ".join(tables) + did_you_mean(table, tables))
+
+
+def problem_with_formula(name, formula, program):
+    table, _, column = name.partition("/")
+    if name == STRESS or table == "periods" or column in ("u", "s"):
+        return "a formula can only stand for one column over time"
+    return evaluate(program, name, formula, ())[1]
+
+
+def evaluate(program, name, formula, instants):
+    """The program reads formulas: values, or why there are none."""
+    call = program.finish(program.start(
+        "evaluate", f"--exact {name}", formula, *map(repr, instants)))
+    if call.status:
+        return None, call.error.strip()
+    return numpy.array(call.output.split(), dtype=float), None
+
+
+def no_error(reason, instants=0):
+    return {"value": None, "instants": instants, "reason": reason}
+
+
+def relative_error(mine, theirs, size, finite, instants):
+    """Of arrays at common instants; size is the largest value of the reference at
+    any instant, finite tells whether all of its values are."""
+    if not (finite and numpy.isfinite(mine).all()):
+        return no_error("there are values that are not finite", instants)
+    if size == 0.:
+        return no_error("the reference is 0 at all instants", instants)
+    difference = abs(mine - theirs).max(initial=0.)
+    return {"value": float(difference / size), "instants": instants}
+
+
+class Table:
+    """One that a run has written; its columns by name."""
+
+    def __init__(self, path):
+        try:
+            text = path.read_text(encoding="utf-8")
+        except (OSError, ValueError):
+            raise ResultsError(f"Cannot read {path}.") from None
+        if not text.endswith("\n"):
+            raise ResultsError(f"{path}: the last line is not complete.")
+        header, *rows = csv.reader(text.splitlines())
+        for row in rows:
+            if len(row) != len(header):
+                raise ResultsError(f"{path}: a row has {len(row)} entries instead of "
+                                   f"{len(header)}.")
+        try:
+            values = numpy.array(rows, dtype=float).reshape(-1, len(header))
+        except ValueError as error:
+            raise ResultsError(f"{path}: {error}.") from None
+        self.columns = dict(zip(header, values.T))
+        if not {"t", "t_end"} & set(header):
+            raise ResultsError(f"{path}: there is no column t.")
+
+    @property
+    def t(self):
+        """The end of a period in periods.csv, which is left as it is."""
+        return self.columns.get("t", self.columns.get("t_end"))
+
+    def keep_last_period(self, period):
+        if "t" in self.columns and len(self.t):
+            last = self.t >= self.t[-1] - (1 + SAME_INSTANT) * period
+            self.columns = {name: values[last]
+                            for name, values in self.columns.items()}
+
+    def begin_at_zero(self):
+        if "t" in self.columns and len(self.t):
+            self.columns["t"] = self.t - self.t[0]
+
+
+def history_error(name, formula, folder, reference, period, whole_run, program):
+    """Of a column over time; of all instants, or of the last periods."""
+    table, column = name.split("/")
+    if not (folder / f"{table}.csv").exists():
+        return no_error(f"the run has no table {table}")
+    mine = Table(folder / f"{table}.csv")
+    if not whole_run:
+        mine.keep_last_period(period)
+    if formula is not None:
+        return exact_error(name, formula, mine, program)
+    if not (reference / f"{table}.csv").exists():
+        return no_error(f"the reference has no table {table}")
+    theirs = Table(reference / f"{table}.csv")
+    if not whole_run:
+        theirs.keep_last_period(period)
+        mine.begin_at_zero()
+        theirs.begin_at_zero()
+    names = [other for other in theirs.columns
+             if selects(column, other) and other in mine.columns]
+    if not names:
+        return no_error("the runs have no such column")
+    rows, objection = common_instants(mine.t, theirs.t, period)
+    if objection:
+        return no_error(objection, len(rows))
+    i, j = numpy.array(rows).T
+    whole = numpy.array([theirs.columns[other] for other in names])
+    return relative_error(numpy.array([mine.columns[other][i] for other in names]),
+                          whole[:, j], abs(whole).max(),
+                          numpy.isfinite(whole).all(), len(rows))
+
+
+def exact_error(name, formula, table, program):
+    if name.split("/")[1] not in table.columns:
+        return no_error("the run has no such column")
+    values, reason = evaluate(program, name, formula, table.t.tolist())
+    if reason:
+        return no_error(reason)
+    if not len(table.t) or table.t[-1] == 0.:
+        return no_error("the run has no instant but t = 0")
+    return relative_error(table.columns[name.split("/")[1]], values,
+                          abs(values).max(), numpy.isfinite(values).all(), len(values))
+
+
+class StressReader:
+    """The stress at all quadrature points at the instants of the last period, as the
+    program writes it (postprocess/stress_writer.h)."""
+
+    def __init__(self, path):
+        try:
+            data = numpy.fromfile(path, dtype="<u8")
+            mark, dim, points, components, samples = map(int, data[:5])
+            sizes = samples, 2 * points, dim * points, samples * points * components
+            if mark != MARK or path.stat().st_size != 8 * (5 + sum(sizes)):
+                raise ValueError
+        except (OSError, ValueError):
+            raise ResultsError(f"{path}: is not there, or is damaged.") from None
+        ends = numpy.cumsum((5, *sizes))
+        instants, cells, coordinates, stress = (
+            data[begin:end] for begin, end in zip(ends, ends[1:]))
+        self.instants = instants.view(float)
+        # By cells, whatever the number of ranks was; within a cell as they are.
+        order = numpy.lexsort(cells.reshape(-1, 2).T)
+        self.coordinates = coordinates.view(float).reshape(points, dim)[order]
+        self.stress = stress.view(float).reshape(samples, points, components)[:, order]
+
+    def error(self, reference, period):
+        mine, theirs = self.coordinates, reference.coordinates
+        if mine.shape != theirs.shape or (
+                abs(mine - theirs).max(initial=0.) > 1e-10 * abs(theirs).max(initial=0.)):
+            return no_error("the run has not the mesh and the quadrature points of the "
+                            "reference")
+        rows, objection = common_instants(self.instants, reference.instants, period)
+        if objection:
+            return no_error(objection, len(rows))
+        i, j = numpy.array(rows).T
+        size = abs(reference.stress).max(initial=0.)
+        return relative_error(self.stress[i], reference.stress[j], size,
+                              math.isfinite(size), len(rows))

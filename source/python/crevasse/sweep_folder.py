@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The results folder of one run of a sweep. finished.json is written last, and is what
+an interrupted sweep goes by: it holds the result and the sizes of all files, so that a
+damaged folder counts as unfinished."""
+
+import dataclasses
+import itertools
+import json
+import shutil
+
+from crevasse.command import CommandError, write_file
+from crevasse.program import Outcome
+from crevasse.sweep_errors import STRESS_FILE
+
+# What a run cannot do without. The stress is only needed to compare with another
+# reference, and its file knows its own size.
+NEEDED = ("*.csv", "summary.json", "used.prm")
+RESULTS = (*NEEDED, "solution*", "log.txt", "report.html", "checkpoint")
+
+
+@dataclasses.dataclass
+class Result(Outcome):
+    errors: dict = dataclasses.field(default_factory=dict)  # by quantities
+    basis: str = ""  # what errors were measured against; if it changes, so do they
+
+    @property
+    def has_periods(self):
+        """Only then there are tables."""
+        return self.costs.get("periods", 0) > 0
+
+    def as_json(self):
+        return {"status": self.status, "message": self.message,
+                "errors": dict(sorted(self.errors.items())), "costs": self.costs,
+                "compared with": self.basis}
+
+
+class Folder:
+    """By the parameters of its run it is known whether that is finished."""
+
+    def __init__(self, path, used):
+        self.path, self.used = path, used
+
+    def has_same_scene(self):
+        try:
+            return (self.path / "used.prm").read_text() == self.used
+        except (OSError, ValueError):
+            return False
+
+    def finished(self):
+        """The result of this very run; None if it is not there, or damaged."""
+        if not self.has_same_scene():
+            return None
+        try:
+            kept = json.loads((self.path / "finished.json").read_text())
+            if any((self.path / name).stat().st_size != size
+                   for name, size in kept["files"].items()):
+                return None
+            return Result(kept["status"], kept["message"], kept["costs"],
+                          errors=kept["errors"], basis=kept["compared with"])
+        except (OSError, ValueError, KeyError, AttributeError):
+            return None
+
+    def prepare(self):
+        """Removes what is there, but keeps the results of another scene in a folder
+        of their own."""
+        self.path.mkdir(parents=True, exist_ok=True)
+        # First: from now on the folder is not finished.
+        for name in ("finished.json", STRESS_FILE):
+            (self.path / name).unlink(missing_ok=True)
+        if not (self.path / "used.prm").exists():
+            return  # what is there is no run's
+        results = {path for pattern in RESULTS for path in self.path.glob(pattern)}
+        is_kept = not self.has_same_scene() and any(
+            path.name not in ("log.txt", "used.prm") for path in results)
+        if is_kept:
+            kept = next(kept for number in itertools.count(1) if not
+                        (kept := self.path / f"earlier_{number}").exists())
+            kept.mkdir()
+        for path in results:
+            if is_kept:
+                path.rename(kept / path.name)
+            elif path.is_dir():
+                shutil.rmtree(path)
+            else:
+                path.unlink()
+
+    def compute(self, program, scene, settings, keep_stress):
+        self.prepare()
+        outcome = program.compute(scene, settings, self.path,
+                                  *["--stress-record"] * keep_stress)
+        if outcome.status == "refused":
+            write_file(self.path / "used.prm", self.used)
+        elif not self.has_same_scene():
+            raise CommandError(f"{self.path}/used.prm differs from the scene: did the "
+                               "scene change? Repeat the command.", 4)
+        return Result(**vars(outcome))
+
+    def finish(self, result):
+        files = sorted({path for pattern in NEEDED for path in self.path.glob(pattern)})
+        write_file(self.path / "finished.json", json.dumps(
+            result.as_json() | {"files": {path.name: path.stat().st_size
+                                          for path in files}},
+            indent=2, ensure_ascii=False) + "\n")

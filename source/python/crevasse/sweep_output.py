@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The results of a sweep as sweep.csv, sweep.md and sweep.json, all three written as a
+whole after each point."""
+
+import csv
+import decimal
+import io
+import json
+import math
+
+from crevasse.command import write_file
+from crevasse.program import COSTS
+
+FOR_PEOPLE = {"vi_solves": "VIs", "linear_solves": "linear solves",
+              "factorisations": "factorisations",
+              "rate_evaluations": "rate evaluations", "seconds": "seconds",
+              "seconds_time_stepping": "stepping (s)", "processor_seconds": "CPU (s)"}
+MOST_ERRORS = 3  # in a line
+
+
+class Output:
+    def __init__(self, plan, quantities, title, reference):
+        self.plan, self.quantities = plan, list(quantities)
+        self.title, self.reference = title, reference
+        self.reference_result = None
+        self.results = []  # in the order of the plan
+
+    def write(self, directory):
+        write_file(directory / "sweep.csv", self.csv())
+        write_file(directory / "sweep.md", self.markdown())
+        write_file(directory / "sweep.json",
+                   json.dumps(self.json(), indent=2, ensure_ascii=False) + "\n")
+
+    def error(self, p, quantity):
+        return self.results[p].errors.get(quantity, {}).get("value")
+
+    def predecessor(self, p):
+        """The point before this one along the main axis that has results, alike on
+        the other axes; None if there is none."""
+        def others(point):
+            return point.indices[:axis] + point.indices[axis + 1:]
+        axis, points = self.plan.main_axis, self.plan.points
+        return None if axis is None else next(
+            (q for q in range(p - 1, -1, -1) if others(points[q]) == others(points[p])
+             and self.results[q].has_results), None)
+
+    def order(self, p, quantity):
+        """The p of error ~ number^-p between the predecessor and this point."""
+        before = self.predecessor(p)
+        if before is None:
+            return None
+        errors = self.error(before, quantity), self.error(p, quantity)
+        if not all(errors):
+            return None
+        ends = (self.plan.numbers[self.plan.points[q].indices[self.plan.main_axis]]
+                for q in (p, before))
+        return (-math.log(errors[1] / errors[0])
+                / math.log(next(ends) / next(ends)))
+
+    def csv(self):
+        text = io.StringIO()
+        table = csv.writer(text, lineterminator="\n")
+        table.writerow(["point", *self.plan.parameters, "status",
+                        *(what + quantity for quantity in self.quantities
+                          for what in ("error:", "order:", "instants:")),
+                        *COSTS, "message"])
+        for p, result in enumerate(self.results):
+            cells = []
+            for quantity in self.quantities:
+                cells += [shortest(self.error(p, quantity)),
+                          formatted(self.order(p, quantity), "%.3f"),
+                          result.errors.get(quantity, {}).get("instants", "")]
+            table.writerow([self.plan.points[p].folder, *self.plan.points[p].values,
+                            result.status, *cells,
+                            *(json.dumps(result.costs[name]) if name in result.costs
+                              else "" for name in COSTS),
+                            result.message.replace("\n", " ")])
+        return text.getvalue()
+
+    def json(self):
+        reference = {"description": self.reference}
+        if self.reference_result:
+            reference["costs"] = self.reference_result.costs
+        return {"title": self.title, "parameters": self.plan.parameters,
+                "quantities": self.quantities, "reference": reference,
+                "points": [{"folder": point.folder,
+                            "values": dict(zip(self.plan.parameters, point.values)),
+                            **result.as_json()}
+                           for point, result in zip(self.plan.points, self.results)]}
+
+    def markdown(self):
+        text = f"# {self.title}\n\n{self.reference}"
+        if self.reference_result:
+            text += f" ({costs_in_words(self.reference_result)})"
+        has_orders = self.plan.main_axis is not None
+        header = list(map(self.short_name, self.plan.parameters))
+        for quantity in self.quantities:
+            header += [f"error of {quantity}", *["order"] * has_orders]
+        header += FOR_PEOPLE.values()
+        text += ".\n\n" + row([*header, "status"])
+        text += row(["---:"] * len(header) + ["---"])
+        for p, result in enumerate(self.results):
+            cells = list(self.plan.points[p].values)
+            for quantity in self.quantities:
+                cells.append(formatted(self.error(p, quantity), "%.1e"))
+                if has_orders:
+                    cells.append(formatted(self.order(p, quantity), "%.2f"))
+            text += row([*cells, *(cost(result, name) for name in FOR_PEOPLE),
+                         result.status])
+        return text + "".join(self.notes())
+
+    def notes(self):
+        begin = "\nRemarks:\n\n"
+        for p, result in enumerate(self.results):
+            remarks = [f"{result.status}. " + result.message.replace("\n", " ")
+                       ] if result.message else []
+            remarks += [f"no error of {quantity}, because "
+                        f"{result.errors[quantity]['reason']}."
+                        for quantity in self.quantities
+                        if result.errors.get(quantity, {}).get("reason")]
+            for remark in remarks:
+                yield f"{begin}- {self.values(p)}: {remark}\n"
+                begin = ""
+
+    def short_name(self, parameter):
+        """Without its section, where that is enough."""
+        last = parameter.split("/")[-1]
+        namesakes = [other for other in self.plan.parameters
+                     if other.split("/")[-1] == last]
+        return last if len(namesakes) == 1 else parameter
+
+    def values(self, p):
+        """"Scheme = heun, Steps per period = 20"."""
+        return ", ".join(f"{self.short_name(parameter)} = {value}" for parameter, value
+                         in zip(self.plan.parameters, self.plan.points[p].values))
+
+    def line(self, p):
+        """A point in one line: values, errors, cost."""
+        result = self.results[p]
+        if not result.has_results:
+            return f"{self.values(p)}: {result.status}"
+        errors = [f"{quantity} " + formatted(self.error(p, quantity), "%.1e")
+                  for quantity in self.quantities
+                  if self.error(p, quantity) is not None][:MOST_ERRORS]
+        text = (f"{self.values(p)}: " + ("error of " + ", ".join(errors) if errors
+                                         else "no error")
+                + "; " + costs_in_words(result))
+        return text if result.status == "done" else f"{text}; {result.status}"
+
+
+def shortest(value):
+    """The shortest text that reads back as the same number."""
+    if value is None:
+        return ""
+    digits = decimal.Decimal(repr(value)).normalize()
+    places = len(digits.as_tuple().digits) - 1
+    return min(format(digits, "f"), f"{value:.{places}e}", key=len)
+
+
+def formatted(value, form):
+    return "" if value is None else form % value
+
+
+def row(cells):
+    return "| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ")
+                             for cell in cells) + " |\n"
+
+
+def cost(result, name):
+    value = result.costs.get(name)
+    if isinstance(value, float):
+        return ("%.2g" if value < 10 else "%.1f") % value
+    return "" if value is None else json.dumps(value)
+
+
+def costs_in_words(result):
+    has_contact = cost(result, "vi_solves") != "0"
+    solves = (cost(result, "vi_solves") + " VIs" if has_contact else
+              cost(result, "linear_solves") + " linear solves")
+    return f"{solves}, {cost(result, 'seconds')} s"

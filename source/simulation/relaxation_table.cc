@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/csv_table.h>
+#include <crevasse/base/format.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/contact/sweep.h>
+#include <crevasse/linear/matrix_operator.h>
+#include <crevasse/model/elastic_displacement.h>
+#include <crevasse/model/largest_load.h>
+#include <crevasse/simulation/relaxation_table.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** max |A q − b|, a force. */
+    double
+    residual_norm(const SparseMatrix &matrix, const Vector &q, const Vector &b)
+    {
+      Vector residual(b);
+      multiply(matrix, residual, q);
+      residual -= b;
+      return residual.linfty_norm();
+    }
+
+
+
+    /** The vector with its entries rounded to 27 bits of mantissa. */
+    Vector
+    in_single_precision_of_1980(Vector vector)
+    {
+      for (double &value : vector)
+        {
+          int          exponent;
+          const double mantissa = std::frexp(value, &exponent);
+          value =
+            std::ldexp(std::round(std::ldexp(mantissa, 27)), exponent - 27);
+        }
+      return vector;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  write_relaxation_table(Workspace<dim> &work)
+  {
+    const Scene        &scene  = work.setup.scene;
+    const Body<dim>    &body   = work.setup.body;
+    Log                &log    = work.output.log;
+    const SparseMatrix &matrix = work.systems.system_at(0.).problem().matrix();
+    const Vector        loads =
+      loads_at(body, instant_of_largest_load(body, work.steps));
+    const double largest = loads.linfty_norm();
+    if (largest == 0.)
+      throw SceneError(
+        "[Contact] Relaxation table: nothing is loaded, so that "
+        "there is nothing to iterate for. Set [Loads] or leave "
+        "the table empty.");
+    const Vector direct =
+      elastic_displacement(scene, body, work.systems, loads, false);
+    const double target = residual_norm(matrix, direct, loads);
+    const double target_1980 =
+      residual_norm(matrix, in_single_precision_of_1980(direct), loads);
+
+    const UnilateralBounds none;
+    const SignoriniProblem problem(matrix, none);
+    const Sweep            sweep(problem);
+    const unsigned int     most = scene.contact.maximum_iterations;
+    const double           best = sweep.best_factor(loads, target_1980, most);
+    std::vector<double>    factors = scene.contact.relaxation_table;
+    factors.push_back(best);
+    std::sort(factors.begin(), factors.end());
+
+    log.line("");
+    log.line(
+      Text::format("  SOR without constraints: iterations to the direct "
+                   "solver's residual, %.2e of the largest load",
+                   target / largest));
+    log.line(
+      Text::format("  (27 bits: to that of its solution with a mantissa of 27 "
+                   "bits, %.2e)",
+                   target_1980 / largest));
+    log.line("      factor    iterations       27 bits");
+    const bool is_first_rank =
+      Utilities::MPI::this_mpi_process(body.space.communicator()) == 0;
+    CsvTable csv(is_first_rank ? work.output.directory + "/relaxation.csv" : "",
+                 {"relaxation_factor", "iterations", "iterations_27_bits"});
+    for (const double factor : factors)
+      {
+        std::string         line = Text::format("  %10.4f", factor);
+        std::vector<double> row  = {factor};
+        for (const double goal : {target, target_1980})
+          {
+            const SorCount count =
+              sweep.count_iterations(loads, factor, goal, most);
+            const std::string text =
+              (count.reached ? "" : "> ") + std::to_string(count.iterations);
+            line += Text::format("  %12s", text.c_str());
+            row.push_back(count.reached ? count.iterations : std::nan(""));
+          }
+        log.line(line + (factor == best ? "  (best, by dichotomy)" : ""));
+        csv.add_row(row);
+      }
+  }
+
+
+
+  template void
+  write_relaxation_table(Workspace<2> &);
+  template void
+  write_relaxation_table(Workspace<3> &);
+} // namespace Crevasse
