@@ -324,7 +324,7 @@ namespace Crevasse
     const double value = gap.value(point);
     if (value > rounding)
       throw SceneError("[Boundary] Gap = " + gap.formula() + ": is " +
-                       Text::from_number(value) + " at " +
+                       Text::from_number(value, 6) + " at " +
                        Text::from_point(point) +
                        "; it must be at most 0 (an initial opening is "
                        "negative).");
