@@ -191,7 +191,7 @@ namespace Crevasse
                                                       "fourier"}};
     static constexpr const char           *meaning =
       "Viscous strain with which \"march\" and \"anderson\" begin: \"rest\" is "
-      "none, \"fourier\" that of the direct method.";
+      "none, \"fourier\" that of harmonic balance.";
   };
 
   enum class SecularSplitType

@@ -48,7 +48,7 @@ namespace Crevasse
   };
 
   /**
-   * What the scene says; "automatic" takes the direct method where nothing but
+   * What the scene says; "automatic" takes harmonic balance where nothing but
    * the loads depends on time, as a start for schemes other than its own, and
    * else Anderson's acceleration, unless r may flow in an unknown way.
    * Collective.
