@@ -125,8 +125,9 @@ for name, events in itertools.product(("arkode explicit", "arkode implicit"),
     print("  with events" if events else "  without events")
     quotients = table(CONTACT + events, name, 4, TOLERANCES[:3], reference,
                       scale, cost)
-    # The estimate of the implicit pair does not see all of a kink.
-    most = 20 if name == "arkode implicit" and not events else 10
+    # The estimate of the implicit pair does not see all of a kink. At 1e-3 its
+    # error with events is up to 12 tolerances, depending on the processor.
+    most = 20 if name == "arkode implicit" else 10
     check(max(quotients) < most, f"contact, {name}: {quotients}")
 print("  order 5 does not see the kinks: only with events")
 quotients = table(CONTACT + EVENTS, "arkode explicit", 5, TOLERANCES[:4],
