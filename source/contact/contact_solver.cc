@@ -101,9 +101,10 @@ namespace Crevasse
                  "body that flows far [Periodic state] Secular split = on "
                  "takes the mean away.";
     else
-      message << " If the iterations are as many as [Contact] Maximum "
-                 "iterations, raise it; otherwise try another [Contact] Solver "
-                 "or [Linear solver] Type (\"amg\" and \"gmg\" round least; "
+      message << " If \"projected sor\" or \"active set\" took as many "
+                 "iterations as [Contact] Maximum iterations allows, raise it; "
+                 "otherwise try another [Contact] Solver or [Linear solver] "
+                 "Type (\"amg\" and \"gmg\" round least; "
                  "they know no singular functions), or a larger [Contact] "
                  "Tolerance.";
     throw NumericalError(message.str());

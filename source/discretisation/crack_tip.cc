@@ -5,7 +5,6 @@
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/crack_tip.h>
 
-#include <cmath>
 #include <map>
 #include <utility>
 

@@ -10,7 +10,6 @@
 #include <crevasse/parameters/formulas.h>
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <unordered_map>
 

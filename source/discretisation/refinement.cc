@@ -11,7 +11,6 @@
 #include <deal.II/fe/fe_system.h>
 
 #include <algorithm>
-#include <set>
 #include <string>
 
 namespace Crevasse

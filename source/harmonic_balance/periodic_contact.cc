@@ -217,15 +217,17 @@ namespace Crevasse
 
     /** Proximal points g_k, where w = w⁰ + S ∗ g + c + D (g − g_{k−1}) with a
      * number D that falls, or rises where sets come back for it too: their sets
-     * lead to that of the solution. */
-    void
+     * lead to that of the solution.
+     * @return whether it was found. */
+    bool
     approach(const double             tolerance,
              PeriodicSystem          &system,
              PeriodicState           &state,
              PeriodicContactSolution &statistics)
     {
       constexpr double       first_shift = 0.1, factor = 0.1;
-      constexpr unsigned int most_steps = 100, most_sets = 15, most_at_end = 5;
+      constexpr unsigned int most_steps = 100, most_sets = 15, most_at_end = 5,
+                             most_sets_in_all = 300;
       double shift = first_shift * state.convolution.largest_compliance;
       Set    set   = first_set(state);
       for (unsigned int k = 0; k < state.forces.size(); ++k)
@@ -236,7 +238,8 @@ namespace Crevasse
         state.shift = with;
         return find_set(sets, tolerance, system, state, set, statistics.n_sets);
       };
-      while (statistics.n_proximal_steps < most_steps)
+      while (statistics.n_proximal_steps < most_steps &&
+             statistics.n_sets < most_sets_in_all)
         {
           ++statistics.n_proximal_steps;
           Set next = set;
@@ -252,9 +255,10 @@ namespace Crevasse
               next = set;
             }
           if (solves(0., most_at_end, next))
-            return;
+            return true;
           state.forces = state.centre;
         }
+      return false;
     }
 
 
@@ -302,6 +306,7 @@ namespace Crevasse
     PeriodicSystem            system(convolution, options);
     PeriodicState             state(problem, convolution);
     PeriodicContactSolution   solution;
+    bool                      is_solved = true;
     if (N == 1)
       {
         // Nothing varies: the mean itself, and closed.
@@ -313,17 +318,17 @@ namespace Crevasse
       {
         constexpr unsigned int most_sets = 15;
         Set                    set       = first_set(state);
-        if (!find_set(most_sets,
-                      options.tolerance,
-                      system,
-                      state,
-                      set,
-                      solution.n_sets))
-          approach(options.tolerance, system, state, solution);
+        is_solved = find_set(most_sets,
+                             options.tolerance,
+                             system,
+                             state,
+                             set,
+                             solution.n_sets) ||
+                    approach(options.tolerance, system, state, solution);
       }
     solution.n_gmres_iterations = system.n_iterations;
     solution.certificate        = state.certify();
-    if (solution.certificate.worst() > options.tolerance)
+    if (!is_solved || solution.certificate.worst() > options.tolerance)
       {
         std::ostringstream message;
         message << "The contact problem of the periodic motion was not solved "

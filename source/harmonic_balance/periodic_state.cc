@@ -86,7 +86,8 @@ namespace Crevasse
     const double force = force_scale(), length = opening_scale();
     const double opening = length > 0. ? length : 1.;
     const auto   enlarge = [](double &largest, const double value) {
-      if (!(value <= largest)) // also what is not a number
+      // What is not a number stays.
+      if (!std::isnan(largest) && !(value <= largest))
         largest = value;
     };
     PeriodicContactCertificate result;

@@ -2,16 +2,13 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/collectively.h>
-#include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/contact/sweep.h>
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/linear_choice.h>
 
-#include <deal.II/base/utilities.h>
 
-#include <algorithm>
 
 namespace Crevasse
 {

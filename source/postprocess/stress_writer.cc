@@ -10,7 +10,6 @@
 #include <deal.II/grid/cell_id.h>
 
 #include <cstdint>
-#include <cstdio>
 #include <fstream>
 
 namespace Crevasse

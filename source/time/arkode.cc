@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
+#include <crevasse/base/text.h>
 #include <crevasse/time/arkode.h>
 #include <crevasse/time/arkode_driver.h>
 
@@ -228,8 +230,16 @@ namespace Crevasse
       Vector
       tolerances(const RateEquation &f, const Vector &r)
       {
-        double stress = parameters.relative_tolerance * f.stress_scale() +
-                        parameters.absolute_tolerance;
+        const double scale = f.stress_scale();
+        double       stress =
+          parameters.relative_tolerance * scale + parameters.absolute_tolerance;
+        constexpr double rounding = 1e-13;
+        if (stress < rounding * scale)
+          throw NumericalError(
+            "[Time integration] Relative tolerance = " +
+            Text::from_number(parameters.relative_tolerance) +
+            " is below what rounding leaves of the stress. Set it, or "
+            "Absolute tolerance, to at least 1e-13 times the largest stress.");
         if (stress == 0.) // No load at all: any will do.
           stress = 1.;
         Vector result;

@@ -14,7 +14,6 @@
 #include <deal.II/matrix_free/matrix_free.h>
 
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <variant>
 
