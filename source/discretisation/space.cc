@@ -253,16 +253,25 @@ namespace Crevasse
   std::shared_ptr<const MatrixFree<dim, double>>
   Space<dim>::matrix_free() const
   {
-    Assert(shapes == nullptr, ExcNotImplemented());
     if (cell_loops == nullptr)
       {
         typename MatrixFree<dim, double>::AdditionalData data;
         data.mapping_update_flags = update_gradients | update_JxW_values;
         data.tasks_parallel_scheme =
           MatrixFree<dim, double>::AdditionalData::none;
+        if (shapes != nullptr)
+          {
+            data.cell_vectorization_categories_strict = true;
+            for (const auto &cell : triangulation->active_cell_iterators())
+              data.cell_vectorization_category.push_back(
+                cell->is_locally_owned() && rule(cell) != 0 ? 1 : 0);
+          }
         auto loops = std::make_shared<MatrixFree<dim, double>>();
-        loops->reinit(
-          q1_mapping, dofs, affine_constraints, QGauss<1>(fe.degree + 1), data);
+        loops->reinit(q1_mapping,
+                      dofs,
+                      affine_constraints,
+                      QGauss<1>(fe.degree + (shapes == nullptr ? 1 : 2)),
+                      data);
         cell_loops = std::move(loops);
       }
     return cell_loops;

@@ -225,8 +225,9 @@ namespace Crevasse
     }
 
     /** For loops over the cells, with gradients of displacements at the points
-     * of the rule; made when it is first asked for, and shared. Not with
-     * singular functions. Collective. */
+     * of the rule; made when it is first asked for, and shared. Cells with
+     * another rule than the first have the category 1 and batches of their own,
+     * to be passed over. Collective. */
     std::shared_ptr<const dealii::MatrixFree<dim, double>>
     matrix_free() const;
 
