@@ -217,7 +217,7 @@ namespace
                     << '\n';
         return done;
       }
-    catch (const SceneError &error)
+    catch (const std::exception &error) // also of a T that is no number
       {
         std::cerr << error.what() << std::endl;
         return bad_input;

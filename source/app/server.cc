@@ -30,8 +30,13 @@ namespace Crevasse
              const char *name,
              const int   flags)
     {
-      const std::string file = request.value(name, "/dev/null");
-      dup2(open(file.c_str(), flags), descriptor);
+      const std::string file   = request.value(name, "/dev/null");
+      const int         opened = open(file.c_str(), flags);
+      if (opened < 0 || dup2(opened, descriptor) < 0)
+        {
+          std::cerr << "Cannot open " << file << std::endl;
+          std::_Exit(file_failure);
+        }
     }
 
 
@@ -81,16 +86,39 @@ namespace Crevasse
 
     /** A process for each run waits for it. */
     [[noreturn]] void
-    watch(const Json &request, const Program program)
+    watch(const std::string &line, const Program program)
     {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       std::signal(SIGCHLD, SIG_DFL);
-      const Json  id    = request.at("id");
+      Json       request, id;
+      const auto refuse = [](const Json::exception &error) {
+        std::cerr << "crevasse serve: " << error.what() << std::endl;
+      };
+      try
+        {
+          request = Json::parse(line);
+          id      = request.at("id");
+        }
+      catch (const Json::exception &error)
+        {
+          refuse(error);
+          answer({{"id", nullptr}, {"status", bad_input}, {"cpu", 0.}});
+          std::_Exit(bad_input);
+        }
       const pid_t child = fork();
       if (child == 0)
-        run(request, program);
+        try
+          {
+            run(request, program);
+          }
+        catch (const Json::exception &error)
+          {
+            refuse(error);
+            std::_Exit(bad_input);
+          }
 
-      answer({{"id", id}, {"process", child}});
+      if (child > 0)
+        answer({{"id", id}, {"process", child}});
       int    status = W_EXITCODE(file_failure, 0); // if there is no child
       rusage usage  = {};
       wait4(child, &status, 0, &usage);
@@ -116,7 +144,7 @@ namespace Crevasse
       {
         const pid_t child = fork();
         if (child == 0)
-          watch(Json::parse(line), program);
+          watch(line, program);
         if (child < 0)
           return file_failure;
       }
@@ -131,7 +159,8 @@ namespace Crevasse
     int requests[2], answers[2];
     if (pipe(requests) != 0 || pipe(answers) != 0)
       return;
-    if (fork() == 0)
+    const pid_t child = fork();
+    if (child == 0)
       {
         dup2(requests[0], STDIN_FILENO);
         dup2(answers[1], STDOUT_FILENO);
@@ -141,6 +170,12 @@ namespace Crevasse
       }
     close(requests[0]);
     close(answers[1]);
+    if (child < 0)
+      {
+        close(requests[1]);
+        close(answers[0]);
+        return;
+      }
     setenv(
       "CREVASSE_SERVER",
       (std::to_string(requests[1]) + ',' + std::to_string(answers[0])).c_str(),

@@ -186,13 +186,15 @@ namespace Crevasse
                            const std::vector<std::string> &tables) const
   {
     const std::string folder = new_name(manifest.number);
-    for (const auto &file : fs::directory_iterator(folder))
+    std::error_code   error;
+    for (fs::directory_iterator file(folder, error), end; !error && file != end;
+         file.increment(error))
       {
-        const std::string name = file.path().string();
+        const std::string name = file->path().string();
         write_through(name);
-        manifest.files[file.path().filename().string()] = check_file(name);
+        manifest.files[file->path().filename().string()] = check_file(name);
       }
-    std::error_code error;
+    throw_if(error, "Cannot list " + folder);
     for (const std::string &table : tables)
       {
         // One that somebody has removed is left out.

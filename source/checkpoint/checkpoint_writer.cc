@@ -93,9 +93,10 @@ namespace Crevasse
     CommonArchive common(communicator);
     checkpoints.first_part(common);
     header(common);
-    FieldArchive<dim> archive(std::move(common), body);
+    FieldArchive<dim> archive(std::move(common), body, bytes_of_cells);
     serialize_parts(archive);
     archive.section("end");
+    bytes_of_cells = archive.bytes_of_cells();
 
     const CheckpointFolder &folder = checkpoints.all;
     CheckpointManifest      manifest;
@@ -103,7 +104,7 @@ namespace Crevasse
     manifest.step           = step;
     manifest.ranks          = Utilities::MPI::n_mpi_processes(communicator);
     manifest.scene          = checkpoints.parameters;
-    const std::size_t bytes = archive.bytes_of_fields();
+    const std::size_t bytes = archive.bytes_to_save();
     try
       {
         on_first([&]() { manifest.number = folder.begin(bytes); });

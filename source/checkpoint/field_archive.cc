@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
 #include <crevasse/checkpoint/field_archive.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <cstring>
+#include <filesystem>
 
 namespace Crevasse
 {
@@ -20,19 +23,47 @@ namespace Crevasse
     {
       return const_cast<Mesh<dim> &>(body.space.mesh());
     }
+
+
+
+    /** On the first rank. @throw FileError if a file is not there or too small.
+     */
+    void
+    require_files(const std::string &file_name, const std::size_t bytes)
+    {
+      for (const char *suffix : {"", ".info", "_fixed.data", "_variable.data"})
+        {
+          const std::string name = file_name + suffix;
+          std::error_code   error;
+          const std::size_t found = std::filesystem::file_size(name, error);
+          if (error)
+            throw FileError("Cannot read " + name + " (" + error.message() +
+                            ").");
+          if (found == 0 ||
+              (name == file_name + "_variable.data" && found < bytes))
+            throw FileError(name + " was not written as a whole.");
+        }
+    }
   } // namespace
 
 
 
   template <int dim>
-  FieldArchive<dim>::FieldArchive(CommonArchive &&common, const Body<dim> &body)
+  FieldArchive<dim>::FieldArchive(CommonArchive                 &&common,
+                                  const Body<dim>                &body,
+                                  const std::vector<std::size_t> &expected)
     : CommonArchive(std::move(common))
     , body(body)
     , of_cells(body.space.mesh().n_active_cells())
     , bounds(unilateral_bounds(body.lip, body.space))
   {
     if (!is_loading())
-      return;
+      {
+        if (expected.size() == of_cells.size())
+          for (std::size_t i = 0; i < expected.size(); ++i)
+            of_cells[i].bytes.reserve(expected[i]);
+        return;
+      }
     const unsigned int handle = mesh_of(body).register_data_attach(
       [](const auto &, const auto) { return std::vector<char>(); }, true);
     mesh_of(body).notify_ready_to_unpack(
@@ -48,6 +79,7 @@ namespace Crevasse
   void
   FieldArchive<dim>::save_fields(const std::string &file_name)
   {
+    const std::size_t bytes = bytes_of_fields();
     mesh_of(body).register_data_attach(
       [this](const auto &cell, const auto) {
         return std::move(of_cells[cell->active_cell_index()].bytes);
@@ -57,6 +89,10 @@ namespace Crevasse
     // p4est's ranks write one after the other: until then it is not whole.
     const int error = MPI_Barrier(communicator());
     AssertThrowMPI(error);
+    collectively(communicator(), [&]() {
+      if (Utilities::MPI::this_mpi_process(communicator()) == 0)
+        require_files(file_name, bytes);
+    });
   }
 
 
@@ -65,12 +101,34 @@ namespace Crevasse
   std::size_t
   FieldArchive<dim>::bytes_of_fields() const
   {
-    constexpr std::size_t bytes_of_file = 1 << 20, bytes_of_cell = 500;
-    std::size_t           bytes = bytes_of_file;
-    for_each_cell([&](const Cell &cell) {
-      bytes += bytes_of_cell + of_cells[cell->active_cell_index()].bytes.size();
-    });
+    std::size_t bytes = 0;
+    for (const CellData &cell : of_cells)
+      bytes += cell.bytes.size();
     return Utilities::MPI::sum(bytes, communicator());
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  FieldArchive<dim>::bytes_to_save() const
+  {
+    constexpr std::size_t bytes_of_rank = 1 << 20, bytes_of_cell = 500;
+    return bytes_of_fields() +
+           bytes_of_rank * Utilities::MPI::n_mpi_processes(communicator()) +
+           bytes_of_cell * body.space.mesh().n_global_active_cells();
+  }
+
+
+
+  template <int dim>
+  std::vector<std::size_t>
+  FieldArchive<dim>::bytes_of_cells() const
+  {
+    std::vector<std::size_t> bytes;
+    for (const CellData &cell : of_cells)
+      bytes.push_back(cell.bytes.size());
+    return bytes;
   }
 
 

@@ -318,7 +318,7 @@ namespace Crevasse
       {
         constexpr unsigned int most_sets = 15;
         Set                    set       = first_set(state);
-        is_solved = find_set(most_sets,
+        is_solved                        = find_set(most_sets,
                              options.tolerance,
                              system,
                              state,

@@ -26,7 +26,8 @@ namespace Crevasse
    *   {"id": 1, "process": 4711}
    *   {"id": 1, "status": 0, "cpu": 0.05}
    * where a status below zero is minus the number of the signal that ended it.
-   * The end of the input ends all runs. Called before MPI starts.
+   * A request that cannot be read is answered with the id null and the
+   * status 2. The end of the input ends all runs. Called before MPI starts.
    */
   int
   serve(const Program program);

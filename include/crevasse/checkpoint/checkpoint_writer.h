@@ -52,6 +52,7 @@ namespace Crevasse
     const Body<dim>             &body;
     const unsigned int           last_period;
     const Checkpoints::Serialize header;
+    std::vector<std::size_t>     bytes_of_cells; ///< in the last checkpoint
   };
 } // namespace Crevasse
 

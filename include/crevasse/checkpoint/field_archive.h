@@ -26,17 +26,28 @@ namespace Crevasse
      *
      * @param common in which all before has been written, or read: then the
      * mesh of the body has been loaded from the file of save_fields().
-     * @param body must outlive this object. */
-    FieldArchive(CommonArchive &&common, const Body<dim> &body);
+     * @param body must outlive this object.
+     * @param expected bytes_of_cells() of an earlier one, if any: what grows
+     * instead takes up to twice the memory. */
+    FieldArchive(CommonArchive                 &&common,
+                 const Body<dim>                &body,
+                 const std::vector<std::size_t> &expected = {});
 
     /** Writes the mesh and all fields, after which they are gone: see
-     * Triangulation::save(). Collective. */
+     * Triangulation::save(). Collective.
+     * @throw FileError if files are not whole; deal.II's exceptions if one
+     * cannot be written, after which the run cannot go on. */
     void
     save_fields(const std::string &file_name);
 
     /** Not less than save_fields() writes, of all ranks. Collective. */
     std::size_t
-    bytes_of_fields() const;
+    bytes_to_save() const;
+
+    /** Of the fields of each cell, by active cell index; before they are
+     * saved. */
+    std::vector<std::size_t>
+    bytes_of_cells() const;
 
     void
     nodal(Vector &field) override;
@@ -56,6 +67,10 @@ namespace Crevasse
       std::vector<char> bytes;
       std::size_t       next = 0; ///< to be read
     };
+
+    /** Of all ranks. Collective. */
+    std::size_t
+    bytes_of_fields() const;
 
     /** Whether there is anything, on any rank. */
     bool

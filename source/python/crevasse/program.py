@@ -102,6 +102,8 @@ class Server:
                 raise CommandError("the process that runs the scenes has ended.", 4)
             *lines, self.rest = (self.rest + part).split(b"\n")
             for answer in map(json.loads, lines):
+                if answer["id"] is None:
+                    raise CommandError("a request to run a scene cannot be read.", 2)
                 if "process" in answer:
                     self.calls[answer["id"]].process = answer["process"]
                 else:
