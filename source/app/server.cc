@@ -91,7 +91,7 @@ namespace Crevasse
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       std::signal(SIGCHLD, SIG_DFL);
       Json       request, id;
-      const auto refuse = [](const Json::exception &error) {
+      const auto report = [](const Json::exception &error) {
         std::cerr << "crevasse serve: " << error.what() << std::endl;
       };
       try
@@ -101,7 +101,7 @@ namespace Crevasse
         }
       catch (const Json::exception &error)
         {
-          refuse(error);
+          report(error);
           answer({{"id", nullptr}, {"status", bad_input}, {"cpu", 0.}});
           std::_Exit(bad_input);
         }
@@ -113,7 +113,7 @@ namespace Crevasse
           }
         catch (const Json::exception &error)
           {
-            refuse(error);
+            report(error);
             std::_Exit(bad_input);
           }
 

@@ -27,8 +27,8 @@ namespace Crevasse
      * @param common in which all before has been written, or read: then the
      * mesh of the body has been loaded from the file of save_fields().
      * @param body must outlive this object.
-     * @param expected bytes_of_cells() of an earlier one, if any: what grows
-     * instead takes up to twice the memory. */
+     * @param expected bytes_of_cells() of an earlier one, if any: growing
+     * vectors need up to twice the memory. */
     FieldArchive(CommonArchive                 &&common,
                  const Body<dim>                &body,
                  const std::vector<std::size_t> &expected = {});
