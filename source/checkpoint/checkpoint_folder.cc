@@ -192,7 +192,10 @@ namespace Crevasse
       {
         const std::string name = file->path().string();
         write_through(name);
-        manifest.files[file->path().filename().string()] = check_file(name);
+        const FileCheck check = check_file(name);
+        if (check.first != file->file_size(error) && !error)
+          throw FileError("Cannot read " + name + " back as a whole.");
+        manifest.files[file->path().filename().string()] = check;
       }
     throw_if(error, "Cannot list " + folder);
     for (const std::string &table : tables)

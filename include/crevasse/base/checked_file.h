@@ -14,7 +14,7 @@ namespace Crevasse
   /** Size in bytes and checksum (CRC-32) of a file. */
   using FileCheck = std::pair<std::size_t, std::uint32_t>;
 
-  /** @throw FileError if it cannot be read. */
+  /** Of as much as can be read. @throw FileError if it cannot be opened. */
   FileCheck
   check_file(const std::string &name);
 

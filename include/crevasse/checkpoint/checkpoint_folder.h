@@ -82,7 +82,7 @@ namespace Crevasse
      *
      * @param[out] warnings about those that are damaged.
      * @throw FileError if another version of the program wrote it, or if a file
-     * that is there cannot be read. */
+     * that is there cannot be opened. */
     std::optional<CheckpointManifest>
     newest(std::vector<std::string> &warnings) const;
 
