@@ -4,14 +4,12 @@
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/assignments.h>
 #include <crevasse/parameters/catalogue.h>
+#include <crevasse/parameters/physical_names.h>
 #include <crevasse/parameters/scene_file.h>
 #include <crevasse/temperature/temperature.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iomanip>
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -185,74 +183,6 @@ namespace Crevasse
 
 
 
-    using Names = std::map<std::string, unsigned int>;
-
-
-
-    /** The physical groups of one dimension that have a name. The section is
-     * text in binary files too, and stands before the nodes. */
-    Names
-    physical_names(const std::string &file_name, const unsigned int dim)
-    {
-      std::ifstream file(file_name);
-      std::string   line;
-      while (line != "$PhysicalNames" && line != "$Nodes" &&
-             std::getline(file, line))
-        line = Text::squeeze(line);
-      Names        names;
-      unsigned int n = 0, group_dim = 0, number = 0;
-      if (line == "$PhysicalNames")
-        file >> n;
-      std::string name;
-      for (unsigned int i = 0;
-           i < n && file >> group_dim >> number >> std::quoted(name);
-           ++i)
-        if (group_dim == dim)
-          names[Text::squeeze(name)] = number;
-      return names;
-    }
-
-
-
-    /** Replaces the names of physical groups by their numbers, which stand at
-     * the beginning of a Gmsh file. A name that the file has not is reported,
-     * with those that it has. */
-    void
-    replace_boundary_names(Scene &scene, Problems &problems)
-    {
-      if (scene.geometry.shape != Shape::mesh_file ||
-          Text::suffix(scene.geometry.mesh_file) != ".msh")
-        return;
-      const Names names =
-        physical_names(scene.geometry.mesh_file, scene.dimension - 1);
-      std::vector<std::string> known;
-      for (const auto &[name, number] : names)
-        known.push_back('"' + name + "\" (" + std::to_string(number) + ')');
-
-      for (const BoundaryRole &role : boundary_role_table)
-        {
-          Parsed<BoundaryList> &list = scene.boundary.*role.list;
-          if (!list.is_valid() || list->names.empty())
-            continue;
-          std::vector<std::string> ids;
-          for (const auto id : list->ids)
-            ids.push_back(std::to_string(id));
-          for (const std::string &name : list->names)
-            if (const auto group = names.find(name); group != names.end())
-              ids.push_back(std::to_string(group->second));
-            else
-              problems.add(BoundaryParameters::section,
-                           role.name,
-                           "the mesh file has no boundary named \"" +
-                             Text::shorten(name) + "\"; its names: " +
-                             (known.empty() ? "none"
-                                            : Text::join(known, ", ")));
-          list = ids.empty() ? "none" : Text::join(ids, ", ");
-        }
-    }
-
-
-
     /** A bar would end the cell of a table. */
     std::string
     in_cell(const std::string &text)
@@ -325,6 +255,8 @@ namespace Crevasse
                    scene.loads.temperature.text(),
                    prm);
     replace_boundary_names(scene, problems);
+    for (const auto &[name, text] : named_materials(scene, prm, problems))
+      set(MaterialParameters::section, name, text, prm);
     return scene;
   }
 

@@ -107,6 +107,25 @@ def test_names():
               == (numbers.directory / "probe_inside.csv").read_bytes(), "mixed")
 
 
+def test_names_of_materials():
+    scene = READ.format(mesh=MESHES / "edge_crack_4.msh")
+    runs = [run(scene, f"material_{i}",
+                [f"Material/Relaxation time=if(material == {material}, 60, 1)"])
+            for i, material in enumerate(("10", '"body"'))]
+    check(runs[0].directory.joinpath("probe_lip.csv").read_bytes()
+          == runs[1].directory.joinpath("probe_lip.csv").read_bytes(), "by name")
+    unknown = 'Material/Young modulus=if(material == "blade", 2, 1)'
+    for settings, message in (
+            ([], 'the mesh file has no material named "blade"; its names: '
+                 '"body" (10)'),
+            (["Geometry/Shape=edge crack"],
+             "names of materials are those of physical groups of a Gmsh file")):
+        words = [word for text in (unknown, *settings) for word in ("--set", text)]
+        status, _, error = execute("--check", runs[0].directory / "used.prm", *words)
+        check(status == 2 and error.count("[Material]") == 1 and message in error,
+              f"exit status {status}\n{error}")
+
+
 def test_where_it_is_looked_for():
     """Next to the scene file first, then in the working directory."""
     mesh = "edge_crack_2.msh"
@@ -143,5 +162,6 @@ def test_used_parameters():
 
 test_formats()
 test_names()
+test_names_of_materials()
 test_where_it_is_looked_for()
 test_used_parameters()
