@@ -22,6 +22,7 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
@@ -175,7 +176,7 @@ namespace
 
   /** Those of the scene, if there is one, or else the defaults. */
   void
-  show_parameters(const Command &command)
+  print_parameters_of(const Command &command)
   {
     std::ostringstream text;
     if (command.scene_file.empty())
@@ -195,6 +196,28 @@ namespace
     std::cout << text.str() << std::flush;
     if (!std::cout)
       throw FileError("Cannot write to the standard output.");
+  }
+
+
+
+  /** Without MPI, whose start takes longer than this: a sweep asks for each of
+   * its points. Of the processes of mpirun the first one answers. */
+  int
+  show_parameters(const Command &command)
+  {
+    const char *rank = std::getenv("OMPI_COMM_WORLD_RANK");
+    if (rank != nullptr && std::string(rank) != "0")
+      return done;
+    try
+      {
+        print_parameters_of(command);
+        return done;
+      }
+    catch (const std::exception &error)
+      {
+        std::cerr << "crevasse: " << error.what() << std::endl;
+        return exit_status_of(error);
+      }
   }
 
 
@@ -238,10 +261,7 @@ namespace
     try
       {
         StopRequests requests(MPI_COMM_WORLD, command.wall_time);
-        if (command.print_format.empty())
-          read_and_run_scene(command, requests, log);
-        else if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-          show_parameters(command);
+        read_and_run_scene(command, requests, log);
       }
     catch (const StoppedOnRequest &request)
       {
@@ -295,6 +315,8 @@ namespace
     const Command command = parse_command_line(argc, argv);
     if (command.exit)
       return command.status;
+    if (!command.print_format.empty())
+      return show_parameters(command);
 
     // PETSc, with which deal.II may start, takes options for its own and tells
     // at the end which it has not used: it gets the name of the program alone.

@@ -14,18 +14,6 @@ namespace Crevasse
 {
   namespace
   {
-    int
-    status_of(const std::exception &error)
-    {
-      if (dynamic_cast<const SceneError *>(&error) != nullptr)
-        return bad_input;
-      if (dynamic_cast<const FileError *>(&error) != nullptr)
-        return file_failure;
-      return numerical_failure;
-    }
-
-
-
     /** Whether all ranks come here within some seconds; an error that one rank
      * alone has leaves the others waiting elsewhere. */
     bool
@@ -51,12 +39,24 @@ namespace Crevasse
 
 
   int
+  exit_status_of(const std::exception &error)
+  {
+    if (dynamic_cast<const SceneError *>(&error) != nullptr)
+      return bad_input;
+    if (dynamic_cast<const FileError *>(&error) != nullptr)
+      return file_failure;
+    return numerical_failure;
+  }
+
+
+
+  int
   report_failure(const std::exception &error,
                  const MPI_Comm        communicator,
                  Log                  &log)
   {
     const std::string message = std::string("crevasse: ") + error.what();
-    const int         status  = status_of(error);
+    const int         status  = exit_status_of(error);
     log.error(message);
 
     int n_ranks, rank;

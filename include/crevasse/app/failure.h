@@ -10,10 +10,14 @@
 
 namespace Crevasse
 {
+  /** Of the program that ends by this exception: 2 for SceneError, 4 for
+   * FileError, 3 for the rest. */
+  int
+  exit_status_of(const std::exception &error);
+
   /**
-   * The end of a run by an exception: writes its message and returns the exit
-   * status of its kind (see interface: 2 for SceneError, 4 for FileError, 3 for
-   * the rest).
+   * The end of a run by an exception: writes its message and returns its exit
+   * status.
    *
    * Most errors are thrown on all ranks at once. If this rank alone has one, as
    * when the first one cannot write a table, the others wait for it in some
