@@ -33,16 +33,15 @@ namespace Crevasse
     // by rounding only changed them too.
     const double noise =
       100. * std::numeric_limits<double>::epsilon() * w_0.linfty_norm();
-    dealii::Vector<double> w(n);
-    std::set<Set>          seen;
-    bool                   one_by_one = false;
+    std::set<Set> seen;
+    bool          one_by_one = false;
     for (unsigned int n_sets = 1;; ++n_sets)
       {
         forces_that_close(w_0, forces);
-        w = w_0; // + S g
+        openings = w_0; // + S g
         for (const unsigned int j : active)
-          w.add(forces(j), columns[j]);
-        Set next = next_set(forces, w, one_by_one ? noise : 0.);
+          openings.add(forces(j), columns[j]);
+        Set next = next_set(forces, openings, one_by_one ? noise : 0.);
         if (next == active)
           return n_sets;
         if (n_sets > 100 * (n + 10))
@@ -169,12 +168,12 @@ namespace Crevasse
       return;
     if (active != factored_set)
       factorise();
-    dealii::Vector<double> right(active.size());
+    on_set.reinit(active.size(), true);
     for (unsigned int i = 0; i < active.size(); ++i)
-      right(i) = -w_0(active[i]);
-    factor.solve(right);
+      on_set(i) = -w_0(active[i]);
+    factor.solve(on_set);
     for (unsigned int i = 0; i < active.size(); ++i)
-      forces(active[i]) = right(i);
+      forces(active[i]) = on_set(i);
   }
 
 

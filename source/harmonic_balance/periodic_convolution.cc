@@ -59,6 +59,8 @@ namespace Crevasse
     , n_instants(n_instants)
     , compliances(compliances)
     , transforms(std::make_unique<Transforms>(n_instants, n_nodes))
+    , harmonic(n_nodes)
+    , response(n_nodes)
   {
     AssertDimension(compliances.size(), n_instants / 2);
     for (const auto &[matrix, factor] : compliances)
@@ -89,17 +91,17 @@ namespace Crevasse
     std::copy(function.begin(), function.end(), transforms->values.begin());
     fftw_execute(transforms->forward);
     std::fill_n(transforms->harmonics.begin(), p, Complex(0.));
-    dealii::Vector<Complex> before(p), after(p);
     for (unsigned int n = 1; n <= n_instants / 2; ++n)
       {
         const auto &[matrix, factor] = compliances[n - 1];
-        const auto harmonic          = transforms->harmonics.begin() + n * p;
-        std::copy_n(harmonic, p, before.begin());
-        matrix->vmult(after, before);
+        const auto of_nodes          = transforms->harmonics.begin() + n * p;
+        std::copy_n(of_nodes, p, harmonic.begin());
+        matrix->vmult(response, harmonic);
         // The transforms do not divide by N. The last harmonic of an even N
         // is real, and so is what the transform back takes of it.
         for (unsigned int i = 0; i < p; ++i)
-          harmonic[i] = after(i) * (factor / static_cast<double>(n_instants));
+          of_nodes[i] =
+            response(i) * (factor / static_cast<double>(n_instants));
       }
     fftw_execute(transforms->backward);
     result.reinit(function.size(), true);

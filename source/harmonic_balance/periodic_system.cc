@@ -34,7 +34,7 @@ namespace Crevasse
                                  const PeriodicContactOptions &options)
     : convolution(convolution)
     , options(options)
-    , preconditioner{*this, {}, LAPACKFullMatrix<double>()}
+    , preconditioner(*this)
   {
   }
 
@@ -56,6 +56,7 @@ namespace Crevasse
           unknowns.push_back(k);
       }
     begins.push_back(unknowns.size());
+    all_entries.reinit(active.size());
     matrix.reinit(0);
     try
       {
@@ -151,7 +152,7 @@ namespace Crevasse
     const unsigned int p = system.convolution.n_nodes;
     const unsigned int m = system.unknowns.size();
     // First without offsets; what the mean then lacks asks for them.
-    LipVector offsets(p), before, after;
+    offsets.reinit(p, true);
     for (unsigned int i = 0; i < p; ++i)
       offsets(i) = -right(m + i);
     x_and_c = 0.;
@@ -187,14 +188,13 @@ namespace Crevasse
   PeriodicSystem::vmult(LipVector &result, const LipVector &x_and_c) const
   {
     const unsigned int p = convolution.n_nodes, m = unknowns.size();
-    LipVector          x(p * convolution.n_instants), Sx;
     for (unsigned int a = 0; a < m; ++a)
-      x(unknowns[a]) = x_and_c(a);
-    convolution.vmult(Sx, x);
+      all_entries(unknowns[a]) = x_and_c(a);
+    convolution.vmult(convolved, all_entries);
     result = 0.;
     for (unsigned int a = 0; a < m; ++a)
-      result(a) =
-        Sx(unknowns[a]) + shift * x_and_c(a) + x_and_c(m + unknowns[a] % p);
+      result(a) = convolved(unknowns[a]) + shift * x_and_c(a) +
+                  x_and_c(m + unknowns[a] % p);
   }
 
 

@@ -116,6 +116,9 @@ namespace Crevasse
     Set                                 factored_set;
     dealii::LAPACKFullMatrix<double>    factor;
     unsigned int                        rescues = 0;
+
+    /** For one set: w₀ + S g, and −w₀ on the set, then g there. */
+    dealii::Vector<double> openings, on_set;
   };
 } // namespace Crevasse
 

@@ -54,6 +54,9 @@ namespace Crevasse
 
     const std::vector<PeriodicContactProblem::Compliance> compliances;
     const std::unique_ptr<Transforms>                     transforms;
+
+    /** Of vmult(): one harmonic, and what its compliance makes of it. */
+    mutable dealii::Vector<std::complex<double>> harmonic, response;
   };
 } // namespace Crevasse
 

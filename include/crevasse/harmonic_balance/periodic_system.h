@@ -67,12 +67,21 @@ namespace Crevasse
     /** With the elastic compliance. */
     struct Preconditioner
     {
+      explicit Preconditioner(const PeriodicSystem &system)
+        : system(system)
+      {
+      }
+
       void
       vmult(LipVector &x_and_c, const LipVector &right) const;
 
       const PeriodicSystem                         &system;
       std::vector<dealii::LAPACKFullMatrix<double>> inverses; ///< by instant
       dealii::LAPACKFullMatrix<double>              border;   ///< for c
+
+    private:
+      /** Of vmult(): c, and the unknowns of one instant. */
+      mutable LipVector offsets, before, after;
     };
 
     void
@@ -99,6 +108,10 @@ namespace Crevasse
     LipVector                               scaling; ///< of rows and columns
     Preconditioner                          preconditioner;
     double                                  shift = 0.;
+
+    /** Of vmult(): x at all p N entries, 0 at those that are not active, and
+     * S ∗ x. */
+    mutable LipVector all_entries, convolved;
   };
 } // namespace Crevasse
 
