@@ -15,6 +15,31 @@ namespace Crevasse
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** y = (A' + iA'') x, in real and imaginary parts. Collective.
+     *
+     * @param[out] y_real @p y_imaginary with the layout of the rows. */
+    void
+    complex_product(const ComplexMumps::Matrix &real,
+                    const ComplexMumps::Matrix &imaginary,
+                    const ComplexMumps::Vector &x_real,
+                    const ComplexMumps::Vector &x_imaginary,
+                    ComplexMumps::Vector       &y_real,
+                    ComplexMumps::Vector       &y_imaginary)
+    {
+      ComplexMumps::Vector product(y_real);
+      multiply(real, y_real, x_real);
+      multiply(imaginary, product, x_imaginary);
+      y_real -= product;
+      multiply(real, y_imaginary, x_imaginary);
+      multiply(imaginary, product, x_real);
+      y_imaginary += product;
+    }
+  } // namespace
+
+
+
   ComplexMumps::ComplexMumps(
     const Matrix                               &real,
     const Matrix                               &imaginary,

@@ -68,25 +68,6 @@ namespace Crevasse
 
 
 
-  void
-  complex_product(const LinearOperator::Matrix &real,
-                  const LinearOperator::Matrix &imaginary,
-                  const LinearOperator::Vector &x_real,
-                  const LinearOperator::Vector &x_imaginary,
-                  LinearOperator::Vector       &y_real,
-                  LinearOperator::Vector       &y_imaginary)
-  {
-    LinearOperator::Vector product(y_real);
-    multiply(real, y_real, x_real);
-    multiply(imaginary, product, x_imaginary);
-    y_real -= product;
-    multiply(real, y_imaginary, x_imaginary);
-    multiply(imaginary, product, x_real);
-    y_imaginary += product;
-  }
-
-
-
   MatrixRows::MatrixRows(const LinearOperator::Matrix &matrix)
     : n(matrix.local_size())
   {

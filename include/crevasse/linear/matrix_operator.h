@@ -61,17 +61,6 @@ namespace Crevasse
            LinearOperator::Vector       &result,
            const LinearOperator::Vector &v);
 
-  /** y = (A' + iA'') x, in real and imaginary parts. Collective.
-   *
-   * @param[out] y_real @p y_imaginary with the layout of the rows. */
-  void
-  complex_product(const LinearOperator::Matrix &real,
-                  const LinearOperator::Matrix &imaginary,
-                  const LinearOperator::Vector &x_real,
-                  const LinearOperator::Vector &x_imaginary,
-                  LinearOperator::Vector       &y_real,
-                  LinearOperator::Vector       &y_imaginary);
-
   /** The rows of a matrix that one rank has all of, where they are: the entries
    * of row i are those from starts[i] up to, but without, starts[i + 1]. */
   struct MatrixRows
