@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/time/evolution.h>
 

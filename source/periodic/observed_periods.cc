@@ -3,6 +3,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/periodic/observed_periods.h>
+#include <crevasse/time/evolution.h>
 
 #include <limits>
 #include <sstream>

@@ -5,6 +5,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/secular.h>

@@ -3,6 +3,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
+#include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>

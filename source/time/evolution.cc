@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/contact/contact_solver.h>
+#include <crevasse/discretisation/algorithmic_moduli.h>
+#include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/time/evolution.h>
+#include <crevasse/time/instant_provider.h>
+#include <crevasse/time/secular_flow.h>
+#include <crevasse/time/step_list.h>
 
 #include <algorithm>
 

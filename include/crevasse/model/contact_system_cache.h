@@ -5,6 +5,7 @@
 #define crevasse_model_contact_system_cache_h
 
 #include <crevasse/base/log.h>
+#include <crevasse/discretisation/algorithmic_moduli.h>
 #include <crevasse/model/body.h>
 #include <crevasse/model/contact_system.h>
 #include <crevasse/model/instant_cache.h>

@@ -4,13 +4,15 @@
 #ifndef crevasse_model_elastic_displacement_h
 #define crevasse_model_elastic_displacement_h
 
-#include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/contact_system_cache.h>
 
 #include <vector>
 
 namespace Crevasse
 {
+  template <int dim>
+  class StressEstimator;
+
   /** The elastic displacement of a body of constant stiffness under the given
    * loads, with the lip open or held at u_N = 0. What it costs is added to the
    * statistics of the solvers. */

@@ -18,6 +18,9 @@
 
 namespace Crevasse
 {
+  template <int dim>
+  class Evolution;
+
   /** What a search for the periodic state has come to. */
   struct PeriodicResult
   {

@@ -5,7 +5,7 @@
 #define crevasse_postprocess_lip_state_h
 
 #include <crevasse/discretisation/contact_boundary.h>
-#include <crevasse/time/evolution.h>
+#include <crevasse/time/state.h>
 
 namespace Crevasse
 {

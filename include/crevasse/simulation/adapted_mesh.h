@@ -8,7 +8,6 @@
 #include <crevasse/base/summary.h>
 #include <crevasse/checkpoint/checkpoints.h>
 #include <crevasse/discretisation/refinement.h>
-#include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/body.h>
 #include <crevasse/parameters/scene.h>
 #include <crevasse/time/step_list.h>

@@ -4,40 +4,34 @@
 #ifndef crevasse_time_evolution_h
 #define crevasse_time_evolution_h
 
-#include <crevasse/base/state_archive.h>
-#include <crevasse/discretisation/external_loads.h>
-#include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/strain_operator.h>
-#include <crevasse/time/instant_provider.h>
+#include <crevasse/material/voigt.h>
 #include <crevasse/time/rate_equation.h>
-#include <crevasse/time/secular_flow.h>
-#include <crevasse/time/step_list.h>
+#include <crevasse/time/state.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace Crevasse
 {
-  /** The body at one instant. */
-  struct State
-  {
-    Vector displacement; ///< q; zero in constrained entries
-    Vector stress;       ///< s at quadrature points
-    /** g of each local bound, the nodes of the lip first. */
-    std::vector<double> contact_forces;
-    double              stiffness_factor = 1.; ///< k(t)
-
-    void
-    serialize(StateArchive &archive)
-    {
-      archive.nodal(displacement);
-      archive.at_points(stress);
-      archive.on_bounds(contact_forces);
-      archive.common(stiffness_factor);
-    }
-  };
-
+  class ContactSolver;
+  template <int dim>
+  class ExternalLoads;
+  template <int dim>
+  struct ImplicitInstant;
   template <int dim>
   class InelasticStrain;
+  template <int dim>
+  struct Instant;
+  template <int dim>
+  class InstantProvider;
+  template <int dim>
+  struct MaterialState;
+  template <int dim>
+  class QuadratureField;
+  struct SecularFlow;
+  class StepList;
+  template <int dim>
+  class StrainOperator;
 
   /**
    * The right-hand side of the ODE (model, §2, and MaxwellLaw): for given

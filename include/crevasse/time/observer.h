@@ -5,15 +5,14 @@
 #define crevasse_time_observer_h
 
 #include <crevasse/base/summary.h>
-#include <crevasse/time/evolution.h>
+#include <crevasse/time/secular_flow.h>
+#include <crevasse/time/state.h>
 
 #include <cstddef>
 #include <vector>
 
 namespace Crevasse
 {
-  class StateArchive;
-
   /** One instant of a run, as the tables and fields see it. */
   struct Sample
   {

@@ -7,9 +7,14 @@
 // hanging nodes, and the viscous strain is the scheme's own quadrature of F.
 
 #include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/discretisation/algorithmic_moduli.h>
+#include <crevasse/discretisation/external_loads.h>
+#include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/stiffness.h>
+#include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/time/evolution.h>
+#include <crevasse/time/instant_provider.h>
 #include <crevasse/time/integrator_choice.h>
 
 #include <crevasse_tests/distorted_cube.h>

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_time_state_h
+#define crevasse_time_state_h
+
+#include <crevasse/base/state_archive.h>
+
+#include <vector>
+
+namespace Crevasse
+{
+  /** The body at one instant. */
+  struct State
+  {
+    Vector displacement; ///< q; zero in constrained entries
+    Vector stress;       ///< s at quadrature points
+    /** g of each local bound, the nodes of the lip first. */
+    std::vector<double> contact_forces;
+    double              stiffness_factor = 1.; ///< k(t)
+
+    void
+    serialize(StateArchive &archive)
+    {
+      archive.nodal(displacement);
+      archive.at_points(stress);
+      archive.on_bounds(contact_forces);
+      archive.common(stiffness_factor);
+    }
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/collectively.h>
+#include <crevasse/discretisation/cell_values.h>
+#include <crevasse/discretisation/coarser_meshes.h>
+#include <crevasse/discretisation/contact_boundary.h>
+#include <crevasse/discretisation/material_field.h>
+#include <crevasse/discretisation/stress_estimator.h>
+#include <crevasse/discretisation/stress_residual.h>
+#include <crevasse/material/voigt_matrix.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Crevasse
+{
+  template <int dim>
+  StressEstimator<dim>::StressEstimator(const Space<dim>           &space,
+                                        const QuadratureField<dim> &points,
+                                        const ContactBoundary<dim> &lip,
+                                        const LoadParameters       &loads)
+    : space(space)
+    , points(points)
+    , lip(lip)
+    , loads(loads)
+    , polynomials(space.mesh(), space.finite_element().degree)
+    , largest(space.mesh().n_active_cells())
+  {
+  }
+
+
+
+  template <int dim>
+  void
+  StressEstimator<dim>::look_at(const double               t,
+                                const Vector              &stress,
+                                const std::vector<double> &contact_forces,
+                                const MaterialState<dim>  &material,
+                                const Vector              *elastic_displacement)
+  {
+    // Each at what a face (a cell) of the size h adds to the energy norm of
+    // the error, by comparison with errors that are known.
+    constexpr double of_faces = 1. / 16., of_cells = 1. / 16.;
+
+    const std::vector<double> compliance = compliances(material);
+    const std::vector<double> singular =
+      singular_coefficients(elastic_displacement);
+    const auto stiffness_at = [&](const std::size_t point) {
+      return material.stiffness_factor * (*material.stiffness)[point];
+    };
+    Vector regular = stress;
+    if (!singular.empty())
+      for_each_point(space,
+                     dealii::update_quadrature_points,
+                     [&](const dealii::FEValues<dim> &values,
+                         const unsigned int           q,
+                         const std::size_t            point) {
+                       const std::size_t offset =
+                         point * n_stress_components<dim>;
+                       QuadratureField<dim>::set(
+                         regular,
+                         offset,
+                         QuadratureField<dim>::get(stress, offset) -
+                           singular_stress(singular,
+                                           values.quadrature_point(q),
+                                           stiffness_at(point)));
+                     });
+    const double        degree = space.finite_element().degree;
+    StressResidual<dim> residual(
+      space, polynomials, lip, loads, t, contact_forces);
+    polynomials.fit(space, points, regular, residual.stress);
+    collectively(space.communicator(), [&]() {
+      for (const auto &cell : owned_cells(polynomials.dof_handler()))
+        {
+          const double c     = compliance[cell->active_cell_index()];
+          const double h     = cell->diameter() / std::sqrt(dim);
+          double       faces = 0.;
+          for (const unsigned int f : cell->face_indices())
+            faces +=
+              cell->at_boundary(f)
+                ? c * residual.at_boundary(cell,
+                                           f,
+                                           [&](const auto &point) {
+                                             return singular_stress(
+                                               singular,
+                                               point,
+                                               stiffness_at(
+                                                 points.first_point(cell)));
+                                           })
+                : 0.5 * residual.jump(cell, f, compliance);
+          const double square =
+            of_faces / degree * faces +
+            of_cells * c * h * h / (degree * degree) * residual.in_volume(cell);
+          double &entry = largest(cell->active_cell_index());
+          entry         = std::max(entry, square);
+        }
+    });
+    most_energy = std::max(most_energy, energy(stress, material));
+  }
+
+
+
+  template <int dim>
+  dealii::Vector<float>
+  StressEstimator<dim>::squares() const
+  {
+    dealii::Vector<float> relative(largest.size());
+    if (most_energy > 0.)
+      for (unsigned int i = 0; i < largest.size(); ++i)
+        relative(i) = largest(i) / most_energy;
+    return relative;
+  }
+
+
+
+  template <int dim>
+  double
+  StressEstimator<dim>::relative_error() const
+  {
+    const double sum = dealii::Utilities::MPI::sum(double(largest.l1_norm()),
+                                                   space.communicator());
+    return most_energy > 0. ? std::sqrt(sum / most_energy) : 0.;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  StressEstimator<dim>::compliances(const MaterialState<dim> &material) const
+  {
+    std::vector<double> values;
+    collectively(space.communicator(), [&]() {
+      const auto norms =
+        transform(*material.stiffness,
+                  points.n_local_points(),
+                  [&](const VoigtMatrix<dim> &K) {
+                    return inverse<dim>(K).norm() / material.stiffness_factor;
+                  });
+      values = cell_means(space, points, norms);
+    });
+    dealii::GridTools::exchange_cell_data_to_ghosts<double,
+                                                    dealii::Triangulation<dim>>(
+      space.mesh(),
+      [&values](const auto &cell) { return values[cell->active_cell_index()]; },
+      [&values](const auto &cell, const double value) {
+        values[cell->active_cell_index()] = value;
+      });
+    return values;
+  }
+
+
+
+  template <int dim>
+  double
+  StressEstimator<dim>::energy(const Vector             &stress,
+                               const MaterialState<dim> &material) const
+  {
+    const auto compliance =
+      transform(*material.stiffness,
+                points.n_local_points(),
+                [](const VoigtMatrix<dim> &K) { return inverse<dim>(K); });
+    double sum = 0.;
+    for_each_point(space,
+                   dealii::update_JxW_values,
+                   [&](const dealii::FEValues<dim> &values,
+                       const unsigned int           q,
+                       const std::size_t            point) {
+                     const VoigtVector<dim> s = QuadratureField<dim>::get(
+                       stress, point * n_stress_components<dim>);
+                     sum += s * (compliance[point] * s) * values.JxW(q);
+                   });
+    return dealii::Utilities::MPI::sum(sum, space.communicator()) /
+           material.stiffness_factor;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  StressEstimator<dim>::singular_coefficients(const Vector *displacement) const
+  {
+    std::vector<double> coefficients;
+    if (displacement != nullptr)
+      for (auto k = space.dof_handler().n_dofs(); k < space.n_unknowns(); ++k)
+        coefficients.push_back(dealii::Utilities::MPI::sum(
+          displacement->in_local_range(k) ? (*displacement)(k) : 0.,
+          space.communicator()));
+    return coefficients;
+  }
+
+
+
+  template <int dim>
+  VoigtVector<dim>
+  StressEstimator<dim>::singular_stress(const std::vector<double> &coefficients,
+                                        const dealii::Point<dim>  &point,
+                                        const VoigtMatrix<dim> &stiffness) const
+  {
+    dealii::Tensor<2, dim> gradient;
+    if constexpr (dim == 2)
+      for (unsigned int k = 0; k < coefficients.size(); ++k)
+        gradient += coefficients[k] *
+                    space.singular_shapes()->functions().gradient(k, point);
+    return stiffness * voigt_strain<dim>(gradient);
+  }
+
+
+
+  template class StressEstimator<2>;
+  template class StressEstimator<3>;
+} // namespace Crevasse
