@@ -14,13 +14,6 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  Checkpoints::Checkpoints(StopRequests &requests, Log &log)
-    : Checkpoints(requests, log, "", {}, 0)
-  {
-  }
-
-
-
   Checkpoints::Checkpoints(StopRequests      &requests,
                            Log               &log,
                            const std::string &directory,

@@ -24,9 +24,6 @@ namespace Crevasse
   public:
     using Serialize = std::function<void(StateArchive &)>;
 
-    /** None are written; the run can be stopped all the same. */
-    Checkpoints(StopRequests &requests, Log &log);
-
     /** References must outlive this object.
      *
      * @param directory where the run writes to.
