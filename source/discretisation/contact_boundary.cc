@@ -237,28 +237,38 @@ namespace Crevasse
       }
     require_held_or_hanging(space, constrained);
     for (const LipNode<dim> &node : constrained)
+      held_nodes.push_back(
+        held_node(node, constraints, nearest[node.dof].second));
+  }
+
+
+
+  template <int dim>
+  typename ContactBoundary<dim>::HeldNode
+  ContactBoundary<dim>::held_node(const LipNode<dim>              &node,
+                                  const AffineConstraints<double> &constraints,
+                                  const types::global_dof_index    nearest)
+  {
+    HeldNode                held{node.dof, {}, node.weight};
+    double                  rest      = 1.;
+    double                  most      = 0.;
+    types::global_dof_index strongest = nearest;
+    for (const auto &[dof, factor] :
+         *constraints.get_constraint_entries(node.dof))
       {
-        HeldNode                held{node.dof, {}, node.weight};
-        double                  rest      = 1.;
-        double                  most      = 0.;
-        types::global_dof_index strongest = nearest[node.dof].second;
-        for (const auto &[dof, factor] :
-             *constraints.get_constraint_entries(node.dof))
+        held.speakers.push_back({dof, factor, true});
+        rest -= factor;
+        if (factor > most)
           {
-            held.speakers.push_back({dof, factor, true});
-            rest -= factor;
-            if (factor > most)
-              {
-                most      = factor;
-                strongest = dof;
-              }
+            most      = factor;
+            strongest = dof;
           }
-        // What a hanging node has from held ones, the nearest of the others
-        // has to tell.
-        if (std::abs(rest) > 1e-10 && strongest != numbers::invalid_dof_index)
-          held.speakers.push_back({strongest, rest, false});
-        held_nodes.push_back(held);
       }
+    // What a hanging node has from held ones, the nearest of the others has to
+    // tell.
+    if (std::abs(rest) > 1e-10 && strongest != numbers::invalid_dof_index)
+      held.speakers.push_back({strongest, rest, false});
+    return held;
   }
 
 

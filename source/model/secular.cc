@@ -2,7 +2,9 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/material/voigt_matrix.h>
+#include <crevasse/model/body.h>
 #include <crevasse/model/secular.h>
+#include <crevasse/time/secular_flow.h>
 
 namespace Crevasse
 {
@@ -59,6 +61,30 @@ namespace Crevasse
 
 
 
+  template <int dim>
+  void
+  set_strain_rates(const Body<dim>          &body,
+                   const MaterialState<dim> &material,
+                   const Viscosity<dim>     &viscosity,
+                   SecularFlow              &flow)
+  {
+    using Field                   = QuadratureField<dim>;
+    const unsigned int n_branches = material.fluidity.size();
+    body.points.initialize(flow.strain_rate, n_branches);
+    body.strain_operator.for_each_strain(
+      flow.velocity,
+      [&](const std::size_t offset, const VoigtVector<dim> &strain_rate) {
+        const std::size_t point = offset / Field::n_components;
+        for (unsigned int i = 0; i < n_branches; ++i)
+          Field::set(flow.strain_rate,
+                     offset * n_branches + i * Field::n_components,
+                     (*material.fluidity[i])[point] *
+                       (viscosity.branches[i][point] * strain_rate));
+      });
+  }
+
+
+
   template bool
   has_viscosity(const MaterialState<2> &);
   template bool
@@ -67,4 +93,14 @@ namespace Crevasse
   viscosity_of(const MaterialState<2> &, const std::size_t);
   template Viscosity<3>
   viscosity_of(const MaterialState<3> &, const std::size_t);
+  template void
+  set_strain_rates(const Body<2> &,
+                   const MaterialState<2> &,
+                   const Viscosity<2> &,
+                   SecularFlow &);
+  template void
+  set_strain_rates(const Body<3> &,
+                   const MaterialState<3> &,
+                   const Viscosity<3> &,
+                   SecularFlow &);
 } // namespace Crevasse

@@ -142,6 +142,53 @@ namespace Crevasse
 
 
 
+    std::string
+    setting_of(const SecularSplitType wish)
+    {
+      return "[Periodic state] Secular split = " + name_of(wish);
+    }
+
+
+
+    /** Looks how the steps see the mean load, and takes that for the split.
+     *
+     * @param largest what the mean load is a mean of.
+     * @throw SceneError if they miss the flow that is split off. */
+    template <int dim>
+    void
+    compare_with_steps(const Scene      &scene,
+                       const Body<dim>  &body,
+                       const StepList   &steps,
+                       const Integrator &integrator,
+                       const double      largest,
+                       SecularSplit     &split)
+    {
+      const bool has_weights =
+        !integrator.properties.quadrature.weights.empty();
+      const Vector seen        = mean_load_of_steps(body, steps, integrator);
+      Vector       missed_part = seen;
+      missed_part -= split.mean_load;
+      const double missed_load = missed_part.linfty_norm();
+      split.strain_returns =
+        has_weights && !scene.time_integration.locate_contact_events &&
+        (split.is_split || missed_load <= 10. * rounding_of_means * largest);
+      const std::string warning = warning_of_steps(
+        split.mean_load, seen, missed_load, largest, split.effect.on);
+      if (!warning.empty() && split.is_split)
+        throw SceneError(setting_of(scene.periodic_state.secular_split) + ": " +
+                         warning);
+      if (!warning.empty())
+        split.warning = "[Periodic state] Secular split: " + warning;
+      else if (split.is_split && body.effects.contact.on)
+        split.warning = warning_of_negative_weights(
+          traits(scene.time_integration.scheme).name, integrator);
+      // What is marched must not flow on by the error of the steps.
+      if (split.is_split && has_weights)
+        split.mean_load = seen;
+    }
+
+
+
     /** The τ of a body whose viscosity is τK everywhere: then A serves the
      * secular problem too. Nothing if it is another body. Collective. */
     template <int dim>
@@ -201,11 +248,10 @@ namespace Crevasse
                        const bool        needs_periodic_strain)
   {
     SecularSplit split;
-    split.effect                  = body.effects.secular_flow;
-    Effects::Effect       &effect = split.effect;
-    const SecularSplitType wish   = scene.periodic_state.secular_split;
-    const std::string      setting =
-      "[Periodic state] Secular split = " + name_of(wish);
+    split.effect                   = body.effects.secular_flow;
+    Effects::Effect       &effect  = split.effect;
+    const SecularSplitType wish    = scene.periodic_state.secular_split;
+    const std::string      setting = setting_of(wish);
     if (wish == SecularSplitType::off)
       {
         effect.why = setting + ": what flows is in the displacement";
@@ -247,26 +293,7 @@ namespace Crevasse
     // Adaptive steps are found where the loads are.
     if (scene.time_integration.step_control == StepControlType::adaptive)
       return split;
-    const Vector seen        = mean_load_of_steps(body, steps, *integrator);
-    Vector       missed_part = seen;
-    missed_part -= split.mean_load;
-    const double missed_load = missed_part.linfty_norm();
-    const bool has_rule = !integrator->properties.quadrature.weights.empty() &&
-                          !scene.time_integration.locate_contact_events;
-    split.strain_returns =
-      has_rule &&
-      (split.is_split || missed_load <= 10. * rounding_of_means * largest);
-    const std::string warning =
-      warning_of_steps(split.mean_load, seen, missed_load, largest, effect.on);
-    if (!warning.empty() && split.is_split)
-      throw SceneError(setting + ": " + warning);
-    if (!warning.empty())
-      split.warning = "[Periodic state] Secular split: " + warning;
-    else if (split.is_split && body.effects.contact.on)
-      split.warning = warning_of_negative_weights(scheme.name, *integrator);
-    // What is marched must not flow on by the error of the steps.
-    if (split.is_split && !integrator->properties.quadrature.weights.empty())
-      split.mean_load = seen;
+    compare_with_steps(scene, body, steps, *integrator, largest, split);
     return split;
   }
 
@@ -278,7 +305,6 @@ namespace Crevasse
                         const Vector            &mean_load,
                         ContactSystemCache<dim> &systems)
   {
-    using Field                            = QuadratureField<dim>;
     const MaterialState<dim>      material = body.material.at(0.);
     std::optional<Viscosity<dim>> viscosity;
     collectively(body.space.communicator(), [&]() {
@@ -324,23 +350,11 @@ namespace Crevasse
         contact_solver->set_force_scale(mean_load.linfty_norm());
       }
 
-    const unsigned int n_branches = material.fluidity.size();
-    SecularFlow        flow;
+    SecularFlow flow;
     body.strain_operator.initialize(flow.velocity);
-    body.points.initialize(flow.strain_rate, n_branches);
     contact_solver->solve(load, flow.velocity, flow.contact_forces);
     flow.velocity /= time;
-    // αᵢ = Hᵢ ηᵢ Dβ: that is Dβ, and the creep in thickness with it.
-    body.strain_operator.for_each_strain(
-      flow.velocity,
-      [&](const std::size_t offset, const VoigtVector<dim> &strain_rate) {
-        const std::size_t point = offset / Field::n_components;
-        for (unsigned int i = 0; i < n_branches; ++i)
-          Field::set(flow.strain_rate,
-                     offset * n_branches + i * Field::n_components,
-                     (*material.fluidity[i])[point] *
-                       (viscosity->branches[i][point] * strain_rate));
-      });
+    set_strain_rates(body, material, *viscosity, flow);
     flow.velocity /= factor;
     flow.strain_rate /= factor;
     for (double &force : flow.contact_forces)

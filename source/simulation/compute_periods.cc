@@ -135,6 +135,26 @@ namespace Crevasse
 
 
 
+    /** @param material at the beginning of a period.
+     * @param bounds of the lip. Both must outlive the result. */
+    template <int dim>
+    ReturnDefect<dim>
+    return_defect(const Workspace<dim>     &work,
+                  const MaterialState<dim> &material,
+                  const UnilateralBounds   &bounds)
+    {
+      const PeriodicStart &start = work.start;
+      return {work.setup.body.points.n_local_points(),
+              material,
+              start.flow ? &*start.flow : nullptr,
+              start.split.is_split,
+              work.setup.relaxation_times.mean_fluidity_factor,
+              work.setup.scene.loads.period,
+              bounds};
+    }
+
+
+
     /** Whether the viscous strain has to come back after a period. */
     template <int dim>
     bool
@@ -254,19 +274,12 @@ namespace Crevasse
 
     const UnilateralBounds   bounds   = unilateral_bounds(body.lip, body.space);
     const MaterialState<dim> material = body.material.at(0.);
-    const ReturnDefect<dim>  defect{
-      body.points.n_local_points(),
-      material,
-      start.flow ? &*start.flow : nullptr,
-      start.split.is_split,
-      work.setup.relaxation_times.mean_fluidity_factor,
-      work.setup.scene.loads.period,
-      bounds};
-    ObservedPeriods<dim>    periods({work.evolution,
-                                     work.integrator.get(),
-                                     *work.step_control,
-                                     work.steps,
-                                     &writer},
+    const ReturnDefect<dim>  defect   = return_defect(work, material, bounds);
+    ObservedPeriods<dim>     periods({work.evolution,
+                                      work.integrator.get(),
+                                      *work.step_control,
+                                      work.steps,
+                                      &writer},
                                  solve_count(work),
                                  observers,
                                  std::min(parameters.maximum_periods,
@@ -274,10 +287,10 @@ namespace Crevasse
                                  before,
                                  !state.has_begun(),
                                  requires_return(work) ? &defect : nullptr);
-    const ConvergenceStatus status = search(work, periods, shows ? 2 : 1);
-    state.result                   = periods.result();
-    state.result.converged         = status == ConvergenceStatus::converged;
-    state.stage.ends_run           = state.result.converged ||
+    const ConvergenceStatus  status = search(work, periods, shows ? 2 : 1);
+    state.result                    = periods.result();
+    state.result.converged          = status == ConvergenceStatus::converged;
+    state.stage.ends_run            = state.result.converged ||
                            state.result.periods < state.stage.last_period ||
                            state.result.periods >= parameters.maximum_periods;
     periods.finish(state.viscous_strain, state.stage.ends_run);

@@ -237,6 +237,68 @@ namespace Crevasse
 
 
 
+    /** The tables of a run, which rank 0 writes. */
+    class Tables
+    {
+    public:
+      template <int dim>
+      explicit Tables(const Workspace<dim> &work)
+        : is_continuing(work.state.has_tables())
+        , directory(work.output.directory)
+        , writes(Utilities::MPI::this_mpi_process(
+                   work.setup.body.space.communicator()) == 0)
+      {
+      }
+
+      /** The file of one more table; empty where it is not written. */
+      std::string
+      file(const std::string &name)
+      {
+        all.push_back(name);
+        return writes ? directory + '/' + name : std::string();
+      }
+
+      CsvTable
+      table(const std::string &name, const std::vector<std::string> &columns)
+      {
+        return CsvTable(file(name), columns, is_continuing);
+      }
+
+      const std::vector<std::string> &
+      names() const
+      {
+        return all;
+      }
+
+      const bool is_continuing; ///< whether they have rows already
+
+    private:
+      const std::string        directory;
+      const bool               writes;
+      std::vector<std::string> all;
+    };
+
+
+
+    /** ∫ loads · u (force times length, per thickness in the plane). For an
+     * elastic body whose lip has no gap half of it is the strain energy, and
+     * minus that half the least potential energy, against which errors in the
+     * energy norm are measured. */
+    template <int dim>
+    std::unique_ptr<SampleTable>
+    make_load_work_table(const Workspace<dim> &work, Tables &tables)
+    {
+      return std::make_unique<SampleTable>(
+        tables.table("load_work.csv", {"t", "load_work"}),
+        [&work](const Sample &sample) -> std::vector<double> {
+          const double t = work.steps.within_period(sample.instant);
+          return {sample.time,
+                  loads_at(work.setup.body, t) * sample.state.displacement};
+        });
+    }
+
+
+
     template <int dim>
     std::unique_ptr<FieldWriter<dim>>
     make_field_writer(const Workspace<dim> &work)
@@ -268,28 +330,17 @@ namespace Crevasse
       all.push_back(std::move(observer));
       return view;
     };
-    std::vector<std::string> tables;
-    const bool               is_continuing = work.state.has_tables();
-    const auto               file          = [&](const std::string &name) {
-      tables.push_back(name);
-      const bool writes =
-        Utilities::MPI::this_mpi_process(body.space.communicator()) == 0;
-      return writes ? work.output.directory + '/' + name : std::string();
-    };
-    const auto table = [&](const std::string              &name,
-                           const std::vector<std::string> &columns) {
-      return CsvTable(file(name), columns, is_continuing);
-    };
+    Tables tables(work);
 
     const auto extremes = add(std::make_unique<Extremes<dim>>(work));
     for (const ProbeEvaluator<dim> &probe : setup.probes)
       add(std::make_unique<SampleTable>(
-        table("probe_" + probe.name() + ".csv", probe.columns()),
+        tables.table("probe_" + probe.name() + ".csv", probe.columns()),
         [&probe](const Sample &sample) { return probe.row(sample); }));
     if (body.effects.contact.on)
       add(std::make_unique<SampleTable>(
-        table("contact.csv",
-              {"t", "closed_nodes", "force", "largest_pressure"}),
+        tables.table("contact.csv",
+                     {"t", "closed_nodes", "force", "largest_pressure"}),
         [&lip = extremes->lip](const Sample &sample) -> std::vector<double> {
           return {sample.time,
                   double(lip.closed_nodes),
@@ -304,37 +355,28 @@ namespace Crevasse
         add(setup.crack_tip->make_table(work.systems,
                                         work.steps,
                                         work.start.flow,
-                                        {file("crack_tip.csv"), is_continuing},
+                                        {tables.file("crack_tip.csv"),
+                                         tables.is_continuing},
                                         log));
     if (body.effects.field_output.on)
       add(make_field_writer(work));
     if (setup.scene.output.load_work)
-      // ∫ loads · u (force times length, per thickness in the plane). For an
-      // elastic body whose lip has no gap half of it is the strain energy, and
-      // minus that half the least potential energy, against which errors in
-      // the energy norm are measured.
-      add(std::make_unique<SampleTable>(
-        table("load_work.csv", {"t", "load_work"}),
-        [&work](const Sample &sample) -> std::vector<double> {
-          const double t = work.steps.within_period(sample.instant);
-          return {sample.time,
-                  loads_at(work.setup.body, t) * sample.state.displacement};
-        }));
+      add(make_load_work_table(work, tables));
     if (work.output.stress_record)
       add(std::make_unique<StressWriter<dim>>(body,
                                               work.output.directory +
                                                 "/stress_samples.bin"));
-    add(std::make_unique<PeriodTable>(table("periods.csv",
-                                            {"period",
-                                             "t_end",
-                                             "stress_change",
-                                             "stress_error_estimate",
-                                             "vi_solves",
-                                             "seconds"}),
+    add(std::make_unique<PeriodTable>(tables.table("periods.csv",
+                                                   {"period",
+                                                    "t_end",
+                                                    "stress_change",
+                                                    "stress_error_estimate",
+                                                    "vi_solves",
+                                                    "seconds"}),
                                       setup.scene,
                                       extremes->lip,
                                       log));
-    work.output.checkpoints.set_tables(tables);
+    work.output.checkpoints.set_tables(tables.names());
     return all;
   }
 

@@ -117,6 +117,13 @@ namespace Crevasse
     void
     find_nodes(const Space<dim> &space);
 
+    /** @param nearest free node on a face of this constrained one; invalid if
+     * there is none. */
+    static HeldNode
+    held_node(const LipNode<dim>                      &node,
+              const dealii::AffineConstraints<double> &constraints,
+              const dealii::types::global_dof_index    nearest);
+
     void
     share_weights(const Space<dim> &space);
 

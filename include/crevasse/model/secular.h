@@ -10,6 +10,10 @@
 
 namespace Crevasse
 {
+  template <int dim>
+  struct Body;
+  struct SecularFlow;
+
   /** The viscosities of the branches of a material at the quadrature points,
    * without the factor η₀. */
   template <int dim>
@@ -31,6 +35,15 @@ namespace Crevasse
   template <int dim>
   bool
   has_viscosity(const MaterialState<dim> &material);
+
+  /** Sets αᵢ = Hᵢ ηᵢ Dβ of a flow with known β: that is Dβ, and the creep in
+   * thickness with it. */
+  template <int dim>
+  void
+  set_strain_rates(const Body<dim>          &body,
+                   const MaterialState<dim> &material,
+                   const Viscosity<dim>     &viscosity,
+                   SecularFlow              &flow);
 } // namespace Crevasse
 
 #endif
