@@ -146,11 +146,11 @@ namespace Crevasse
   void
   FourierResult::add_to(Summary &summary) const
   {
-    auto &direct                     = summary["direct_in_time"];
-    direct["loaded_harmonics"]       = motion.loaded_harmonics;
-    direct["complex_factorisations"] = motion.complex_factorisations;
-    direct["nodes_with_mean_force"]  = motion.instants_of_contact.size();
-    direct["contact"]                = contact;
+    auto &own                     = summary["harmonic_balance"];
+    own["loaded_harmonics"]       = motion.loaded_harmonics;
+    own["complex_factorisations"] = motion.complex_factorisations;
+    own["nodes_with_mean_force"]  = motion.instants_of_contact.size();
+    own["contact"]                = contact;
   }
 
 

@@ -143,7 +143,7 @@ KINDS = {
         "Refinement/Target unknowns=300", "Refinement/Coarsen fraction=0.01",
         "Refinement/Readapt every=3", "Periodic state/Maximum periods=4",
         "Periodic state/Tolerance=0"],
-    "direct_in_time": MEAN + [
+    "harmonic_balance": MEAN + [
         "Geometry/Subdivisions=8, 4", "Periodic state/Method=fourier",
         "Time integration/Scheme=trapezoid"],
     "events": SHORT + [

@@ -109,7 +109,7 @@ for nu in tier((0.49999,), (0.2, 0.49999)):
         if n == 2:
             check_below(worst, 1e-3, f"viscous Poisson ratio {nu}")
 
-# Direct in time: the trapezoidal rule marches on in the state that was found.
+# Harmonic balance: the trapezoidal rule marches on in the state that was found.
 marched = run(BODY, "direct", FINE + [
     "Time integration/Scheme=trapezoid", "Periodic state/Start from=fourier",
     "Periodic state/Maximum periods=2",

@@ -57,7 +57,7 @@ namespace Crevasse
     std::vector<std::string>
     describe() const;
 
-    /** Adds "direct_in_time". */
+    /** Adds "harmonic_balance". */
     void
     add_to(Summary &summary) const;
   };

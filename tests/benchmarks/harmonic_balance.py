@@ -3,7 +3,7 @@ its seconds, all included, in periods of Heun's method, and against the marching
 that reaches a true error of 1e-6. Everything is one program on one machine; the
 ratios count.
 
-    OMP_NUM_THREADS=1 /usr/bin/python3 tests/benchmarks/direct_in_time.py build/crevasse [CELLS]
+    OMP_NUM_THREADS=1 /usr/bin/python3 tests/benchmarks/harmonic_balance.py build/crevasse [CELLS]
 
 A period costs the difference of two marches; how many periods it takes to 1e-6
 is given by the same problem on the mesh of the paper, where the exact state
