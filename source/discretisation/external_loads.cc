@@ -21,12 +21,13 @@ namespace Crevasse
     : constraints(space.constraints())
   {
     strain_operator.initialize(constant);
-    std::vector<Expression> traction   = *parameters.traction;
-    std::vector<Expression> body_force = *parameters.body_force;
-    for (unsigned int d = 0; d < traction.size(); ++d)
-      add(std::move(traction[d]), d, false, space, strain_operator);
-    for (unsigned int d = 0; d < body_force.size(); ++d)
-      add(std::move(body_force[d]), d, true, space, strain_operator);
+    for (const LoadParameters::Force &force : parameters.forces())
+      for (unsigned int d = 0; d < force.components->size(); ++d)
+        add(Expression((*force.components)[d]),
+            d,
+            force.in_volume,
+            space,
+            strain_operator);
     constant.compress(dealii::VectorOperation::add);
   }
 

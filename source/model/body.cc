@@ -202,7 +202,8 @@ namespace Crevasse
     , loads(space, strain_operator, scene.loads)
   {
     // What the tables say must be what is computed.
-    Assert(effects.has_free_strain() == material.has_thermal_strain(),
+    Assert(Effects::first_of(effects.free_strains).empty() !=
+             material.has_thermal_strain(),
            ExcInternalError());
     Assert(effects.varying_stiffness.on || !material.stiffness_varies(),
            ExcInternalError());

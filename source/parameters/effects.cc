@@ -45,6 +45,19 @@ namespace Crevasse
 
 
 
+    Effects::Effect
+    volume_force(const LoadParameters::Force &force)
+    {
+      const std::string name = std::string("[Loads] ") + force.parameter;
+      return {force.effect,
+              !are_zero(*force.components),
+              name + (force.components->empty()
+                        ? " is not set"
+                        : " = " + force.components.text())};
+    }
+
+
+
     void
     append(const std::vector<Expression> &more, std::vector<Expression> &all)
     {
@@ -70,7 +83,6 @@ namespace Crevasse
                    const bool           temperature_varies)
   {
     const MaterialParameters &material = scene.material;
-    const Formulas           &force    = scene.loads.body_force;
     const unsigned int n_singular  = scene.discretisation.singular_functions;
     const bool         has_contact = !roles.contact.empty();
     const bool         is_chain    = material.viscosity == ViscosityType::chain;
@@ -90,20 +102,19 @@ namespace Crevasse
                              : "at most one Maxwell body"};
     for (const auto &strain : material.free_strains())
       free_strains.push_back(free_strain(strain, scene.loads));
-    varying_stiffness  = variation("stiffness",
+    varying_stiffness = variation("stiffness",
                                   stiffness_formulas(material),
                                   *material.stiffness_time_factor,
                                   temperature_varies);
-    varying_viscosity  = viscosity.on
-                           ? variation("viscosity",
+    varying_viscosity = viscosity.on
+                          ? variation("viscosity",
                                       viscosity_formulas(material),
                                       *material.viscosity_time_factor,
                                       temperature_varies)
-                           : Effect{"varying viscosity", false, "no viscosity"};
-    body_force         = {"body force",
-                          !are_zero(*force),
-                          "[Loads] Body force " +
-                            (force->empty() ? "is not set" : "= " + force.text())};
+                          : Effect{"varying viscosity", false, "no viscosity"};
+    for (const auto &force : scene.loads.forces())
+      if (force.in_volume)
+        volume_forces.push_back(volume_force(force));
     singular_functions = {"singular functions",
                           n_singular > 0,
                           "[Discretisation] Singular functions = " +
@@ -119,12 +130,13 @@ namespace Crevasse
 
 
 
-  bool
-  Effects::has_free_strain() const
+  std::string
+  Effects::first_of(const std::vector<Effect> &effects)
   {
-    return std::any_of(free_strains.begin(),
-                       free_strains.end(),
-                       [](const Effect &effect) { return effect.on; });
+    for (const Effect &effect : effects)
+      if (effect.on)
+        return effect.name;
+    return "";
   }
 
 
@@ -132,17 +144,14 @@ namespace Crevasse
   std::vector<Effects::Effect>
   Effects::list() const
   {
-    std::vector<Effect> all = {contact,
-                               viscosity,
-                               secular_flow,
-                               chain,
-                               varying_stiffness,
-                               varying_viscosity,
-                               body_force,
-                               singular_functions,
-                               stress_intensity,
-                               field_output};
-    all.insert(all.begin() + 4, free_strains.begin(), free_strains.end());
+    std::vector<Effect> all = {contact, viscosity, secular_flow, chain};
+    const auto          add = [&all](const std::vector<Effect> &more) {
+      all.insert(all.end(), more.begin(), more.end());
+    };
+    add(free_strains);
+    add({varying_stiffness, varying_viscosity});
+    add(volume_forces);
+    add({singular_functions, stress_intensity, field_output});
     return all;
   }
 
@@ -223,8 +232,8 @@ namespace Crevasse
     append(viscosity_formulas(material), formulas);
     append({*material.stiffness_time_factor, *material.viscosity_time_factor},
            formulas);
-    append(*scene.loads.traction, formulas);
-    append(*scene.loads.body_force, formulas);
+    for (const auto &force : scene.loads.forces())
+      append(*force.components, formulas);
     append(free_strain_formulas(material), formulas);
     if (temperature)
       formulas.push_back(*temperature);

@@ -246,4 +246,15 @@ namespace Crevasse
                                allowed,
                              prm);
   }
+
+
+
+  std::vector<LoadParameters::Force>
+  LoadParameters::forces() const
+  {
+    return {
+      {"Traction", "traction", traction, false},
+      {"Body force", "body force", body_force, true},
+    };
+  }
 } // namespace Crevasse

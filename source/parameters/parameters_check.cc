@@ -199,8 +199,8 @@ namespace Crevasse
   LoadParameters::check(Problems &problems) const
   {
     const Checker checker(section, problems);
-    checker.demand_valid("Traction", traction);
-    checker.demand_valid("Body force", body_force);
+    for (const Force &force : forces())
+      checker.demand_valid(force.parameter, force.components);
     checker.demand_valid("Temperature", temperature);
     if (temperature.is_valid() && !*temperature)
       demand_file(section, "Temperature", temperature.text(), problems);

@@ -33,12 +33,11 @@ namespace Crevasse
                         " integers, one for each dimension");
 
       const Checker loads(LoadParameters::section, problems);
-      for (const auto &[name, formulas] :
-           {std::make_pair("Traction", &scene.loads.traction),
-            std::make_pair("Body force", &scene.loads.body_force)})
-        loads.demand(!formulas->is_valid() || (*formulas)->empty() ||
-                       (*formulas)->size() == scene.dimension,
-                     name,
+      for (const auto &force : scene.loads.forces())
+        loads.demand(!force.components.is_valid() ||
+                       force.components->empty() ||
+                       force.components->size() == scene.dimension,
+                     force.parameter,
                      "must be " + dimension +
                        " formulas, one for each dimension, separated by "
                        "semicolons, or nothing");

@@ -125,8 +125,9 @@ namespace Crevasse
   {
     if (!split.effect.on)
       return split.effect.why;
-    if (body.effects.body_force.on)
-      return "there is a body force, which the integral does not know";
+    const std::string force = Effects::first_of(body.effects.volume_forces);
+    if (!force.empty())
+      return "there is " + force + ", which the integral does not know";
     const MaterialState<2>      material = body.material.at(0.);
     std::optional<Viscosity<2>> viscosity;
     collectively(body.space.communicator(), [&]() {

@@ -137,11 +137,10 @@ namespace Crevasse
     obstacle(const Scene &scene, const Body<2> &body, std::string &reason)
     {
       const MaterialState<2> material = body.material.at(0.);
-      for (const Effects::Effect &strain : body.effects.free_strains)
-        if (strain.on)
-          return "there is " + strain.name;
-      if (body.effects.body_force.on)
-        return "there is a body force";
+      for (const auto &effects :
+           {body.effects.free_strains, body.effects.volume_forces})
+        if (const auto name = Effects::first_of(effects); !name.empty())
+          return "there is " + name;
       if (body.material.stiffness_varies())
         return "the stiffness varies in time, and not by [Material] Stiffness "
                "time factor alone";

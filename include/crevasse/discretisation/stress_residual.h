@@ -40,8 +40,6 @@ namespace Crevasse
                    const std::vector<double>  &contact_forces)
       : stress(polynomials.coefficients())
       , space(space)
-      , body_force(*loads.body_force)
-      , traction(*loads.traction)
       , instant(t)
       , inside(space.mapping(),
                polynomials.dof_handler().get_fe(),
@@ -65,6 +63,9 @@ namespace Crevasse
       , pressure(space.ghosted_vector())
       , pressures(here.size(), dealii::Vector<double>(dim))
     {
+      for (const LoadParameters::Force &force : loads.forces())
+        (force.in_volume ? volume_forces : tractions)
+          .push_back(*force.components);
       for (unsigned int k = 0; k < lip.nodes().size(); ++k)
         pressure(lip.nodes()[k].dof) =
           contact_forces[k] / lip.nodes()[k].weight;
@@ -80,10 +81,8 @@ namespace Crevasse
       double integral = 0.;
       for (const unsigned int q : inside.quadrature_point_indices())
         {
-          dealii::Tensor<1, dim> residual;
-          for (unsigned int i = 0; i < body_force.size(); ++i)
-            residual[i] =
-              body_force[i].value(inside.quadrature_point(q), instant);
+          dealii::Tensor<1, dim> residual =
+            sum(volume_forces, inside.quadrature_point(q));
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int j = 0; j < dim; ++j)
               residual[i] += gradients[q][voigt_index<dim>(i, j)][j];
@@ -178,8 +177,7 @@ namespace Crevasse
             here[q][c] += more[c];
           dealii::Tensor<1, dim> residual = traction_of(here[q], normal);
           if (roles.loaded.count(id) > 0)
-            for (unsigned int d = 0; d < traction.size(); ++d)
-              residual[d] -= traction[d].value(point, instant);
+            residual -= sum(tractions, point);
           if (roles.symmetry.count(id) > 0)
             residual -= (residual * normal) * normal;
           else if (is_lip)
@@ -206,6 +204,17 @@ namespace Crevasse
       return traction;
     }
 
+    dealii::Tensor<1, dim>
+    sum(const std::vector<std::vector<Expression>> &forces,
+        const dealii::Point<dim>                   &point) const
+    {
+      dealii::Tensor<1, dim> all;
+      for (const std::vector<Expression> &components : forces)
+        for (unsigned int d = 0; d < components.size(); ++d)
+          all[d] += components[d].value(point, instant);
+      return all;
+    }
+
     static double
     size_of(const dealii::FEFaceValuesBase<dim> &face)
     {
@@ -215,9 +224,9 @@ namespace Crevasse
       return std::pow(measure, 1. / (dim - 1));
     }
 
-    const Space<dim>             &space;
-    const std::vector<Expression> body_force, traction;
-    const double                  instant;
+    const Space<dim>                    &space;
+    const double                         instant;
+    std::vector<std::vector<Expression>> volume_forces, tractions;
 
     dealii::FEValues<dim>          inside;
     dealii::FEInterfaceValues<dim> faces;

@@ -31,7 +31,8 @@ namespace Crevasse
     std::vector<Effect> free_strains;
     Effect              varying_stiffness; ///< by a factor or freely
     Effect              varying_viscosity;
-    Effect              body_force;
+    /** Those of LoadParameters::forces() in the volume. */
+    std::vector<Effect> volume_forces;
     Effect              singular_functions;
     Effect              stress_intensity;
     Effect              field_output;
@@ -41,8 +42,9 @@ namespace Crevasse
             const BoundaryRoles &roles,
             const bool           temperature_varies);
 
-    bool
-    has_free_strain() const;
+    /** The name of the first one that is on; nothing if none is. */
+    static std::string
+    first_of(const std::vector<Effect> &effects);
 
     /** All of them, in a fixed order, for tables. */
     std::vector<Effect>

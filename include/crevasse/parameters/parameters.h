@@ -141,6 +141,19 @@ namespace Crevasse
      * text is the name of a file. */
     Parsed<std::optional<Expression>> temperature{"0", parse_temperature};
 
+    /** A force on the body. In its volume it is an effect. */
+    struct Force
+    {
+      const char     *parameter;
+      const char     *effect; ///< its name in the log
+      const Formulas &components;
+      bool            in_volume; ///< or on boundaries with the role Loaded
+    };
+
+    /** All of them: whatever looks at one looks at each. */
+    std::vector<Force>
+    forces() const;
+
     void
     add_parameters(dealii::ParameterHandler &prm);
     void
