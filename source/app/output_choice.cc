@@ -143,8 +143,12 @@ namespace Crevasse
     return "the run in " + path + " has ended after " +
            std::to_string(periods) + (periods == 1 ? " period" : " periods") +
            (is_enough ? ", periodic."
-                      : ", as many as [Periodic state] Maximum periods "
-                        "allows; raise it to continue.");
+            : CheckpointFolder(path).has_any()
+              ? ", as many as [Periodic state] Maximum periods allows; raise "
+                "it "
+                "to continue."
+              : ", as many as [Periodic state] Maximum periods allows, and "
+                "left no checkpoint to continue from.");
   }
 
 

@@ -43,7 +43,7 @@ namespace Crevasse
     const StopRequests::Request request = checkpoints.ask({period, step});
     if (request == StopRequests::none)
       return;
-    const bool is_kept = !checkpoints.is_on() || write(period, step);
+    const bool is_kept = write(period, step);
     if (request != StopRequests::stop)
       return;
     if (!is_kept)
@@ -59,7 +59,7 @@ namespace Crevasse
   void
   CheckpointWriter<dim>::at_end_of_search(const unsigned int period)
   {
-    if (checkpoints.is_on() && period == last_period + 1 && last_period > 0)
+    if (period == last_period + 1 && last_period > 0)
       write(period, 0);
   }
 

@@ -78,7 +78,7 @@ namespace Crevasse
   Checkpoints::ask(const Position &position)
   {
     const StopRequests::Request request =
-      stop_requests.poll(is_on() ? expected_bytes * seconds_per_byte : 0.);
+      stop_requests.poll(expected_bytes * seconds_per_byte);
     const auto &[period, step] = position;
     const bool is_due          = every > 0 && step == 0 && period > 1 &&
                         (period - 1) % every == 0 && last != position;
@@ -127,10 +127,8 @@ namespace Crevasse
   void
   Checkpoints::stop() const
   {
-    throw StoppedOnRequest(
-      "stopped on request (" + stop_requests.reason() + ")" +
-      (is_on() ? "; --resume continues from " + all.name(manifest.number)
-               : "") +
-      '.');
+    throw StoppedOnRequest("stopped on request (" + stop_requests.reason() +
+                           "); --resume continues from " +
+                           all.name(manifest.number) + '.');
   }
 } // namespace Crevasse

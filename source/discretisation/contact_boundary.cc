@@ -256,7 +256,7 @@ namespace Crevasse
     for (const auto &[dof, factor] :
          *constraints.get_constraint_entries(node.dof))
       {
-        held.speakers.push_back({dof, factor, true});
+        held.masters.push_back({dof, factor, true});
         rest -= factor;
         if (factor > most)
           {
@@ -267,7 +267,7 @@ namespace Crevasse
     // What a hanging node has from held ones, the nearest of the others has to
     // tell.
     if (std::abs(rest) > 1e-10 && strongest != numbers::invalid_dof_index)
-      held.speakers.push_back({strongest, rest, false});
+      held.masters.push_back({strongest, rest, false});
     return held;
   }
 
@@ -280,9 +280,9 @@ namespace Crevasse
     Vector interpolated = space.ghosted_vector();
     Vector held         = space.ghosted_vector();
     for (const HeldNode &node : held_nodes)
-      for (const MasterNode &speaker : node.speakers)
-        (speaker.interpolates ? interpolated : held)(speaker.dof) +=
-          speaker.factor * node.weight;
+      for (const MasterNode &master : node.masters)
+        (master.interpolates ? interpolated : held)(master.dof) +=
+          master.factor * node.weight;
     interpolated.compress(VectorOperation::add);
     held.compress(VectorOperation::add);
     for (LipNode<dim> &node : lip_nodes)
@@ -302,8 +302,8 @@ namespace Crevasse
     for (const HeldNode &node : held_nodes)
       {
         double value = 0.;
-        for (const MasterNode &speaker : node.speakers)
-          value += speaker.factor * values(speaker.dof);
+        for (const MasterNode &master : node.masters)
+          value += master.factor * values(master.dof);
         values(node.dof) = value;
       }
     values.update_ghost_values();
@@ -318,8 +318,8 @@ namespace Crevasse
     values.zero_out_ghost_values();
     for (const HeldNode &node : held_nodes)
       {
-        for (const MasterNode &speaker : node.speakers)
-          values(speaker.dof) += speaker.factor * values(node.dof);
+        for (const MasterNode &master : node.masters)
+          values(master.dof) += master.factor * values(node.dof);
         values(node.dof) = 0.;
       }
     values.compress(VectorOperation::add);

@@ -101,19 +101,24 @@ namespace Crevasse
   {
     const BoundaryRoles roles =
       resolve_roles(scene.boundary, built_in_roles(scene.geometry));
-    if (roles.loaded.empty() && !are_zero(*scene.loads.traction))
-      {
-        const auto built_in = built_in_roles(scene.geometry).loaded;
-        const bool is_taken =
-          !built_in.empty() && scene.boundary.loaded->is_automatic;
-        throw SceneError("[Loads] Traction = " + scene.loads.traction.text() +
-                         ": no boundary has the role Loaded that could bear "
-                         "it; set [Boundary] Loaded, or the traction to 0." +
-                         (is_taken ? " That of this shape is the boundary id " +
-                                       std::to_string(*built_in.begin()) +
-                                       ", which has another role."
-                                   : ""));
-      }
+    for (const LoadParameters::Force &force : scene.loads.forces())
+      if (!force.in_volume && roles.loaded.empty() &&
+          !are_zero(*force.components))
+        {
+          const auto built_in = built_in_roles(scene.geometry).loaded;
+          const bool is_taken =
+            !built_in.empty() && scene.boundary.loaded->is_automatic;
+          throw SceneError(std::string("[Loads] ") + force.parameter + " = " +
+                           force.components.text() +
+                           ": no boundary has the role Loaded that could bear "
+                           "it; set [Boundary] Loaded, or the " +
+                           force.effect + " to 0." +
+                           (is_taken
+                              ? " That of this shape is the boundary id " +
+                                  std::to_string(*built_in.begin()) +
+                                  ", which has another role."
+                              : ""));
+        }
     return roles;
   }
 
@@ -202,7 +207,7 @@ namespace Crevasse
     , loads(space, strain_operator, scene.loads)
   {
     // What the tables say must be what is computed.
-    Assert(Effects::first_of(effects.free_strains).empty() !=
+    Assert((Effects::first_on(effects.free_strains) != nullptr) ==
              material.has_thermal_strain(),
            ExcInternalError());
     Assert(effects.varying_stiffness.on || !material.stiffness_varies(),

@@ -130,13 +130,13 @@ namespace Crevasse
 
 
 
-  std::string
-  Effects::first_of(const std::vector<Effect> &effects)
+  const Effects::Effect *
+  Effects::first_on(const std::vector<Effect> &effects)
   {
     for (const Effect &effect : effects)
       if (effect.on)
-        return effect.name;
-    return "";
+        return &effect;
+    return nullptr;
   }
 
 

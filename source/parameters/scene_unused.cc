@@ -41,6 +41,15 @@ namespace Crevasse
       const bool has_matrix = !material.stiffness_matrix.text().empty();
       const bool theta_acts = has_thermal_expansion(material) ||
                               material_depends_on("theta", material);
+      std::string surface_forces;
+      bool        has_surface_force = false;
+      for (const auto &force : scene.loads.forces())
+        if (!force.in_volume)
+          {
+            surface_forces += (surface_forces.empty() ? "" : " or ") +
+                              std::string(force.parameter);
+            has_surface_force |= !are_zero(*force.components);
+          }
       return {
         {"Geometry/Width, Height, Thickness, Subdivisions",
          from_file,
@@ -48,8 +57,8 @@ namespace Crevasse
         {"Geometry/Thickness", is_plane, "Dimension = 2"},
         {"Geometry/Crack length", !traits(shape).has_crack, of_shape},
         {"Boundary/Loaded",
-         are_zero(*scene.loads.traction),
-         "there is no [Loads] Traction"},
+         !has_surface_force,
+         "there is no [Loads] " + surface_forces},
         {"Material/Plane state", !is_plane, "Dimension = 3"},
         {"Material/Young modulus, Poisson ratio",
          has_matrix,

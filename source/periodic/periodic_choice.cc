@@ -62,7 +62,7 @@ namespace Crevasse
                       true);
       // Without what to use instead.
       return choice(Method::anderson,
-                    "no direct method, for " +
+                    "no harmonic balance, for " +
                       obstacles.front().substr(0, obstacles.front().find(';')));
     }
   } // namespace

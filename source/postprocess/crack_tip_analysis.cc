@@ -125,9 +125,8 @@ namespace Crevasse
   {
     if (!split.effect.on)
       return split.effect.why;
-    const std::string force = Effects::first_of(body.effects.volume_forces);
-    if (!force.empty())
-      return "there is " + force + ", which the integral does not know";
+    if (const auto force = Effects::first_on(body.effects.volume_forces))
+      return "there is a " + force->name + ", which the integral does not know";
     const MaterialState<2>      material = body.material.at(0.);
     std::optional<Viscosity<2>> viscosity;
     collectively(body.space.communicator(), [&]() {

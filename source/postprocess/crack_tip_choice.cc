@@ -137,10 +137,10 @@ namespace Crevasse
     obstacle(const Scene &scene, const Body<2> &body, std::string &reason)
     {
       const MaterialState<2> material = body.material.at(0.);
-      for (const auto &effects :
-           {body.effects.free_strains, body.effects.volume_forces})
-        if (const auto name = Effects::first_of(effects); !name.empty())
-          return "there is " + name;
+      if (const auto strain = Effects::first_on(body.effects.free_strains))
+        return "there is " + strain->name;
+      if (const auto force = Effects::first_on(body.effects.volume_forces))
+        return "there is a " + force->name;
       if (body.material.stiffness_varies())
         return "the stiffness varies in time, and not by [Material] Stiffness "
                "time factor alone";

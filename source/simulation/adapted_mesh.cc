@@ -98,7 +98,7 @@ namespace Crevasse
       instants.push_back(steps.within_period(t));
     if (!instants.empty())
       return instants;
-    if (!Effects::first_of(body.effects.free_strains).empty())
+    if (Effects::first_on(body.effects.free_strains) != nullptr)
       return instants_of_scale(body, steps);
     return instants_of_extreme_loads(body, steps);
   }

@@ -154,10 +154,8 @@ namespace Crevasse
       {
         state.stage             = MeshStage();
         state.stage.last_period = state.result.periods + n;
-        auto estimate =
-          std::make_unique<PeriodEstimate<dim>>(scene,
-                                                setup->body,
-                                                state.stage.last_period);
+        auto estimate           = std::make_unique<PeriodEstimate<dim>>(
+          scene, setup->body, setup->steps, state.stage.last_period);
         run_stage(*setup, output, {estimate.get()}, state, summary);
         if (state.stage.ends_run)
           return;

@@ -271,6 +271,8 @@ namespace Crevasse
         work.output.log.line("  anderson takes over");
         ++state.methods_left;
       }
+    if (shows)
+      work.start.choice.method = PeriodicMethodType::anderson;
 
     const UnilateralBounds   bounds   = unilateral_bounds(body.lip, body.space);
     const MaterialState<dim> material = body.material.at(0.);

@@ -115,8 +115,7 @@ namespace Crevasse
     if (work.start.direct)
       work.start.direct->add_to(summary);
     // By which --resume tells whether they are of the scene that is asked for.
-    if (work.output.checkpoints.is_on())
-      summary["scene"] = work.output.checkpoints.scene();
+    summary["scene"]                 = work.output.checkpoints.scene();
     summary["stress_change"]         = result.stress_change;
     summary["stress_error_estimate"] = result.stress_error_estimate;
     summary["periods"]               = result.periods;
@@ -299,8 +298,7 @@ namespace Crevasse
     std::string
     message_of_failure(const PeriodicStateParameters &parameters,
                        const PeriodicChoice          &choice,
-                       const PeriodicResult          &result,
-                       const bool                     can_resume)
+                       const PeriodicResult          &result)
     {
       const bool    marches = choice.method == PeriodicMethodType::march;
       const double  error   = result.stress_error_estimate.back();
@@ -322,8 +320,7 @@ namespace Crevasse
       message << ". All results so far are written. Raise \"Maximum periods\"";
       if (marches && result.steps_repeat)
         message << periods_to_go(result, parameters.tolerance);
-      message << " or \"Tolerance\""
-              << (can_resume ? " and continue by --resume" : "");
+      message << " or \"Tolerance\" and continue by --resume";
       if (parameters.method == PeriodicMethodType::march)
         message
           << ", set Method = automatic, which mostly needs fewer periods,";
@@ -355,10 +352,7 @@ namespace Crevasse
       report_end_by_change(result, parameters.tolerance, log);
     if (!result.converged && parameters.tolerance > 0.)
       throw NotPeriodicError(
-        message_of_failure(parameters,
-                           work.start.choice,
-                           result,
-                           work.output.checkpoints.is_on()));
+        message_of_failure(parameters, work.start.choice, result));
     if (!result.converged)
       return;
     require_contact_forces(work, summary);

@@ -37,7 +37,7 @@ namespace Crevasse
        * others. */
       explicit Extremes(Workspace<dim> &work)
         : body(work.setup.body)
-        , of_last_period(work.start.choice.periods_are_iterates())
+        , choice(work.start.choice)
         , run(work.state)
         , log(work.output.log)
       {
@@ -46,7 +46,7 @@ namespace Crevasse
       void
       observe(const Sample &sample) override
       {
-        if (of_last_period && sample.step == 0)
+        if (choice.periods_are_iterates() && sample.step == 0)
           run.largest_displacement = run.largest_opening = viscous_strain = 0.;
         run.largest_displacement =
           std::max(run.largest_displacement,
@@ -63,8 +63,9 @@ namespace Crevasse
       void
       end_of_period(const PeriodReport &report) override
       {
-        run.largest_stress = std::max(of_last_period ? 0. : run.largest_stress,
-                                      report.largest_stress);
+        run.largest_stress =
+          std::max(choice.periods_are_iterates() ? 0. : run.largest_stress,
+                   report.largest_stress);
       }
 
       void
@@ -122,11 +123,11 @@ namespace Crevasse
                       "units, and may the body flow for so long?");
       }
 
-      const Body<dim> &body;
-      const bool       of_last_period;
-      RunState        &run;
-      Log             &log;
-      double           viscous_strain = 0.; ///< largest component
+      const Body<dim>      &body;
+      const PeriodicChoice &choice;
+      RunState             &run;
+      Log                  &log;
+      double                viscous_strain = 0.; ///< largest component
     };
 
 
@@ -180,15 +181,17 @@ namespace Crevasse
       {
         if (!log.on_terminal())
           return;
+        const double done = // in periods
+          sample.period - 1. + sample.instant / scene.loads.period;
+        if (done_before < 0.)
+          done_before = done;
         // A few lines a second are enough.
         const double seconds = timer.wall_time();
         if (seconds <= last_shown + 0.2)
           return;
-        last_shown = seconds;
-        // In periods; no time is left to be told before anything is done.
-        const double done =
-          sample.period - 1. + sample.instant / scene.loads.period;
+        last_shown        = seconds;
         const double most = scene.periodic_state.maximum_periods;
+        const double now  = done - done_before;
         log.progress(Text::format(
           "  period %u of at most %.0f, step %u at t = %g, %u of the lip's "
           "nodes closed, at most %.0f s left",
@@ -197,7 +200,7 @@ namespace Crevasse
           sample.step + 1,
           sample.time,
           lip.closed_nodes,
-          done > 0. ? seconds * (most / done - 1.) : 0.));
+          now > 0. ? seconds * (most - done) / now : 0.));
       }
 
       void
@@ -232,7 +235,8 @@ namespace Crevasse
       const LipState &lip;
       Log            &log;
       const Timer     timer;
-      double          last_shown = 0.;
+      double          last_shown  = 0.;
+      double          done_before = -1.; ///< by an earlier run, on other meshes
     };
 
 

@@ -106,10 +106,10 @@ namespace Crevasse
           if (!start.choice.may_fall_back)
             throw;
           end_abandoned_factors();
-          log.line(
-            "  warning: the direct method failed, anderson takes over: " +
-            std::string(error.what()));
-          start.choice.method = PeriodicMethodType::anderson;
+          log.line("  warning: harmonic balance failed, anderson takes over: " +
+                   std::string(error.what()));
+          start.choice.method              = PeriodicMethodType::anderson;
+          start.choice.starts_from_fourier = false;
         }
     }
   } // namespace

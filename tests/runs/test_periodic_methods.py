@@ -166,7 +166,7 @@ AUTOMATIC = {
     "trapezoid": ([], "trapezoid",
                   "fourier (automatic: nothing but the loads depends on time"),
     "K(t)": (["Material/Stiffness time factor=1 + 0.3*sin(2*pi*t/600)"],
-             "heun", "anderson (automatic: no direct method, for the stiffness varies"),
+             "heun", "anderson (automatic: no harmonic balance, for the stiffness varies"),
     "eta(t, x)": (["Material/Viscosity=isotropic",
                    "Material/Viscous modulus="
                    "13000*600*(1 + 0.5*x*sin(2*pi*t/600))",

@@ -34,7 +34,7 @@ PHRASES = [
     (r"(is|are|was) (told|warned)( of| that)?", "is reported; causes a warning"),
     (r"hardly meant", "probably a mistake"),
     (r"swings? on", "oscillates instead of decaying"),
-    (r"direct in time", "harmonic balance"),
+    (r"direct (in time|method)", "harmonic balance"),
     (r"periods of anderson", "Anderson iterations"),
 ]
 

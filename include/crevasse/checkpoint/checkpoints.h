@@ -35,8 +35,8 @@ namespace Crevasse
                 const Summary     &scene,
                 const unsigned int every);
 
-    /** Takes the run up from the newest checkpoint that is in order. Nothing
-     * in the folder is changed. Collective.
+    /** Resumes the run from the newest checkpoint that is in order. Nothing in
+     * the folder is changed. Collective.
      * @throw FileError if there is none, SceneError if its scene differs from
      * this one in what matters. */
     void
@@ -79,12 +79,6 @@ namespace Crevasse
       tables = names;
     }
 
-    /** Whether any are written. */
-    bool
-    is_on() const
-    {
-      return !directory.empty();
-    }
     StopRequests &
     requests() const
     {

@@ -110,7 +110,7 @@ namespace Crevasse
     struct HeldNode
     {
       dealii::types::global_dof_index dof;
-      std::vector<MasterNode>         speakers;
+      std::vector<MasterNode>         masters;
       double                          weight; ///< ∫φ over the lip
     };
 

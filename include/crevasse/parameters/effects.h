@@ -42,9 +42,9 @@ namespace Crevasse
             const BoundaryRoles &roles,
             const bool           temperature_varies);
 
-    /** The name of the first one that is on; nothing if none is. */
-    static std::string
-    first_of(const std::vector<Effect> &effects);
+    /** The first one that is on, or nullptr. */
+    static const Effect *
+    first_on(const std::vector<Effect> &effects);
 
     /** All of them, in a fixed order, for tables. */
     std::vector<Effect>

@@ -22,15 +22,13 @@ namespace Crevasse
      * @param period that is looked at. */
     PeriodEstimate(const Scene       &scene,
                    const Body<dim>   &body,
+                   const StepList    &steps,
                    const unsigned int period)
       : body(body)
       , period(period)
       , rounding(1e-12 * scene.loads.period)
       , stress_estimator(body.space, body.points, body.lip, scene.loads)
     {
-      const StepList steps(scene.time_integration,
-                           scene.loads.period,
-                           scene.output.field_times);
       for (const double t : instants_of_estimate(scene, body, steps))
         instants.insert(steps.within_period(steps.instant(steps.nearest(t))));
     }
