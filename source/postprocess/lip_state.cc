@@ -13,13 +13,27 @@ namespace Crevasse
   using namespace dealii;
 
   template <int dim>
+  double
+  contact_force(const ContactBoundary<dim> &lip,
+                const std::vector<double>  &forces)
+  {
+    double sum = 0.;
+    for (unsigned int k = 0; k < lip.nodes().size(); ++k)
+      sum += lip.nodes()[k].force(forces[k]);
+    return sum;
+  }
+
+
+
+  template <int dim>
   LipState
   lip_state(const ContactBoundary<dim> &lip, const State &state)
   {
     const MPI_Comm communicator = state.displacement.get_mpi_communicator();
     const double   touching     = 1e-10 * state.displacement.linfty_norm();
 
-    std::vector<double> sums(2), maxima(2);
+    std::vector<double> sums = {0., contact_force(lip, state.contact_forces)};
+    std::vector<double> maxima(2);
     for (unsigned int k = 0; k < lip.nodes().size(); ++k)
       {
         const LipNode<dim> &node = lip.nodes()[k];
@@ -27,7 +41,6 @@ namespace Crevasse
         const double        opening =
           node.sign * state.displacement(node.dof) - node.gap;
         sums[0] += opening <= touching ? 1. : 0.;
-        sums[1] += node.force(g);
         maxima[0] = std::max(maxima[0], g / node.weight);
         maxima[1] = std::max(maxima[1], opening);
       }
@@ -38,6 +51,10 @@ namespace Crevasse
 
 
 
+  template double
+  contact_force<2>(const ContactBoundary<2> &, const std::vector<double> &);
+  template double
+  contact_force<3>(const ContactBoundary<3> &, const std::vector<double> &);
   template LipState
   lip_state<2>(const ContactBoundary<2> &, const State &);
   template LipState

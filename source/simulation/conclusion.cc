@@ -6,6 +6,7 @@
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/text.h>
 #include <crevasse/base/version.h>
+#include <crevasse/postprocess/lip_state.h>
 #include <crevasse/simulation/conclusion.h>
 #include <crevasse/simulation/setup_report.h>
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace Crevasse
 {
@@ -244,11 +244,11 @@ namespace Crevasse
       // exact as the solver finds them.
       constexpr double far = 0.5, part_of_load = 0.05, rounding = 1e-10;
       const MPI_Comm   communicator = setup.body.space.communicator();
-      const auto       forces       = start.flow->contact_forces.begin();
       const auto       n_nodes      = setup.body.lip.nodes().size();
       const double     measured = secular["mean_contact_force_of_last_period"];
       const double     expected =
-        Utilities::MPI::sum(std::accumulate(forces, forces + n_nodes, 0.),
+        Utilities::MPI::sum(contact_force(setup.body.lip,
+                                          start.flow->contact_forces),
                             communicator);
       const double difference = std::abs(measured - expected);
       const double error = std::max(rounding, setup.scene.contact.tolerance) *

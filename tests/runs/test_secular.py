@@ -397,6 +397,8 @@ def test_contact_force():
     print(f"mean contact force {secular['contact_force']}, expected {force}")
     check_below(abs(secular["contact_force"] / force - 1), 1e-10,
                 "mean contact force")
+    check_below(abs(secular["mean_contact_force_of_last_period"] / force - 1),
+                1e-2, "that of the last period")
 
 
 if __name__ == "__main__":

@@ -18,6 +18,14 @@ namespace Crevasse
     double       largest_opening  = 0.; ///< u_N − gap
   };
 
+  /** ∫ pressure over the nodes of this rank, with the shares of held ones.
+   *
+   * @param forces of these nodes. */
+  template <int dim>
+  double
+  contact_force(const ContactBoundary<dim> &lip,
+                const std::vector<double>  &forces);
+
   /** A node is closed where its opening vanishes against the largest
    * displacement of the body; with no displacement at all the lip touches.
    * Collective. */

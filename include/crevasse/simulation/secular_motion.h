@@ -6,12 +6,12 @@
 
 #include <crevasse/base/format.h>
 #include <crevasse/base/state_archive.h>
+#include <crevasse/postprocess/lip_state.h>
 #include <crevasse/simulation/workspace.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace Crevasse
@@ -179,8 +179,7 @@ namespace Crevasse
           if (is_whole && forces[opening.index] > pressing)
             last_pressed = sample.time;
         }
-      const double force =
-        std::accumulate(forces.begin(), forces.begin() + nodes.size(), 0.);
+      const double force = contact_force(setup.body.lip, forces);
       impulse =
         sample.step == 0 ? 0. : impulse + half_step * (force + last_force);
       last_force   = force;
@@ -205,16 +204,12 @@ namespace Crevasse
     void
     summarise_flow(Summary &secular) const
     {
-      const auto &nodes = setup.body.lip.nodes();
-      State       mean;
-      mean.displacement   = work.start.flow->velocity;
-      mean.contact_forces = work.start.flow->contact_forces;
-      double force        = 0.;
-      for (std::size_t k = 0; k < nodes.size(); ++k)
-        force += nodes[k].force(mean.contact_forces[k]);
-      secular["largest_rate"] = mean.displacement.linfty_norm();
-      secular["contact_force"] =
-        dealii::Utilities::MPI::sum(force, communicator);
+      State mean;
+      mean.displacement        = work.start.flow->velocity;
+      mean.contact_forces      = work.start.flow->contact_forces;
+      secular["largest_rate"]  = mean.displacement.linfty_norm();
+      secular["contact_force"] = dealii::Utilities::MPI::sum(
+        contact_force(setup.body.lip, mean.contact_forces), communicator);
       for (const auto &probe : setup.probes)
         {
           auto        &entry    = secular["per_probe"][probe.name()];
