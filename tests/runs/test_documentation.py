@@ -120,7 +120,9 @@ def test_first_scene():
 
 def test_own_mesh():
     """With material, loads and output of the first scene."""
-    shutil.copy(SOURCE / "tests/meshes/edge_crack_4.msh", ".")
+    mesh = pathlib.Path("tests/meshes/edge_crack_4.msh")
+    mesh.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copy(SOURCE / mesh, mesh)
     results = run(OWN_MESH + FIRST_SCENE, "own_mesh")
     check(results.summary["contact_nodes"] > 0
           and any(results.table("contact.csv")["closed_nodes"]), "its lip closes")
