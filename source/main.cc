@@ -189,9 +189,10 @@ namespace
       {
         dealii::ParameterHandler prm;
         const Scene              scene = read_and_check(command, prm);
-        text << (command.print_format == "prm"
-                   ? used_parameters(prm)
-                   : scene_as_json(prm).dump(2) + '\n');
+        Summary                  json  = scene_as_json(prm);
+        json.erase(checksums_of_files);
+        text << (command.print_format == "prm" ? used_parameters(prm)
+                                               : json.dump(2) + '\n');
       }
     std::cout << text.str() << std::flush;
     if (!std::cout)

@@ -148,7 +148,8 @@ namespace Crevasse
                 "it "
                 "to continue."
               : ", as many as [Periodic state] Maximum periods allows, and "
-                "left no checkpoint to continue from.");
+                "left no checkpoint to continue from; compute more in another "
+                "--output.");
   }
 
 

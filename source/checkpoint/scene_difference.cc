@@ -100,7 +100,7 @@ namespace Crevasse
           scene.contains(place) ? scene[place].get<std::string>() : "";
         std::error_code not_there;
         if (!name.empty() && std::filesystem::is_regular_file(name, not_there))
-          scene["Content of files"][describe(pointer)] = checksum_of(name);
+          scene[checksums_of_files][describe(pointer)] = checksum_of(name);
       }
     return scene;
   }

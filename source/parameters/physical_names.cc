@@ -5,9 +5,9 @@
 #include <crevasse/parameters/catalogue.h>
 #include <crevasse/parameters/physical_names.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iomanip>
-#include <optional>
 #include <regex>
 #include <vector>
 
@@ -44,11 +44,35 @@ namespace Crevasse
 
 
 
+    /** If not, that is reported, and nothing of the names. */
+    bool
+    is_readable(const std::string &file_name)
+    {
+      return std::ifstream(file_name).good();
+    }
+
+
+
     bool
     has_gmsh_file(const Scene &scene)
     {
       return scene.geometry.shape == Shape::mesh_file &&
              Text::suffix(scene.geometry.mesh_file) == ".msh";
+    }
+
+
+
+    /** Whether the parts of a formula before and after a name compare it with
+     * the material. */
+    bool
+    is_compared(const std::string &before, const std::string &after)
+    {
+      static const std::regex left("\\bmaterial\\s*[=!]=\\s*$"),
+        right("^\\s*[=!]=\\s*material\\b");
+      constexpr std::size_t enough = 40; // characters; regex is recursive
+      const std::size_t begin = before.size() - std::min(before.size(), enough);
+      return std::regex_search(before.substr(begin), left) ||
+             std::regex_search(after.substr(0, enough), right);
     }
 
 
@@ -86,7 +110,7 @@ namespace Crevasse
         for (const std::string &name : list->names)
           if (const auto group = names.find(name); group != names.end())
             ids.push_back(std::to_string(group->second));
-          else
+          else if (is_readable(scene.geometry.mesh_file))
             problems.add(BoundaryParameters::section,
                          role.name,
                          describe_unknown("the mesh file has no boundary named",
@@ -103,8 +127,7 @@ namespace Crevasse
                   const dealii::ParameterHandler &prm,
                   Problems                       &problems)
   {
-    const std::string section = MaterialParameters::section;
-    const std::regex  quoted("\"([^\"]*)\"");
+    const std::string section   = MaterialParameters::section;
     const Catalogue   catalogue = make_catalogue(prm);
     const Names       names =
       has_gmsh_file(scene)
@@ -115,24 +138,40 @@ namespace Crevasse
     for (const auto &[parameter, entry] : catalogue[section].items())
       {
         std::string text = prm.get({section}, parameter);
-        for (std::smatch match; std::regex_search(text, match, quoted);)
+        for (std::size_t begin; (begin = text.find('"')) != std::string::npos;)
           {
-            const std::string name  = Text::squeeze(match[1]);
-            const auto        group = names.find(name);
-            std::string       id    = "0"; // for the rest of the formula
-            if (group != names.end())
+            const std::size_t end = text.find('"', begin + 1);
+            if (end == std::string::npos)
+              break; // muParser reports it
+            const std::string name =
+              Text::squeeze(text.substr(begin + 1, end - begin - 1));
+            const std::string before = text.substr(0, begin),
+                              after  = text.substr(end + 1);
+            std::string id           = "0"; // for the rest of the formula
+            if (!is_compared(before, after))
+              problems.add(section,
+                           parameter,
+                           '"' + Text::shorten(name) +
+                             "\" must be compared with the material, as in "
+                             "material == \"blade\" || material == \"root\"");
+            else if (!has_gmsh_file(scene))
+              problems.add(section,
+                           parameter,
+                           "there is no material named \"" +
+                             Text::shorten(name) +
+                             "\": names are those of physical groups of a Gmsh "
+                             "file; compare with material ids, as in "
+                             "material == 1");
+            else if (const auto group = names.find(name); group != names.end())
               id = std::to_string(group->second);
-            else
+            else if (is_readable(scene.geometry.mesh_file))
               problems.add(
                 section,
                 parameter,
-                has_gmsh_file(scene)
-                  ? describe_unknown("the mesh file has no material named",
-                                     name,
-                                     names)
-                  : "names of materials are those of physical groups "
-                    "of a Gmsh file");
-            text = match.prefix().str() + id + match.suffix().str();
+                describe_unknown("the mesh file has no material named",
+                                 name,
+                                 names));
+            text                = before + id + after;
             replaced[parameter] = text;
           }
       }

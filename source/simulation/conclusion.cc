@@ -320,7 +320,7 @@ namespace Crevasse
       message << ". All results so far are written. Raise \"Maximum periods\"";
       if (marches && result.steps_repeat)
         message << periods_to_go(result, parameters.tolerance);
-      message << " or \"Tolerance\" and continue by --resume";
+      message << " and continue by --resume, allow a larger \"Tolerance\"";
       if (parameters.method == PeriodicMethodType::march)
         message
           << ", set Method = automatic, which mostly needs fewer periods,";

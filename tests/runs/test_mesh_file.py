@@ -114,16 +114,22 @@ def test_names_of_materials():
             for i, material in enumerate(("10", '"body"'))]
     check(runs[0].directory.joinpath("probe_lip.csv").read_bytes()
           == runs[1].directory.joinpath("probe_lip.csv").read_bytes(), "by name")
-    unknown = 'Material/Young modulus=if(material == "blade", 2, 1)'
-    for settings, message in (
-            ([], 'the mesh file has no material named "blade"; its names: '
-                 '"body" (10)'),
-            (["Geometry/Shape=edge crack"],
-             "names of materials are those of physical groups of a Gmsh file")):
-        words = [word for text in (unknown, *settings) for word in ("--set", text)]
-        status, _, error = execute("--check", runs[0].directory / "used.prm", *words)
+    modulus = "Material/Young modulus=if({}, 2, 1)".format
+    for condition, shape, message in (
+            ('material == "blade"', "mesh file",
+             'the mesh file has no material named "blade"; its names: "body" (10)'),
+            ('"body" != material || "body"', "mesh file",
+             '"body" must be compared with the material'),
+            ('material == "body"', "edge crack", "there is no material named")):
+        status, _, error = execute(
+            "--check", runs[0].directory / "used.prm", "--set", modulus(condition),
+            "--set", f"Geometry/Shape={shape}")
         check(status == 2 and error.count("[Material]") == 1 and message in error,
               f"exit status {status}\n{error}")
+    status, _, error = execute("--check", runs[0].directory / "used.prm",
+                               "--set", modulus('material == "body"'),
+                               "--set", "Geometry/Mesh file=none.msh")
+    check(status == 4 and error.count("none.msh") == 1, error)
 
 
 def test_where_it_is_looked_for():

@@ -13,6 +13,8 @@
 
 namespace Crevasse
 {
+  inline constexpr const char *checksums_of_files = "Content of files";
+
   /** All parameters of a scene that was read, by section and name, and the
    * checksums of the files that they name. */
   Summary
