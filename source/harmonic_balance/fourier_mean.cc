@@ -30,7 +30,7 @@ namespace Crevasse
     harmonics.synthesise(values);
 
     dealii::Vector<double> ones(part.n_nodes());
-    ones                  = 1.;
+    std::fill(ones.begin(), ones.end(), 1.); // perhaps of no node
     const auto is_in_part = lip.gather(part.scatter(ones));
     auto       mean       = lip.gather(part.scatter(offsets));
     for (unsigned int i = 0; i < mean.size(); ++i)
@@ -52,7 +52,7 @@ namespace Crevasse
                                        Vector                       &mean) const
   {
     mean = 0.;
-    if (on_lip.linfty_norm() == 0.)
+    if (on_lip.size() == 0 || on_lip.linfty_norm() == 0.)
       return;
     // The displacement of least energy is that of forces at the lip,
     // A⁻¹ Lᵀ g: a back-solve for each product with L A⁻¹ Lᵀ. A slow material
