@@ -3,7 +3,6 @@ they take, that their estimates of the error are correct, and that they all end
 in the same state."""
 
 import math
-import re
 
 from crevasse_run import Failure, check, check_below, full, tier
 from periodic_scenes import (COMPRESSIVE, FOURIER, LIP,
