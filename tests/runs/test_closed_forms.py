@@ -62,6 +62,17 @@ for case, offset in (("closed", -1.5), ("open", 1.5)):
     check(n == 242 and counters["linear_solves"] == expected,
           f"{case}: {expected} back-solves")
 
+# A bar under its own weight f: u = f y (H - y/2) / E, which Q2 has in its space.
+weight, modulus = 3., 13000.
+bar = run(SOURCE / "prm/raous1980.prm", "weight", [
+    "Geometry/Shape=rectangle", "Geometry/Subdivisions=2, 3",
+    "Discretisation/Degree=2", "Material/Poisson ratio=0", "Material/Viscosity=none",
+    "Loads/Traction=0; 0", f"Loads/Body force=0; {weight}", "Output/Fields=none",
+    "Contact/Solver=automatic", "Output/Probes=top: 1, 1; inside: 0.3, 0.4"])
+for name, y in (("top", 1.), ("inside", 0.4)):
+    u = bar.table(f"probe_{name}.csv")["u_2"][-1]
+    check_close(u, weight * y * (1 - y / 2) / modulus, 1e-15, f"weight, {name}")
+
 # Many periods of drift: the viscous strain, and with it A q and b, grow on and
 # on, but the errors of a rough iterative solver stay those of the load.
 summary = run(SOURCE / "prm/raous1980.prm", "long_drift", [
