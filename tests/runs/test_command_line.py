@@ -1,6 +1,7 @@
 """What can be asked on the command line, and that every way to write a scene
 gives the same run."""
 
+import fcntl
 import json
 import pathlib
 import re
@@ -207,6 +208,20 @@ def test_earlier_results():
     (directory / "earlier_3").write_text("somebody's notes\n")
     succeed(*other)
     check((directory / "earlier_4" / "used.prm").exists(), "not beside earlier_3")
+
+
+def test_second_run():
+    """A directory has one run at a time."""
+    directory = pathlib.Path("two_runs")
+    directory.mkdir(exist_ok=True)
+    pathlib.Path("two_runs.prm").write_text(SCENE)
+    with open(directory / "running", "w") as file:
+        file.write("the first run\n")
+        file.flush()
+        fcntl.flock(file, fcntl.LOCK_EX)
+        status, _, error = execute("two_runs.prm", "--output", directory)
+    check(status == 4 and "Another run writes to" in error
+          and "the first run" in error, f"exit status {status}\n{error}")
 
 
 def test_set():
@@ -433,6 +448,7 @@ test_predicted_memory()
 test_quiet_and_output()
 test_directories()
 test_earlier_results()
+test_second_run()
 test_set()
 test_set_anywhere()
 test_told_where()
