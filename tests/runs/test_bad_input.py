@@ -671,7 +671,7 @@ def test_not_yet_periodic():
                     r"\S+ of its maximum, and its error is not known",
                     "results so far are written",
                     r"\[Periodic state\] Tolerance = 1e-0?8",
-                    '"Maximum periods" or'])
+                    '"Maximum periods" and continue'])
     log = (directory / "log.txt").read_text()
     check(log.endswith(result[2]), "log.txt does not end with the message")
     for name in ("used.prm", "log.txt", "contact.csv", "periods.csv",
