@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
-#include <crevasse/parameters/catalogue.h>
 #include <crevasse/parameters/physical_names.h>
 
 #include <algorithm>
@@ -124,11 +123,11 @@ namespace Crevasse
 
   std::map<std::string, std::string>
   named_materials(const Scene                    &scene,
+                  const Catalogue                &catalogue,
                   const dealii::ParameterHandler &prm,
                   Problems                       &problems)
   {
-    const std::string section   = MaterialParameters::section;
-    const Catalogue   catalogue = make_catalogue(prm);
+    const std::string section = MaterialParameters::section;
     const Names       names =
       has_gmsh_file(scene)
               ? read_names(scene.geometry.mesh_file, scene.dimension)

@@ -139,10 +139,10 @@ namespace Crevasse
      * allowed is left as it was and reported. */
     void
     apply(const std::vector<Assignment> &assignments,
+          const Catalogue               &catalogue,
           ParameterHandler              &prm,
           Problems                      &problems)
     {
-      const Catalogue catalogue = make_catalogue(prm);
       for (const auto &[section, parameters] : catalogue.items())
         for (const auto &[name, entry] : parameters.items())
           problems.note(section, name, entry["default_value"]);
@@ -241,7 +241,11 @@ namespace Crevasse
   {
     Scene scene;
     scene.add_parameters(prm);
-    apply(read_assignments(file_name, overrides, problems), prm, problems);
+    const Catalogue catalogue = make_catalogue(prm);
+    apply(read_assignments(file_name, overrides, problems),
+          catalogue,
+          prm,
+          problems);
 
     resolve_file(file_name,
                  GeometryParameters::section,
@@ -255,7 +259,8 @@ namespace Crevasse
                    scene.loads.temperature.text(),
                    prm);
     replace_boundary_names(scene, problems);
-    for (const auto &[name, text] : named_materials(scene, prm, problems))
+    for (const auto &[name, text] :
+         named_materials(scene, catalogue, prm, problems))
       set(MaterialParameters::section, name, text, prm);
     return scene;
   }

@@ -5,6 +5,7 @@
 #define crevasse_parameters_physical_names_h
 
 #include <crevasse/base/problems.h>
+#include <crevasse/parameters/catalogue.h>
 #include <crevasse/parameters/scene.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -27,6 +28,7 @@ namespace Crevasse
    * material ids in place of the names. */
   std::map<std::string, std::string>
   named_materials(const Scene                    &scene,
+                  const Catalogue                &catalogue,
                   const dealii::ParameterHandler &prm,
                   Problems                       &problems);
 } // namespace Crevasse
