@@ -315,7 +315,9 @@ def judge(program, name):
     common = options("set", settings)
     status, advice = advice_of(program, scene, target, common, where)
     runs = where / "advice/runs"
-    body = Body((runs / "original/used.prm").read_text())
+    # Of the scene itself, which may be too coarse to run.
+    body = Body(subprocess.run([program, scene, *common, "--print-parameters"],
+                               text=True, capture_output=True, check=True).stdout)
     points = full_sweep(program, scene, common, body, advice, target,
                         finer[0] if finer else [], where)
 
