@@ -56,6 +56,13 @@ def command_line():
         check(process.returncode == status and "Traceback" not in process.stderr,
               f"status {process.returncode}: {process.stderr}")
     check(output.read_text() == report("results/bare")[0], "another page")
+    for words in (["report", "results/bare", "--output", output], ["report", "--help"]):
+        with open("/dev/full", "w") as full:
+            process = subprocess.run([PROGRAM, *words], text=True, stdout=full,
+                                     stderr=subprocess.PIPE, timeout=120)
+        check(process.returncode == 4 and process.stderr.splitlines() == [
+            "crevasse report: cannot write to the standard output (No space left on "
+            "device)."], f"{words}: {process.returncode} {process.stderr}")
 
 
 def figures(directory, count, status=0):

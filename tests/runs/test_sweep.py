@@ -118,6 +118,33 @@ def test_zipped():
           == {("euler", "160"), ("heun", "80")}, f"zipped: {values}")
 
 
+def test_warnings():
+    """Each once, whatever its numbers, with its points, also when all is there. Brackets
+    keep a formula together."""
+    directory = pathlib.Path("results/warned")
+    shutil.rmtree(directory, ignore_errors=True)
+    words = ["sweep", SCENE, "--output", directory, *SETTINGS,
+             "--set", "Loads/Traction=0; sin(2*pi*t/60)",
+             "--set", "Output/Field times=150", "--set", "Geometry/Crack length=0.1",
+             "--vary", STEPS + "=20,23,60",
+             "--vary", "Material/Young modulus=max(1, 2),3",
+             "--exact", "probe_top/u_1=t"]
+    status, _, error = execute(*words)
+    check(status == 0 and not error, error)
+    status, output, error = execute(*words)
+    check(status == 0 and output.count("already there") == 6, output + error)
+    found = re.findall(r"^  warning: (.*)$", output, re.MULTILINE)
+    print(*found, sep="\n")
+    check(found == json.loads((directory / "sweep.json").read_text())["warnings"]
+          and all(f"- {text}\n" in (directory / "sweep.md").read_text()
+                  for text in found), "sweep.md and sweep.json have them")
+    check(found[0] == "[Geometry] Crack length = 0.1 is not used: Shape = rectangle",
+          "of all points")
+    check(found[-1].startswith("[Time integration]: within a step")
+          and found[-1].endswith(" (4 of 6 points, numbers of the first)"), "of steps")
+    check("Field times" not in output, "what the sweep itself sets")
+
+
 def test_resumption():
     """Killed in the middle: what is finished stays, the table is the same."""
     arguments = ("--vary", STEPS + "=20,40,80,6400,38400", "--reference",
@@ -306,7 +333,7 @@ def test_ranks():
 
 
 for test in (test_order_against_reference, test_order_against_closed_form,
-             test_zipped, test_resumption, test_points_without_results,
+             test_zipped, test_warnings, test_resumption, test_points_without_results,
              test_failing_point, test_no_error, test_too_few_instants,
              test_mistakes, test_ranks):
     start = time.time()

@@ -25,11 +25,28 @@ def main(words):
               "python3-meshio, and Debian's own /usr/bin/python3.", file=sys.stderr)
         return FILE_FAILURE
     try:
-        return command.main(words[1:])
+        status = command.main(words[1:])
+    except SystemExit as end:  # of --help
+        status = end.code
     except KeyboardInterrupt:
         return 130
+    sys.stdout.flush()
+    return status
+
+
+def guarded(words):
+    """Commands report what they cannot read or write, except the standard output."""
+    try:
+        return main(words)
+    except OSError as error:
+        what = error.filename or "the standard output"
+        # What is left of it must go somewhere when Python ends.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        print(f"crevasse {words[0]}: cannot write to {what} ({error.strerror}).",
+              file=sys.stderr)
+        return FILE_FAILURE
 
 
 if __name__ == "__main__":
     sys.stdout.reconfigure(errors="backslashreplace")  # names need not be text
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(guarded(sys.argv[1:]))

@@ -8,7 +8,7 @@ import hashlib
 import json
 import shutil
 
-from crevasse.program import Outcome, assignments
+from crevasse.program import Outcome, assignments, without_numbers
 
 SOLVES_OF_A_FACTORISATION = 10
 
@@ -50,6 +50,7 @@ class Runs:
         self.base = hashlib.sha256(
             program.parameters(scene, settings).encode()).hexdigest()
         self.known = {}
+        self.warned = set()
 
     def folder(self, run):
         return self.directory / "runs" / run.name
@@ -66,6 +67,10 @@ class Runs:
                      f"{run.costs.get('vi_solves', 0):7.0f} VIs {run.seconds:8.3f} s"
                      if run.usable else run.status)
             self.log(f"  {name:44} {costs}{there}")
+            for warning in run.warnings:
+                if (kind := without_numbers(warning)) not in self.warned:
+                    self.warned.add(kind)
+                    self.log(f"  warning: {warning}")
         return self.known[name]
 
     def finished(self, folder, name, settings):
@@ -74,7 +79,8 @@ class Runs:
             kept = json.loads((folder / "finished.json").read_text())
             if (kept["scene"], kept["settings"]) == (self.base, as_text(settings)):
                 return Run(kept["status"], kept["message"], kept["costs"],
-                           name=name, settings=settings)
+                           warnings=kept.get("warnings", []), name=name,
+                           settings=settings)
         except (OSError, ValueError, KeyError):
             pass
         return None
@@ -87,7 +93,8 @@ class Runs:
             name=name, settings=settings)
         (folder / "finished.json").write_text(json.dumps(
             {"scene": self.base, "settings": as_text(settings),
-             "status": run.status, "message": run.message, "costs": run.costs},
+             "status": run.status, "message": run.message, "costs": run.costs,
+             "warnings": run.warnings},
             indent=2) + "\n")
         return run
 

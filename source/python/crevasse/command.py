@@ -157,12 +157,12 @@ class Log:
             self.say(f"\r{text}\033[K")
 
     def say(self, text):
-        """Whoever reads may end before the runs do."""
+        """Whoever reads may end before the runs do, or a disk be full."""
         try:
             print(text, end="", flush=True)
-        except BrokenPipeError:
+        except OSError:
             self.quiet, self.shows_progress = True, False
-            sys.stdout = open(os.devnull, "w")
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 @contextlib.contextmanager

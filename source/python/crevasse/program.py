@@ -13,7 +13,6 @@ import select
 import shutil
 import signal
 import subprocess
-import sys
 import tempfile
 import time
 
@@ -179,7 +178,6 @@ class Program:
                     self.run_parallel(words))
         finally:
             shutil.rmtree(folder / "checkpoint", ignore_errors=True)
-        sys.stderr.write("".join(WARNING.findall(call.error)))
         message = message_of(call)
         if call.status == 5:
             self.stop.name = "--wall-time"  # with some time left
@@ -192,7 +190,7 @@ class Program:
                   "refused" if not (folder / "used.prm").exists() else
                   "not converged" if summary.get("converged") is False else "failed")
         return Outcome(status, message.replace(" and continue by --resume", ""),
-                       costs_in(summary), call.status)
+                       costs_in(summary), call.status, warnings_in(folder))
 
 
 @dataclasses.dataclass
@@ -201,6 +199,7 @@ class Outcome:
     message: str
     costs: dict
     exit_status: int = 0
+    warnings: list = dataclasses.field(default_factory=list)
 
     @property
     def has_results(self):
@@ -222,6 +221,22 @@ def message_of(call):
     if not message and call.status < 0:
         return f"ended by {signal.Signals(-call.status).name}"
     return message.removeprefix("crevasse: ")
+
+
+def warnings_in(folder):
+    """Those of a run, as its log has them. That its fields are not written is not the
+    user's wish."""
+    try:
+        log = (folder / "log.txt").read_text(errors="replace")
+    except OSError:
+        return []
+    return [text for text in dict.fromkeys(re.findall(r"^  warning: (.*)$", log, re.M))
+            if not text.startswith("[Output] Field times")]
+
+
+def without_numbers(text):
+    """By which warnings of one kind are known."""
+    return re.sub(r"\d+(\.\d*)?(e[-+]?\d+)?", "#", text)
 
 
 def read_summary(folder):

@@ -129,10 +129,14 @@ class Sweep:
             self.log(f"  note: {', '.join(names)} changes the problem itself: errors "
                      "against one reference tell how results differ from it, not how "
                      "accurate they are")
-        if self.needs_reference:
-            self.output.reference_result = self.find_reference()
-        for number in range(n):
-            self.find_point(number)
+        try:
+            if self.needs_reference:
+                self.find_reference()
+            for number in range(n):
+                self.find_point(number)
+        finally:
+            for warning in self.output.warnings():
+                self.log("  warning: " + warning)
         self.log(f"  table in {self.directory}/sweep.md, sweep.csv, sweep.json")
         if not any(result.has_results for result in self.output.results):
             raise CommandError(f"None of the points has results: {self.directory}"
@@ -154,13 +158,14 @@ class Sweep:
         if not was_there:
             self.log.progress("  reference ...")
             result = self.compute(folder, self.settings[0])
+            self.output.reference_result = result
             if result.status != "done":
                 raise CommandError("The reference run: " + result.message,
                                    2 if result.exit_status == 2 else 3)
             self.read_stress(folder, result)
             folder.finish(result)
+        self.output.reference_result = result
         self.log("  reference: " + ("already there" if was_there else "computed"))
-        return result
 
     def read_stress(self, folder, result):
         if STRESS in self.quantities and result.has_periods:

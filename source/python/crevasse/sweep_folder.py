@@ -32,6 +32,7 @@ class Result(Outcome):
 
     def as_json(self):
         return {"status": self.status, "message": self.message,
+                "warnings": self.warnings,
                 "errors": dict(sorted(self.errors.items())), "costs": self.costs,
                 "compared with": self.basis}
 
@@ -58,7 +59,8 @@ class Folder:
                    for name, size in kept["files"].items()):
                 return None
             return Result(kept["status"], kept["message"], kept["costs"],
-                          errors=kept["errors"], basis=kept["compared with"])
+                          warnings=kept.get("warnings", []), errors=kept["errors"],
+                          basis=kept["compared with"])
         except (OSError, ValueError, KeyError, AttributeError):
             return None
 

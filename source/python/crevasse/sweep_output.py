@@ -11,7 +11,7 @@ import json
 import math
 
 from crevasse.command import write_file
-from crevasse.program import COSTS
+from crevasse.program import COSTS, without_numbers
 
 FOR_PEOPLE = {"vi_solves": "VIs", "linear_solves": "linear solves",
               "factorisations": "factorisations",
@@ -59,6 +59,24 @@ class Output:
         return (-math.log(errors[1] / errors[0])
                 / math.log(next(ends) / next(ends)))
 
+    def warnings(self):
+        """Of all runs, one of each kind, and how many points have it."""
+        kinds = {}
+        runs = [*self.results, self.reference_result]
+        for p, result in enumerate(runs):
+            for text in result.warnings if result else []:
+                texts, where = kinds.setdefault(without_numbers(text), ([], set()))
+                texts.append(text)
+                where.add(p)
+        n = len(self.results)
+        for texts, where in kinds.values():
+            remarks = (["reference"] if where == {n} else
+                       [f"{len(where - {n})} of {n} points"] if where - {n} < set(range(n))
+                       else [])
+            if len(set(texts)) > 1:
+                remarks.append("numbers of the first")
+            yield texts[0] + (f" ({', '.join(remarks)})" if remarks else "")
+
     def csv(self):
         text = io.StringIO()
         table = csv.writer(text, lineterminator="\n")
@@ -85,6 +103,7 @@ class Output:
             reference["costs"] = self.reference_result.costs
         return {"title": self.title, "parameters": self.plan.parameters,
                 "quantities": self.quantities, "reference": reference,
+                "warnings": list(self.warnings()),
                 "points": [{"folder": point.folder,
                             "values": dict(zip(self.plan.parameters, point.values)),
                             **result.as_json()}
@@ -109,7 +128,9 @@ class Output:
                     cells.append(formatted(self.order(p, quantity), "%.2f"))
             text += row([*cells, *(cost(result, name) for name in FOR_PEOPLE),
                          result.status])
-        return text + "".join(self.notes())
+        warnings = "".join(f"- {warning}\n" for warning in self.warnings())
+        return (text + "".join(self.notes())
+                + (f"\nWarnings:\n\n{warnings}" if warnings else ""))
 
     def notes(self):
         begin = "\nRemarks:\n\n"

@@ -107,8 +107,16 @@ def squeeze(text):
 
 
 def split(text, separator):
-    """A separator at the end does not begin another part."""
-    parts = list(map(str.strip, text.split(separator)))
+    """At the separators that are not within brackets. One at the end does not begin
+    another part."""
+    parts, depth = [""], 0
+    for character in text:
+        depth += (character == "(") - (character == ")")
+        if character == separator and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    parts = list(map(str.strip, parts))
     return parts if parts[-1] else parts[:-1]
 
 
@@ -116,7 +124,8 @@ def list_of_values(text):
     """Cuts at the rarest separator: a value may contain those before it."""
     if " | " in text:
         return list(map(squeeze, text.split(" | ")))
-    return split(text, ";" if ";" in text else ",")
+    parts = split(text, ";")
+    return parts if len(parts) > 1 or text.rstrip().endswith(";") else split(text, ",")
 
 
 def read_axis(option, problems):
