@@ -60,16 +60,16 @@ namespace Crevasse
 
   template <int dim>
   void
-  ExternalLoads<dim>::mean(const Expression &divisor,
-                           const double      period,
-                           Vector           &mean) const
+  ExternalLoads<dim>::mean(const std::function<double(const double t)> &divisor,
+                           const double                                 period,
+                           Vector &mean) const
   {
     integrate(
       [&](const Expression *formula, const dealii::Point<dim> &point) {
         return period_mean(
           [&](const double t) {
             return (formula != nullptr ? formula->value(point, t) : 1.) /
-                   divisor.value(dealii::Point<dim>(), t);
+                   divisor(t);
           },
           period);
       },

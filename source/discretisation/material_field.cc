@@ -51,17 +51,20 @@ namespace Crevasse
 
 
 
-    double
-    factor_at(const double t, const Expression &factor, const char *name)
+    /** The parameters that free strains come from. */
+    template <typename FreeStrains>
+    std::string
+    names_of(const FreeStrains &strains)
     {
-      const double value = factor.value(Point<2>(), t);
-      if (!Ranges::positive.contains(value))
-        throw SceneError(Text::parameter(MaterialParameters::section, name) +
-                         " = " + factor.formula() + ": is " +
-                         Text::from_number(value) +
-                         " at t = " + Text::from_number(t) + "; " +
-                         Ranges::positive.text() + '.');
-      return value;
+      std::string names;
+      bool        are_thermal = false;
+      for (const auto *strain : strains)
+        {
+          names += (names.empty() ? "" : ", ") +
+                   strain->value.formulas.front().parameter();
+          are_thermal = are_thermal || strain->is_thermal;
+        }
+      return names + (are_thermal ? " and [Loads] Temperature" : "");
     }
   } // namespace
 
@@ -107,7 +110,6 @@ namespace Crevasse
                        });
       }
 
-    check_requirements({0.});
     constant.plane_stress = law.is_plane_stress();
     for (const auto &branch : law.branches())
       {
@@ -155,11 +157,12 @@ namespace Crevasse
             return std::make_shared<const PointValues<Value>>(
               std::move(distinct));
           }
-        property.evaluate(place(p, t, with_temperature), values);
+        const Place<dim> here = place(p, t, with_temperature);
+        property.evaluate(here, values);
         const auto [number, is_new] =
           numbers.emplace(key_of(values), distinct.size());
         if (is_new)
-          distinct.push_back(property.from_values(values));
+          distinct.push_back(property.from_values(values, here));
         which[p] = number->second;
       }
     return std::make_shared<const PointValues<Value>>(std::move(distinct),
@@ -178,6 +181,13 @@ namespace Crevasse
       for (const FreeStrain *strain : free_strains)
         sum += strain->is_thermal ? strain->value.at(here) * here.temperature
                                   : strain->value.at(here);
+      for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+        if (!Ranges::any_number.contains(sum[i]))
+          throw SceneError(
+            names_of(free_strains) + ": the thermal strain is " +
+            Text::from_number(sum[i]) + ' ' + describe(here) + "; it " +
+            Ranges::any_number.text() +
+            ", and the theory of small strains is for much less than 1.");
       return sum;
     };
     if (!thermal_strain_varies_in_space())
@@ -233,10 +243,8 @@ namespace Crevasse
   MaterialField<dim>::set_factors(const double        t,
                                   MaterialState<dim> &state) const
   {
-    state.stiffness_factor =
-      factor_at(t, law.stiffness_factor(), "Stiffness time factor");
-    state.viscosity_factor =
-      factor_at(t, law.viscosity_factor(), "Viscosity time factor");
+    state.stiffness_factor = law.stiffness_factor(t);
+    state.viscosity_factor = law.viscosity_factor(t);
   }
 
 

@@ -133,7 +133,7 @@ namespace Crevasse
           add_formula(property,
                       *parameters.poisson_ratio,
                       Ranges::elastic_ratio);
-          property.from_values = [plane_stress](const Values &values) {
+          property.make = [plane_stress](const Values &values) {
             return isotropic_stiffness<dim>(values[0], values[1], plane_stress);
           };
           return property;
@@ -145,7 +145,7 @@ namespace Crevasse
       const std::size_t n      = K->size();
       const auto        places = places_of_rows<dim>(n, plane_stress);
       const bool condensed     = plane_stress && n == n_stress_components<dim>;
-      property.from_values     = [places, condensed](const Values &values) {
+      property.make            = [places, condensed](const Values &values) {
         const VoigtMatrix<dim> matrix = matrix_of<dim>(values, places);
         return condensed ? condense_thickness<dim>(matrix) : matrix;
       };
@@ -190,7 +190,7 @@ namespace Crevasse
       Property<VoigtMatrix<dim>> property;
       const auto compliance = add_compliance<dim>(parameters, property);
       add_formula(property, relaxation_time, Ranges::positive);
-      property.from_values = [=](const Values &values) {
+      property.make = [=](const Values &values) {
         return compliance(values) / (fraction * values.back());
       };
       return property;
@@ -208,7 +208,7 @@ namespace Crevasse
       add_formula(property,
                   *parameters.viscous_poisson_ratio,
                   Ranges::viscous_ratio);
-      property.from_values = [](const Values &values) {
+      property.make = [](const Values &values) {
         return isotropic_compliance<dim>(values[0], values[1]);
       };
       return property;
@@ -225,9 +225,9 @@ namespace Crevasse
       const bool           plane_stress = is_plane_stress<dim>(parameters);
       const FormulaMatrix &eta          = parameters.viscosity_matrix;
       require_size(eta, dim, plane_stress);
-      property.formulas    = entries(eta);
-      const auto places    = places_of_rows<dim>(eta->size(), plane_stress);
-      property.from_values = [places](const Values &values) {
+      property.formulas = entries(eta);
+      const auto places = places_of_rows<dim>(eta->size(), plane_stress);
+      property.make     = [places](const Values &values) {
         return inverse<dim>(matrix_of<dim>(values, places));
       };
       require_symmetric_positive_definite<dim>(
@@ -247,14 +247,14 @@ namespace Crevasse
       property.formulas   = *components;
       const std::size_t n = property.formulas.size();
       if (n == 1)
-        property.from_values = [](const Values &values) {
+        property.make = [](const Values &values) {
           VoigtVector<dim> strain;
           for (unsigned int i = 0; i < 3; ++i)
             strain[i] = values[0];
           return strain;
         };
       else
-        property.from_values = [n](const Values &values) {
+        property.make = [n](const Values &values) {
           VoigtVector<dim> strain;
           strain[0] = values[0];
           strain[1] = values[1];
@@ -302,6 +302,19 @@ namespace Crevasse
         }
       return branches;
     }
+
+
+
+    double
+    factor_at(const double t, const Expression &factor)
+    {
+      const double value = factor.value(dealii::Point<2>(), t);
+      if (!Ranges::positive.contains(value))
+        throw SceneError(describe(factor) + ": is " + Text::from_number(value) +
+                         " at t = " + Text::from_number(t) + "; " +
+                         Ranges::positive.text() + '.');
+      return value;
+    }
   } // namespace
 
 
@@ -326,6 +339,24 @@ namespace Crevasse
                              eta_0.value(Place<dim>()) != 1.;
     if (!has_factors && tau.is_constant())
       uniform_tau = tau.value(Place<dim>());
+  }
+
+
+
+  template <int dim>
+  double
+  MaxwellLaw<dim>::stiffness_factor(const double t) const
+  {
+    return factor_at(t, k);
+  }
+
+
+
+  template <int dim>
+  double
+  MaxwellLaw<dim>::viscosity_factor(const double t) const
+  {
+    return factor_at(t, eta_0);
   }
 
 

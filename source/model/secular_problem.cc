@@ -38,8 +38,7 @@ namespace Crevasse
           body.loads.evaluate(t, loads);
           largest =
             std::max(largest,
-                     loads.linfty_norm() /
-                       body.law.viscosity_factor().value(Point<dim>(), t));
+                     loads.linfty_norm() / body.law.viscosity_factor(t));
         }
       return largest;
     }
@@ -69,7 +68,7 @@ namespace Crevasse
                                : steps.within_period(instant);
             body.loads.evaluate(t, loads);
             mean.add(rule.weights[i] * steps.step(k) / steps.period() /
-                       body.law.viscosity_factor().value(Point<dim>(), t),
+                       body.law.viscosity_factor(t),
                      loads);
           }
       return mean;
@@ -267,7 +266,8 @@ namespace Crevasse
         return split;
       }
     body.strain_operator.initialize(split.mean_load);
-    body.loads.mean(body.law.viscosity_factor(),
+    body.loads.mean([&](
+                      const double t) { return body.law.viscosity_factor(t); },
                     scene.loads.period,
                     split.mean_load);
     const double largest = largest_weighted_load(body, scene.loads.period);

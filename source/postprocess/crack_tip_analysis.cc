@@ -159,7 +159,7 @@ namespace Crevasse
   double
   CrackTipAnalysis::modulus(const double t) const
   {
-    const double k = body.law.stiffness_factor().value(Point<2>(), t);
+    const double k = body.law.stiffness_factor(t);
     if (!body.material.stiffness_varies())
       return k * region.elasticity().modulus();
     return k * elasticity_at(region.tip(),

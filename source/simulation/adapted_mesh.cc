@@ -160,13 +160,10 @@ namespace Crevasse
   {
     Timer       timer;
     TimerOutput phases(std::cout, TimerOutput::never, TimerOutput::wall_times);
-    const Body<dim> body(scene, current);
-    const StepList  steps(scene.time_integration,
+    const Body<dim>         body(scene, current);
+    const StepList          steps(scene.time_integration,
                          scene.loads.period,
                          scene.output.field_times);
-    body.loads.validate_and_bound(steps.survey_instants({}));
-    body.material.validate_and_bound(steps.survey_instants({}), steps.period());
-
     ContactSystemCache<dim> systems(scene,
                                     body,
                                     choose_solvers(scene, body),

@@ -24,8 +24,7 @@ namespace Crevasse
       integrator != nullptr ? integrator->properties.quadrature.nodes
                             : std::vector<double>());
     body.loads.validate_and_bound(instants);
-    relaxation_times =
-      body.material.validate_and_bound(instants, steps.period());
+    relaxation_times = body.material.relaxation_times(instants, steps.period());
     largest_thermal_strain = body.material.largest_thermal_strain(instants);
     largest_nodal_force    = largest_load(body, steps);
     missed_load            = load_missed_by_steps(body, steps);

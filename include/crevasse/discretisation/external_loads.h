@@ -11,6 +11,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -49,7 +50,9 @@ namespace Crevasse
     /** The mean of the loads divided by a function of time over a period,
      * to rounding: see period_mean(). Collective. */
     void
-    mean(const Expression &divisor, const double period, Vector &mean) const;
+    mean(const std::function<double(const double t)> &divisor,
+         const double                                 period,
+         Vector                                      &mean) const;
 
   private:
     using Weights =

@@ -77,7 +77,8 @@ namespace Crevasse
                   const Temperature<dim>     &temperature);
 
     /** The state at an instant of the period. Collective if it depends on
-     * time. @throw SceneError if a formula or table has no value. */
+     * time. @throw SceneError if a formula or table has no value, or one that a
+     * material cannot have, with the point and the instant. */
     MaterialState<dim>
     at(const double t) const;
 
@@ -115,22 +116,19 @@ namespace Crevasse
     memory_of_variation(const MaterialState<dim> &state) const;
 
     /**
-     * Looks at all points and the given instants whether the material is one:
-     * symmetric, positive definite, finite. Collective.
+     * The extreme relaxation times of all points and the given instants,
+     * infinite for an elastic body. Collective.
      *
      * @param instants of one period, in their order.
      * @param period in units of time.
-     * @return the extreme relaxation times among them, infinite for an elastic
-     * body.
-     * @throw SceneError with the worst point and instant.
+     * @throw SceneError like at().
      */
     RelaxationTimes
-    validate_and_bound(const std::vector<double> &instants,
-                       const double               period) const;
+    relaxation_times(const std::vector<double> &instants,
+                     const double               period) const;
 
     /** The largest magnitude among the components of thermal strain at all
-     * points and the given instants; 0 if there is none. Collective.
-     * @throw SceneError if it is beyond 1e70. */
+     * points and the given instants; 0 if there is none. Collective. */
     double
     largest_thermal_strain(const std::vector<double> &instants) const;
 
@@ -193,26 +191,6 @@ namespace Crevasse
 
     std::shared_ptr<const Vectors>
     evaluate_thermal_strain(const double t) const;
-
-    /** The first requirement that is missed, in the order of checking, and
-     * where it is missed most. */
-    struct Miss
-    {
-      unsigned int requirement = dealii::numbers::invalid_unsigned_int;
-      double       excess      = 0.;
-      std::string  message;
-    };
-
-    template <typename Value>
-    void
-    find_miss(const Property<Value> &property,
-              const double           t,
-              unsigned int          &n_checked,
-              Miss                  &worst) const;
-
-    /** @throw SceneError with what misses a requirement most. */
-    void
-    check_requirements(const std::vector<double> &instants) const;
 
     RelaxationRates
     extreme_rates(const MaterialState<dim> &state) const;

@@ -67,17 +67,11 @@ namespace Crevasse
       return strains;
     }
 
-    /** k(t) and η₀(t). */
-    const Expression &
-    stiffness_factor() const
-    {
-      return k;
-    }
-    const Expression &
-    viscosity_factor() const
-    {
-      return eta_0;
-    }
+    // k(t) and η₀(t). @throw SceneError if they are not positive.
+    double
+    stiffness_factor(const double t) const;
+    double
+    viscosity_factor(const double t) const;
 
     /** Whether stiffness and viscosity have no 33 row. */
     bool

@@ -5,15 +5,26 @@
 #define crevasse_material_property_h
 
 #include <crevasse/base/expression.h>
+#include <crevasse/base/problems.h>
 #include <crevasse/base/range.h>
+#include <crevasse/base/text.h>
 
-#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace Crevasse
 {
+  template <int dim>
+  std::string
+  describe(const Place<dim> &place)
+  {
+    return "at " + Text::from_point(place.point) +
+           ", t = " + Text::from_number(place.t) +
+           " (theta = " + Text::from_number(place.temperature) +
+           ", material = " + std::to_string(place.material) + ")";
+  }
+
   /**
    * A property of the material as a function of place, time and temperature:
    * formulas, and what their values make. Splitting the two tells on what it
@@ -29,18 +40,10 @@ namespace Crevasse
       std::string shown; ///< what actual() returns: "is", "has the ... "
       std::function<double(const std::vector<double> &)> actual;
       Range                                              range;
-
-      /** By how much it is missed; at most 0 if it is met. */
-      double
-      excess(const std::vector<double> &values) const
-      {
-        const double value = actual(values);
-        return std::max(range.least - value, value - range.most);
-      }
     };
 
     std::vector<Expression>                           formulas;
-    std::function<Value(const std::vector<double> &)> from_values;
+    std::function<Value(const std::vector<double> &)> make;
     std::vector<Requirement>                          requirements;
 
     template <int dim>
@@ -52,13 +55,32 @@ namespace Crevasse
         values[i] = formulas[i].value(place);
     }
 
+    /** @param values of the formulas at @p place.
+     * @throw SceneError if they miss a requirement. */
+    template <int dim>
+    Value
+    from_values(const std::vector<double> &values,
+                const Place<dim>          &place) const
+    {
+      for (const Requirement &requirement : requirements)
+        {
+          const double actual = requirement.actual(values);
+          if (!requirement.range.contains(actual))
+            throw SceneError(requirement.name + ": " + requirement.shown + ' ' +
+                             Text::from_number(actual) + ' ' + describe(place) +
+                             "; " + requirement.range.text() + '.');
+        }
+      return make(values);
+    }
+
+    /** @throw SceneError if it misses a requirement. */
     template <int dim>
     Value
     at(const Place<dim> &place) const
     {
       std::vector<double> values;
       evaluate(place, values);
-      return from_values(values);
+      return from_values(values, place);
     }
 
     bool
