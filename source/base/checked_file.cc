@@ -4,6 +4,7 @@
 #include <crevasse/base/checked_file.h>
 #include <crevasse/base/problems.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -36,14 +37,15 @@ namespace Crevasse
 
 
   FileCheck
-  check_file(const std::string &name)
+  check_file(const std::string &name, const std::size_t bytes)
   {
     std::ifstream file(name, std::ios::binary);
     if (!file)
       fail("read " + name);
     std::vector<char> part(1 << 20);
     FileCheck         check(0, 0);
-    while (file.read(part.data(), part.size()), file.gcount() > 0)
+    while (file.read(part.data(), std::min(part.size(), bytes - check.first)),
+           file.gcount() > 0)
       {
         check.first += file.gcount();
         check.second =

@@ -19,7 +19,7 @@ namespace Crevasse
   namespace
   {
     /** Of the files; what was written by another one cannot be read. */
-    constexpr int format_version = 7;
+    constexpr int format_version = 8;
 
     constexpr const char *manifest_file = "/manifest.json";
 
@@ -205,8 +205,7 @@ namespace Crevasse
         if (!fs::exists(name, error))
           continue;
         write_through(name);
-        manifest.tables[table] = fs::file_size(name, error);
-        throw_if(error, "Cannot tell the size of " + name);
+        manifest.tables[table] = check_file(name);
       }
     const std::string content = as_json(manifest).dump(2);
     write_file(folder + manifest_file,
@@ -298,8 +297,9 @@ namespace Crevasse
     constexpr const char *advice =
       " Restore it, or begin anew without --resume, in another output "
       "directory.";
-    for (const auto &[table, size] : manifest.tables)
+    for (const auto &[table, expected] : manifest.tables)
       {
+        const std::size_t size = expected.first;
         const std::string name = directory + '/' + table;
         std::error_code   error;
         const auto        there = fs::file_size(name, error);
@@ -314,6 +314,11 @@ namespace Crevasse
         if (error)
           throw FileError(name + " cannot be continued (" + error.message() +
                           ")." + advice);
+        if (check_file(name, size) != expected)
+          throw FileError(name + " was changed since checkpoint " +
+                          std::to_string(manifest.number) +
+                          " was written: its first " + std::to_string(size) +
+                          " bytes are not those that the run wrote." + advice);
       }
   }
 
@@ -331,10 +336,10 @@ namespace Crevasse
           fs::rename(name(other), damaged, error);
           throw_if(error, "Cannot rename " + name(other));
         }
-    for (const auto &[table, size] : manifest.tables)
+    for (const auto &[table, check] : manifest.tables)
       {
         const std::string name = directory + '/' + table;
-        fs::resize_file(name, size, error);
+        fs::resize_file(name, check.first, error);
         throw_if(error, name + " cannot be continued");
       }
   }

@@ -155,6 +155,26 @@ def test_damage():
     check(len(checkpoints(directory)) == 2, "nothing is renamed in vain")
 
 
+def test_edited_table():
+    """Rows behind the checkpoint are cut off, others must be those of the run."""
+    settings, whole = kept_march()
+    interrupted = copy(whole.directory, "edited")
+    (interrupted / "summary.json").unlink()
+    before = {path.name: path.read_bytes() for path in interrupted.glob("*.csv")}
+    for table, content in before.items():
+        place = len(content) // 2
+        changed = content[:place] + bytes([content[place] ^ 1]) + content[place + 1:]
+        (interrupted / table).write_bytes(changed)
+        code, error = execute(interrupted, settings, more=["--resume"])
+        check(code == 4 and f"/{table} was changed since checkpoint" in error
+              and "Restore it" in error, f"{table}: {code} {error}")
+        check((interrupted / table).read_bytes() == changed, f"{table} is left alone")
+        (interrupted / table).write_bytes(content)
+    with open(interrupted / "periods.csv", "a") as file:
+        file.write("a note\n")
+    check_same_bytes(whole, finish(interrupted, settings), "restored")
+
+
 def test_full_disk():
     """Without room for its checkpoints a run goes on, and says so."""
     settings, whole = kept_march()
@@ -181,7 +201,7 @@ def test_other_format():
     (directory / "summary.json").unlink()
     manifest = newest(directory) / "manifest.json"
     content = manifest.read_text().split("\n", 1)[1].replace(
-        '"format": 7', '"format": 999')
+        '"format": 8', '"format": 999')
     manifest.write_text(f"{zlib.crc32(content.encode())}\n{content}")
     before = checkpoints(directory)
     code, error = execute(directory, settings, more=["--resume"])
@@ -311,5 +331,5 @@ def test_nobody_listens():
 
 for test in (test_two_runs, test_nobody_listens, test_out_of_periods, test_begun_anew,
              test_interruptions, test_signals, test_kills, test_damage,
-             test_full_disk, test_other_format, test_other_scenes, test_finished, test_ranks):
+             test_edited_table, test_full_disk, test_other_format, test_other_scenes, test_finished, test_ranks):
     test()

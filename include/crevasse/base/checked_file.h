@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -14,9 +15,11 @@ namespace Crevasse
   /** Size in bytes and checksum (CRC-32) of a file. */
   using FileCheck = std::pair<std::size_t, std::uint32_t>;
 
-  /** Of as much as can be read. @throw FileError if it cannot be opened. */
+  /** Of as much as can be read, and at most of the first @p bytes.
+   * @throw FileError if it cannot be opened. */
   FileCheck
-  check_file(const std::string &name);
+  check_file(const std::string &name,
+             const std::size_t bytes = std::numeric_limits<std::size_t>::max());
 
   /** The checksum of some text. */
   std::uint32_t

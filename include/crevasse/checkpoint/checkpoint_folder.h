@@ -24,8 +24,8 @@ namespace Crevasse
 
     /** The other files of the checkpoint, by name. */
     std::map<std::string, FileCheck> files;
-    /** The length of each table, by name: what was written later is cut off. */
-    std::map<std::string, std::size_t> tables;
+    /** The tables, by name: what was written later is cut off. */
+    std::map<std::string, FileCheck> tables;
 
     std::size_t
     bytes() const;
@@ -91,8 +91,8 @@ namespace Crevasse
     has_any() const;
 
     /** Whether the run can go on in its tables. Nothing is changed.
-     * @throw FileError if one has less than when the checkpoint was written, or
-     * cannot be written to. */
+     * @throw FileError if one does not begin with what it was when the
+     * checkpoint was written, or cannot be written to. */
     void
     require_tables(const CheckpointManifest &manifest) const;
 
