@@ -76,8 +76,9 @@ namespace Crevasse
         ->type_name("TIME");
       app.add_flag("--check",
                    command.check,
-                   "Check the scene and report effects, boundaries, sizes, "
-                   "memory and output directory; compute and write nothing");
+                   "Check the scene and report effects, boundaries, materials, "
+                   "sizes, memory and output directory; compute and write "
+                   "nothing");
       app
         .add_flag("--resume",
                   command.resume,
@@ -145,8 +146,9 @@ namespace Crevasse
                               CLI::ExitCodes::ExtrasError);
       if (print && command.print_format.empty())
         command.print_format = "prm";
-      if (!scene && !print)
-        throw CLI::RequiredError("A scene file");
+      if (!scene && (!print || !command.overrides.empty()))
+        throw CLI::RequiredError(print ? "A scene file for --set"
+                                       : "A scene file");
     }
   } // namespace
 

@@ -156,6 +156,10 @@ namespace Crevasse
   void
   leave_server(const Program program)
   {
+    // A pipe must not take the number of a standard stream that is closed.
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+      if (fcntl(stream, F_GETFD) < 0)
+        open("/dev/null", O_RDWR);
     int requests[2], answers[2];
     if (pipe(requests) != 0 || pipe(answers) != 0)
       return;

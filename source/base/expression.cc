@@ -8,6 +8,8 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -51,6 +53,33 @@ namespace Crevasse
     has_assignment(const std::string &formula)
     {
       return std::regex_search(formula, std::regex("(^|[^<>!=])=($|[^=])"));
+    }
+
+
+
+    /** muParser knows no function whose name blanks divide from its bracket:
+     * they go before the name, where they keep the positions in messages. */
+    std::string
+    join_functions(std::string formula)
+    {
+      const auto is_blank = [](const unsigned char c) {
+        return std::isspace(c);
+      };
+      const auto is_word = [](const unsigned char c) {
+        return std::isalnum(c) || c == '_';
+      };
+      for (auto bracket = formula.begin(); bracket != formula.end(); ++bracket)
+        if (*bracket == '(')
+          {
+            auto end = bracket;
+            while (end != formula.begin() && is_blank(end[-1]))
+              --end;
+            auto begin = end;
+            while (begin != formula.begin() && is_word(begin[-1]))
+              --begin;
+            std::rotate(begin, end, bracket);
+          }
+      return formula;
     }
 
 
@@ -105,7 +134,7 @@ namespace Crevasse
           {"material", &parser->material}};
         for (const std::string &variable : Text::split(allowed, ','))
           mu.DefineVar(variable, values.at(variable));
-        mu.SetExpr(text);
+        mu.SetExpr(join_functions(text));
         // Only an evaluation makes muParser parse; the value at the origin may
         // well be infinite.
         mu.Eval();

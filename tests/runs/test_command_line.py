@@ -100,6 +100,8 @@ def test_mistakes():
             (("a.prm", "b.prm"), "b.prm"),
             (("a.prm", "--set"), "--set"),
             (("a.prm", "--output"), "--output"),
+            (("--print-parameters", "--set", "Loads/Period=3"),
+             "A scene file for --set is required"),
             (("--print-parameters", "xml"), "{prm,json,markdown}"),
             (("--print-parameters", "a.prm"), "{prm,json,markdown}"),
             (("a.prm", "--wall-time", "12:00"), "is no time"),
@@ -238,6 +240,14 @@ def test_set():
                     r"set Period += 600 ", r"set Poisson ratio += 0.2 "):
         check(re.search(pattern, used), f"used.prm lacks {pattern}")
     check(results.summary["cells"] == 18, "Subdivisions has no effect")
+
+
+def test_blanks_in_formulas():
+    """They do not divide a function from its bracket, and messages count them."""
+    value = succeed("evaluate", "f", "2*sin  (pi*t) + max (1, (t)) * (2)", "0.5")
+    check(value.split() == ["4"], value)
+    status, _, error = execute("evaluate", "f", "2*sin  (pi*q)", "0.5")
+    check(status == 2 and '"q"' in error and "position 11" in error, error)
 
 
 def test_set_anywhere():
@@ -450,6 +460,7 @@ test_directories()
 test_earlier_results()
 test_second_run()
 test_set()
+test_blanks_in_formulas()
 test_set_anywhere()
 test_told_where()
 test_nothing_marched()

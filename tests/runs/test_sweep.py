@@ -119,8 +119,8 @@ def test_zipped():
 
 
 def test_warnings():
-    """Each once, whatever its numbers, with its points, also when all is there. Brackets
-    keep a formula together."""
+    """Each once, whatever its numbers, with its points, also when all is there; from a
+    shell that has closed the standard streams. Brackets keep a formula together."""
     directory = pathlib.Path("results/warned")
     shutil.rmtree(directory, ignore_errors=True)
     words = ["sweep", SCENE, "--output", directory, *SETTINGS,
@@ -129,8 +129,10 @@ def test_warnings():
              "--vary", STEPS + "=20,23,60",
              "--vary", "Material/Young modulus=max(1, 2),3",
              "--exact", "probe_top/u_1=t"]
-    status, _, error = execute(*words)
-    check(status == 0 and not error, error)
+    closed = subprocess.run(["sh", "-c", 'exec "$@" <&- >&-', "sh", PROGRAM,
+                             *map(str, words)], capture_output=True, text=True,
+                            timeout=300)
+    check(closed.returncode == 0 and not closed.stderr, f"closed: {closed.stderr}")
     status, output, error = execute(*words)
     check(status == 0 and output.count("already there") == 6, output + error)
     found = re.findall(r"^  warning: (.*)$", output, re.MULTILINE)
