@@ -62,6 +62,10 @@ namespace Crevasse
     std::ostringstream list;
     for (const auto id : existing)
       list << ' ' << id;
+    if (existing == std::vector<types::boundary_id>{0})
+      list << ". 0 is the id of faces in no physical group: give each boundary "
+              "a group of its own, in Gmsh as by Physical "
+           << (dim == 2 ? "Curve" : "Surface") << "(\"lip\", 2) = {5}";
 
     Problems   problems;
     const auto check = [&](const char                         *role,

@@ -254,9 +254,12 @@ namespace Crevasse
                 {
                   GridIn<dim>(triangulation).read(file_name);
                 }
-              catch (const ExceptionBase &error)
+              catch (const std::exception &)
                 {
-                  throw SceneError(reason(error)); // its type gets lost
+                  throw SceneError(
+                    "deal.II knows no format of this ending, or finds another "
+                    "one in the file; convert it to a Gmsh file, for example "
+                    "by meshio.");
                 }
           });
           if (is_gmsh)

@@ -266,7 +266,12 @@ namespace Crevasse
       throw SceneError(
         std::string("there are no ") +
         (dim == 2 ? "quadrilaterals" : "hexahedra") +
-        ", which are the cells with Dimension = " + std::to_string(dim));
+        ", which are the cells with Dimension = " + std::to_string(dim) +
+        (mesh.boundary.empty()
+           ? ""
+           : std::string(". If there are physical groups, Gmsh saves nothing "
+                         "else: give the body one too, as by Physical ") +
+               (dim == 2 ? "Surface" : "Volume") + "(\"body\", 1) = {1}"));
     check_faces(mesh.cells, mesh.boundary);
     return mesh;
   }

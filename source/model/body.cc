@@ -9,6 +9,7 @@
 #include <crevasse/grid/geometry.h>
 #include <crevasse/model/body.h>
 #include <crevasse/model/linear_choice.h>
+#include <crevasse/model/mesh_materials.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
 #include <deal.II/base/mpi.h>
@@ -206,6 +207,7 @@ namespace Crevasse
     , lip(space, Expression(*scene.boundary.gap))
     , loads(space, strain_operator, scene.loads)
   {
+    require_materials(scene, *mesh);
     // What the tables say must be what is computed.
     Assert((Effects::first_on(effects.free_strains) != nullptr) ==
              material.has_thermal_strain(),

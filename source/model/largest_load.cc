@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/range.h>
 #include <crevasse/base/text.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace Crevasse
@@ -255,6 +257,24 @@ namespace Crevasse
 
 
 
+  template <int dim>
+  double
+  least_temperature(const Body<dim> &body, const double period)
+  {
+    const auto &mesh  = body.space.mesh();
+    double      least = std::numeric_limits<double>::infinity();
+    collectively(mesh.get_communicator(), [&]() {
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (unsigned int k = 0; k < 4 && cell->is_locally_owned(); ++k)
+          least =
+            std::min(least,
+                     body.temperature.value(cell->center(), 0.25 * k * period));
+    });
+    return dealii::Utilities::MPI::min(least, mesh.get_communicator());
+  }
+
+
+
 #define INSTANTIATE(dim)                                                     \
   template Vector              loads_at(const Body<dim> &, const double);    \
   template double              instant_of_largest_load(const Body<dim> &,    \
@@ -268,7 +288,8 @@ namespace Crevasse
   template std::vector<double> find_jumps(const Scene &,                     \
                                           const Body<dim> &,                 \
                                           const StepList &,                  \
-                                          const double)
+                                          const double);                     \
+  template double least_temperature(const Body<dim> &, const double)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

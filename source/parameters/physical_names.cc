@@ -79,13 +79,18 @@ namespace Crevasse
     std::string
     describe_unknown(const std::string &beginning,
                      const std::string &name,
-                     const Names       &names)
+                     const Names       &names,
+                     const unsigned int dim)
     {
+      constexpr const char *kinds[] = {"Point", "Curve", "Surface", "Volume"};
       std::vector<std::string> known;
       for (const auto &[other, number] : names)
         known.push_back('"' + other + "\" (" + std::to_string(number) + ')');
       return beginning + " \"" + Text::shorten(name) + "\"; its names: " +
-             (known.empty() ? "none" : Text::join(known, ", "));
+             (known.empty()
+                ? std::string("none. In Gmsh, Physical ") + kinds[dim] + "(\"" +
+                    Text::shorten(name) + "\", 1) = {1} gives one"
+                : Text::join(known, ", "));
     }
   } // namespace
 
@@ -96,8 +101,8 @@ namespace Crevasse
   {
     if (!has_gmsh_file(scene))
       return;
-    const Names names =
-      read_names(scene.geometry.mesh_file, scene.dimension - 1);
+    const unsigned int dim   = scene.dimension - 1;
+    const Names        names = read_names(scene.geometry.mesh_file, dim);
     for (const BoundaryRole &role : boundary_role_table)
       {
         Parsed<BoundaryList> &list = scene.boundary.*role.list;
@@ -114,9 +119,23 @@ namespace Crevasse
                          role.name,
                          describe_unknown("the mesh file has no boundary named",
                                           name,
-                                          names));
+                                          names,
+                                          dim));
         list = ids.empty() ? "none" : Text::join(ids, ", ");
       }
+  }
+
+
+
+  std::map<unsigned int, std::string>
+  material_names(const Scene &scene)
+  {
+    std::map<unsigned int, std::string> of_ids;
+    if (has_gmsh_file(scene))
+      for (const auto &[name, id] :
+           read_names(scene.geometry.mesh_file, scene.dimension))
+        of_ids[id] = name;
+    return of_ids;
   }
 
 
@@ -169,7 +188,8 @@ namespace Crevasse
                 parameter,
                 describe_unknown("the mesh file has no material named",
                                  name,
-                                 names));
+                                 names,
+                                 scene.dimension));
             text                = before + id + after;
             replaced[parameter] = text;
           }

@@ -6,6 +6,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/model/largest_load.h>
+#include <crevasse/model/mesh_materials.h>
 #include <crevasse/parameters/effects.h>
 #include <crevasse/simulation/setup_report.h>
 
@@ -230,6 +231,7 @@ namespace Crevasse
                       "about one elastic strain a step at most; Scheme = "
                       "sdirk2 is exact there");
     }
+
   } // namespace
 
 
@@ -298,6 +300,16 @@ namespace Crevasse
         "[Discretisation] Singular functions = 3 with contact: where the lip "
         "is pressed, the third one moves it between its nodes, and pressure "
         "and K_I are off by some tenths of a per cent; 2 are not");
+    if (has_thermal_expansion(setup.scene.material))
+      if (const double least =
+            least_temperature(setup.body, setup.steps.period());
+          least > 200.)
+        all.push_back(
+          Text::Message()
+          << "[Loads] Temperature is at least " << least
+          << " everywhere and always, as one in kelvin would be, but it is the "
+             "change from the temperature without thermal strain; subtract "
+             "that one");
     if (!split.warning.empty())
       all.push_back(split.warning);
     warn_of_large_steps(setup, choice, all);
@@ -328,6 +340,9 @@ namespace Crevasse
                      sizes["largest_cell"].get<double>()));
     report_memory(setup, log);
     log.line("  boundaries: " + describe_boundaries<dim>(scene));
+    if (scene.geometry.shape == Shape::mesh_file)
+      log.line("  materials: " +
+               describe_materials(scene, setup.body.space.mesh()));
     for (const Effects::Effect &effect :
          setup.active_effects(setup.secular_split))
       log.line(Text::format("  %-19s%-4s(%s)",

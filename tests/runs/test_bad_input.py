@@ -379,6 +379,34 @@ CASES = [
     Case("two_boundary_ids", 2,
          ["curve 2 belongs to the physical groups 2 and 3; each belongs to one"],
          [contradiction("two_boundary_ids")], scene=MESH_SCENE),
+    Case("mesh_without_groups", 2,
+         [r"3 problems:\n(.*no face of the mesh has this boundary id; there are: 0\. "
+          r"0 is the id of faces in no physical group: .* Physical Curve\(.*\n?){3}"],
+         ["Geometry/Mesh file=no_groups.msh"], scene=MESH_SCENE),
+    Case("names_in_a_mesh_without_groups", 2,
+         [r'no boundary named "lip"; its names: none\. In Gmsh, Physical Curve\("lip"'],
+         ["Geometry/Mesh file=no_groups.msh", "Boundary/Contact=lip"],
+         scene=MESH_SCENE),
+    Case("cells_in_no_group", 2,
+         [r"there are no quadrilaterals, .* give the body one too, as by Physical "
+          "Surface"],
+         ["Geometry/Mesh file=no_cells.msh"], scene=MESH_SCENE),
+    Case("name_that_no_cell_has", 2,
+         [r"\[Material\] Young modulus = .*: no cell of the mesh has the material id 11 "
+          r"\(blade\); there are: 10 \(body\)",
+          r"\[Material\] Thermal expansion = .* id 12; there are"],
+         ["Geometry/Mesh file=no_blade.msh",
+          'Material/Young modulus=if(material == "blade", 2, 1)',
+          "Material/Thermal expansion=if(12 != material, 2, 1)"], scene=MESH_SCENE),
+    Case("material_of_a_built_in_shape", 2,
+         [r"Relaxation time = .*: no cell of the mesh has the material id 1; there "
+          "are: 0"],
+         ["Material/Relaxation time=if(material == 1, 60, 90)"]),
+    *[Case(f"mesh_of_another_format_{suffix}", 2,
+           [rf"\[Geometry\] Mesh file = /.*/mesh\.{suffix}: cannot be read as a mesh: "
+            r"deal\.II knows no format .* by meshio\.\nAllowed: .*\n$"],
+           [f"Geometry/Mesh file=mesh.{suffix}"], scene=MESH_SCENE)
+      for suffix in ("inp", "unv", "other")],
     Case("unknown_boundary_name", 2,
          [r'\[Boundary\] Contact = lips, top: the mesh file has no boundary '
           r'named "lips"; its names: "ligament" \(1\), "lip" \(2\), "top"'],
@@ -567,6 +595,21 @@ def execute_case(case):
 def test_cases():
     pathlib.Path("not_a_gmsh_file.msh").write_text(MESH_SCENE)
     pathlib.Path("empty.msh").write_text("")
+    whole = (MESHES / "edge_crack_2.msh").read_text()
+    groups = re.compile(r"\$PhysicalNames.*\$EndPhysicalNames\n", re.DOTALL)
+    pathlib.Path("no_groups.msh").write_text(groups.sub("", re.sub(
+        r"^(\d+ [13] 2) \d+ ", r"\1 0 ", whole, flags=re.MULTILINE)))
+    edges, n = re.subn(r"^\d+ 3 2 .*\n", "", whole, flags=re.MULTILINE)
+    total = int(re.search(r"\$Elements\n(\d+)", whole)[1])
+    pathlib.Path("no_cells.msh").write_text(
+        edges.replace(f"$Elements\n{total}\n", f"$Elements\n{total - n}\n"))
+    pathlib.Path("no_blade.msh").write_text(re.sub(
+        r"(\$PhysicalNames\n)(\d+)\n",
+        lambda found: f'{found[1]}{int(found[2]) + 1}\n2 11 "blade"\n', whole))
+    pathlib.Path("mesh.inp").write_text(
+        "*HEADING\n*NODE\n1, 0., 0.\n*ELEMENT, TYPE=CPS4\n1, 1, 1, 1, 1\n")
+    pathlib.Path("mesh.unv").write_text("    -1\n  2411\n")
+    pathlib.Path("mesh.other").write_text("nothing\n")
     pathlib.Path("empty.csv").write_text("")
     pathlib.Path("not_a_table.csv").write_text("time,x,y,theta\n0,0,0,1\n")
     for version in (2, 4):
@@ -756,10 +799,15 @@ UNUSED = [  # settings, and the warnings that they give
     (["Loads/Period=1", "Material/Relaxation time=1", "Periodic state/Secular split=on"],
      [r"\[Loads\] Period = 1: loads or material jump where the period ends and t "
       "begins anew, though no formula has a jump in it"]),
+    (["Material/Thermal expansion=1e-5", "Loads/Temperature=293 + 5*x*sin(2*pi*t/600)"],
+     [r"\[Loads\] Temperature is at least 288\.\d+ everywhere and always, as one in "
+      "kelvin would be"]),
+    (["Material/Thermal expansion=1e-5", "Loads/Temperature=293*sin(2*pi*t/600)^2"],
+     []),
     # A condition on the place or the material is no jump in time, one on a
     # temperature that varies is.
     (["Loads/Period=1", "Periodic state/Secular split=on",
-      "Material/Relaxation time=if(material == 1 && x < 0.5, 1, 2)"],
+      "Material/Relaxation time=if(material == 0 && x < 0.5, 1, 2)"],
      [r"\[Loads\] Period = 1: loads or material jump where the period ends"]),
     (["Loads/Period=1", "Periodic state/Secular split=off",
       "Loads/Temperature=sin(2*pi*t/600)",

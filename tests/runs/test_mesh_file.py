@@ -132,6 +132,13 @@ def test_names_of_materials():
     check(status == 4 and "cannot be read" in error and "named" not in error, error)
 
 
+def test_list_of_materials():
+    scene = pathlib.Path("listed.prm")
+    scene.write_text(READ.format(mesh=MESHES / "edge_crack_4.msh"))
+    status, output, _ = execute("--check", scene, "--set", "Geometry/Refinements=1")
+    check(status == 0 and "\n  materials: 10 (body): 32 cells\n" in output, output)
+
+
 def test_where_it_is_looked_for():
     """Next to the scene file first, then in the working directory."""
     mesh = "edge_crack_2.msh"
@@ -169,5 +176,6 @@ def test_used_parameters():
 test_formats()
 test_names()
 test_names_of_materials()
+test_list_of_materials()
 test_where_it_is_looked_for()
 test_used_parameters()

@@ -59,6 +59,12 @@ namespace Crevasse
              const Body<dim> &body,
              const StepList  &steps,
              const double     largest_load);
+
+  /** The least change of temperature at four instants of the period and the
+   * centres of cells. Collective. */
+  template <int dim>
+  double
+  least_temperature(const Body<dim> &body, const double period);
 } // namespace Crevasse
 
 #endif

@@ -23,6 +23,10 @@ namespace Crevasse
   void
   replace_boundary_names(Scene &scene, Problems &problems);
 
+  /** The names of material ids that have one. */
+  std::map<unsigned int, std::string>
+  material_names(const Scene &scene);
+
   /** Formulas quote the names of materials, as in material == "blade".
    * @return by name, the parameters of section Material that do, with the
    * material ids in place of the names. */

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/model/mesh_materials.h>
+#include <crevasse/parameters/effects.h>
+#include <crevasse/parameters/physical_names.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <map>
+#include <regex>
+#include <set>
+#include <vector>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Ids = std::set<types::material_id>;
+
+
+
+    /** Of all ranks: each one knows the coarse mesh. */
+    template <int dim>
+    Ids
+    material_ids(const Mesh<dim> &mesh)
+    {
+      Ids ids;
+      for (const auto &cell : mesh.cell_iterators_on_level(0))
+        ids.insert(cell->material_id());
+      return ids;
+    }
+
+
+
+    /** "1 (blade)" */
+    std::string
+    describe(const unsigned int                         id,
+             const std::map<unsigned int, std::string> &names)
+    {
+      const auto name = names.find(id);
+      return std::to_string(id) +
+             (name == names.end() ? "" : " (" + name->second + ')');
+    }
+
+
+
+    /** The ids with which a formula compares the material. */
+    std::set<unsigned int>
+    compared_ids(const std::string &formula)
+    {
+      static const std::regex comparison(
+        "\\bmaterial *[=!]= *(\\d{1,9})\\b|\\b(\\d{1,9}) *[=!]= *material\\b");
+      std::set<unsigned int> ids;
+      for (std::sregex_iterator
+             part(formula.begin(), formula.end(), comparison),
+           end;
+           part != end;
+           ++part)
+        ids.insert(std::stoul((*part)[(*part)[1].matched ? 1 : 2]));
+      return ids;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  require_materials(const Scene &scene, const Mesh<dim> &mesh)
+  {
+    std::vector<Expression> formulas = stiffness_formulas(scene.material);
+    for (const Expression &formula : viscosity_formulas(scene.material))
+      formulas.push_back(formula);
+    for (const auto &strain : scene.material.free_strains())
+      formulas.insert(formulas.end(),
+                      strain.components->begin(),
+                      strain.components->end());
+
+    const Ids                existing = material_ids(mesh);
+    const auto               names    = material_names(scene);
+    std::vector<std::string> list;
+    for (const auto id : existing)
+      list.push_back(describe(id, names));
+    std::set<std::string> problems; // each once
+    for (const Expression &formula : formulas)
+      for (const unsigned int id : compared_ids(formula.formula()))
+        if (existing.count(id) == 0)
+          problems.insert(
+            formula.parameter() + " = " + Text::shorten(formula.formula()) +
+            ": no cell of the mesh has the material id " + describe(id, names) +
+            "; there are: " + Text::join(list, ", "));
+    Problems all;
+    for (const std::string &problem : problems)
+      all.add(problem);
+    all.throw_if_any();
+  }
+
+
+
+  template <int dim>
+  std::string
+  describe_materials(const Scene &scene, const Mesh<dim> &mesh)
+  {
+    std::map<unsigned int, std::size_t> n_cells;
+    for (const auto &cell : mesh.active_cell_iterators())
+      if (cell->is_locally_owned())
+        ++n_cells[cell->material_id()];
+    const auto               names = material_names(scene);
+    std::vector<std::string> parts;
+    for (const auto id : material_ids(mesh))
+      {
+        const auto n =
+          Utilities::MPI::sum(n_cells[id], mesh.get_communicator());
+        parts.push_back(describe(id, names) + ": " + std::to_string(n) +
+                        (n == 1 ? " cell" : " cells"));
+      }
+    return Text::join(parts, ", ");
+  }
+
+
+
+#define INSTANTIATE(dim)                                                    \
+  template void        require_materials(const Scene &, const Mesh<dim> &); \
+  template std::string describe_materials(const Scene &, const Mesh<dim> &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace Crevasse
