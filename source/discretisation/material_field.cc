@@ -10,6 +10,8 @@
 #include <crevasse/parameters/formulas.h>
 
 #include <algorithm>
+#include <boost/serialization/set.hpp>
+#include <set>
 #include <string>
 #include <unordered_map>
 
@@ -196,6 +198,54 @@ namespace Crevasse
     for (std::size_t p = 0; p < n_points; ++p)
       strains[p] = strain_at(p);
     return std::make_shared<const Vectors>(std::move(strains));
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  MaterialField<dim>::materials_of_cells(
+    const Space<dim>           &space,
+    const QuadratureField<dim> &points) const
+  {
+    std::vector<std::string> keys;
+    for (const auto &cell : owned_cells(space.mesh()))
+      keys.push_back(std::to_string(cell->material_id()));
+    const auto distinguish = [&](const Matrices &values) {
+      if (values.is_uniform())
+        return;
+      int  constant = 0; // cells, less the others
+      auto longer   = keys;
+      auto key      = longer.begin();
+      for (const auto &cell : owned_cells(space.mesh()))
+        {
+          std::set<std::string> distinct;
+          const std::size_t     first = points.first_point(cell);
+          for (unsigned int q = 0; q < space.quadrature(cell).size(); ++q)
+            distinct.insert(key_of(
+              {values[first + q].begin_raw(), values[first + q].end_raw()}));
+          constant += distinct.size() == 1 ? 1 : -1;
+          for (const std::string &value : distinct)
+            *key += value;
+          ++key;
+        }
+      if (Utilities::MPI::sum(constant, communicator) > 0)
+        keys = longer;
+    };
+    const MaterialState<dim> state = at(0.);
+    distinguish(*state.stiffness);
+    for (const auto &fluidity : state.fluidity)
+      distinguish(*fluidity);
+
+    std::set<std::string> all(keys.begin(), keys.end());
+    for (const auto &of_rank : Utilities::MPI::all_gather(communicator, all))
+      all.insert(of_rank.begin(), of_rank.end());
+    std::vector<unsigned int> materials(space.mesh().n_active_cells());
+    auto                      key = keys.begin();
+    for (const auto &cell : owned_cells(space.mesh()))
+      materials[cell->active_cell_index()] =
+        std::distance(all.begin(), all.find(*key++));
+    return materials;
   }
 
 

@@ -6,6 +6,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/discretisation/space.h>
+#include <crevasse/grid/curved_edges.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -30,6 +31,7 @@ namespace Crevasse
                     const VolumetricStrain              volumetric_strain,
                     const SingularFunctions            &singular_functions)
     : triangulation(std::move(mesh))
+    , cell_mapping(has_curved_edges(*triangulation) ? degree : 1)
     , fe(FE_Q<dim>(degree), dim)
     , face_rule(singular_functions.fields.empty() ? degree + 1 : 5)
     , boundary_roles(roles)
@@ -44,7 +46,7 @@ namespace Crevasse
     if constexpr (dim == 2)
       if (!singular_functions.fields.empty())
         shapes = std::make_unique<SingularShapes>(singular_functions,
-                                                  q1_mapping,
+                                                  cell_mapping,
                                                   dofs);
     number_unknowns();
     choose_rules();
@@ -83,6 +85,8 @@ namespace Crevasse
     check("Loaded", boundary_roles.loaded);
     check("Contact", boundary_roles.contact);
     problems.throw_if_any();
+    require_flat_faces(*triangulation, "Symmetry", boundary_roles.symmetry);
+    require_flat_faces(*triangulation, "Contact", boundary_roles.contact);
   }
 
 
@@ -158,7 +162,7 @@ namespace Crevasse
 
     DoFTools::make_hanging_node_constraints(dofs, affine_constraints);
     for (const auto id : boundary_roles.clamped)
-      VectorTools::interpolate_boundary_values(q1_mapping,
+      VectorTools::interpolate_boundary_values(cell_mapping,
                                                dofs,
                                                id,
                                                Functions::ZeroFunction<dim>(
@@ -166,7 +170,7 @@ namespace Crevasse
                                                affine_constraints);
     if (!boundary_roles.symmetry.empty())
       VectorTools::compute_no_normal_flux_constraints(
-        dofs, 0, boundary_roles.symmetry, affine_constraints, q1_mapping);
+        dofs, 0, boundary_roles.symmetry, affine_constraints, cell_mapping);
     for (const FixedPoint<dim> &fixed_point : supports)
       constrain(fixed_point);
     // Without a lip there is none that it could open.
@@ -271,7 +275,7 @@ namespace Crevasse
                 cell->is_locally_owned() && rule(cell) != 0 ? 1 : 0);
           }
         auto loops = std::make_shared<MatrixFree<dim, double>>();
-        loops->reinit(q1_mapping,
+        loops->reinit(cell_mapping,
                       dofs,
                       affine_constraints,
                       QGauss<1>(fe.degree + (shapes == nullptr ? 1 : 2)),

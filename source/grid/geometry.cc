@@ -4,15 +4,21 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
+#include <crevasse/grid/curved_edges.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/grid/gmsh_file.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <boost/serialization/map.hpp>
 #include <boost/serialization/vector.hpp>
 #include <cmath>
 #include <numeric>
@@ -119,24 +125,8 @@ namespace Crevasse
 
 
     /** The program cannot compute on cells that fold over. A triangulation
-     * could look for them while it is created, but not among triangles. */
-    template <int dim>
-    bool
-    is_convex(const typename Triangulation<dim>::cell_iterator &cell)
-    {
-      constexpr unsigned int n = GeometryInfo<dim>::vertices_per_cell;
-      Point<dim>             vertices[n];
-      for (unsigned int v = 0; v < n; ++v)
-        vertices[v] = cell->vertex(v);
-      Tensor<0, dim> jacobians[n];
-      GeometryInfo<dim>::alternating_form_at_vertices(vertices, jacobians);
-      return std::all_of(jacobians, jacobians + n, [&](const double jacobian) {
-        return jacobian > 1e-9 * std::pow(cell->diameter(), dim);
-      });
-    }
-
-
-
+     * could look for them while it is created, but not among triangles, nor
+     * with curved edges. */
     template <int dim>
     void
     require_convex_cells(const Triangulation<dim> &mesh,
@@ -144,13 +134,27 @@ namespace Crevasse
     {
       if (!mesh.all_reference_cells_are_hyper_cube())
         throw SceneError(where + only_hypercubes(dim));
+      // At the corners; if edges are curved, in their middles and inside too.
+      const unsigned int    degree = has_curved_edges(mesh) ? 2 : 1;
+      const MappingQ<dim>   mapping(degree);
+      const FE_Nothing<dim> no_unknowns;
+      FEValues<dim>         values(mapping,
+                           no_unknowns,
+                           QGaussLobatto<dim>(degree + 1),
+                           update_jacobians);
       for (const auto &cell : mesh.active_cell_iterators())
-        if (!is_convex<dim>(cell))
-          throw SceneError(where + "the cell around " +
-                           Text::from_point<dim>(cell->center()) +
-                           " has an angle of 180 degrees or more; every cell "
-                           "must be convex" +
-                           (dim == 2 ? ", in the plane x-y." : "."));
+        {
+          values.reinit(cell);
+          for (const auto &jacobian : values.get_jacobians())
+            if (!(jacobian.determinant() >
+                  1e-9 * std::pow(cell->diameter(), dim)))
+              throw SceneError(where + "the cell around " +
+                               Text::from_point<dim>(cell->center()) +
+                               " has an angle of 180 degrees or more" +
+                               (degree == 2 ? ", or folds over" : "") +
+                               "; every cell must be convex" +
+                               (dim == 2 ? ", in the plane x-y." : "."));
+        }
     }
 
 
@@ -162,12 +166,13 @@ namespace Crevasse
       std::vector<Point<dim>>        vertices;
       std::vector<CellData<dim>>     cells;
       std::vector<CellData<dim - 1>> boundary;
+      EdgeMiddles<dim>               middles;
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &vertices &cells &boundary;
+        archive &vertices &cells &boundary &middles;
       }
     };
 
@@ -196,18 +201,29 @@ namespace Crevasse
     CoarseMesh<dim>
     read_gmsh(const std::string &file_name)
     {
-      const GmshMesh                      mesh = read_gmsh_file(file_name, dim);
-      CoarseMesh<dim>                     coarse;
+      const GmshMesh mesh     = read_gmsh_file(file_name, dim);
+      const auto     point_of = [&](const std::size_t number) {
+        Point<dim> point;
+        for (unsigned int d = 0; d < dim; ++d)
+          point[d] = mesh.nodes.at(number)[d];
+        return point;
+      };
       std::map<std::size_t, unsigned int> vertex_of;
-      for (const auto &[number, node] : mesh.nodes)
+      for (const MeshElement &cell : mesh.cells)
+        for (const std::size_t node : cell.nodes)
+          vertex_of[node] = 0;
+      CoarseMesh<dim> coarse;
+      for (auto &[number, vertex] : vertex_of)
         {
-          vertex_of[number] = coarse.vertices.size();
-          coarse.vertices.emplace_back();
-          for (unsigned int d = 0; d < dim; ++d)
-            coarse.vertices.back()[d] = node[d];
+          vertex = coarse.vertices.size();
+          coarse.vertices.push_back(point_of(number));
         }
       coarse.cells    = cell_data<dim>(mesh.cells, vertex_of);
       coarse.boundary = cell_data<dim - 1>(mesh.boundary, vertex_of);
+      // Vertices are in the order of the nodes.
+      for (const auto &[ends, middle] : mesh.middles)
+        coarse.middles[{vertex_of.at(ends.first), vertex_of.at(ends.second)}] =
+          point_of(middle);
       return coarse;
     }
 
@@ -223,10 +239,10 @@ namespace Crevasse
         sub_cells.boundary_lines = mesh.boundary;
       else
         sub_cells.boundary_quads = mesh.boundary;
-      GridTools::delete_unused_vertices(mesh.vertices, mesh.cells, sub_cells);
       GridTools::invert_cells_with_negative_measure(mesh.vertices, mesh.cells);
       GridTools::consistently_order_cells(mesh.cells);
       triangulation.create_triangulation(mesh.vertices, mesh.cells, sub_cells);
+      set_curved_edges(mesh.middles, triangulation);
     }
 
 
@@ -270,11 +286,11 @@ namespace Crevasse
         {
           throw SceneError(
             where + "cannot be read as a mesh: " + reason(error) +
-            "\nAllowed: linear " +
+            "\nAllowed: " +
             (dim == 2 ? "quadrilaterals in the plane x-y" : "hexahedra") +
-            ", in a Gmsh file (.msh, format 2 or 4), or "
-            "in another format that deal.II knows by the end of "
-            "the file's name.");
+            ", in a Gmsh file (.msh, format 2 or 4) of first or second order, "
+            "or linear ones in another format that deal.II knows by the end "
+            "of the file's name.");
         }
       require_convex_cells(triangulation, where);
     }

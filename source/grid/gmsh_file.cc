@@ -17,12 +17,31 @@ namespace Crevasse
 {
   namespace
   {
-    enum ElementType : int
+    /** The nodes in the middle of the edges of an element of second order. */
+    void
+    read_middles(const MeshElement                &element,
+                 const std::vector<std::size_t>   &all_nodes,
+                 std::map<EdgeNodes, std::size_t> &middles)
     {
-      line_element          = 1,
-      quadrilateral_element = 3,
-      hexahedron_element    = 5
-    };
+      // Two vertices for each edge, in Gmsh's order of the nodes in the middle.
+      const std::size_t n    = element.nodes.size();
+      const std::string ends = n == 2   ? "01"
+                               : n == 4 ? "01122330"
+                                        : "010304121523263745475667";
+      for (std::size_t e = 0; 2 * e < ends.size(); ++e)
+        {
+          const std::size_t middle = all_nodes[n + e];
+          const EdgeNodes   edge =
+            std::minmax(element.nodes[ends[2 * e] - '0'],
+                        element.nodes[ends[2 * e + 1] - '0']);
+          if (middles.emplace(edge, middle).first->second != middle)
+            throw SceneError("element " + std::to_string(element.number) +
+                             ": between the nodes " +
+                             std::to_string(edge.first) + " and " +
+                             std::to_string(edge.second) +
+                             " another element has another node");
+        }
+    }
 
 
 
@@ -117,12 +136,45 @@ namespace Crevasse
 
 
 
-    /** All elements of a dimension. @throw SceneError if there are others than
-     * of the type @p allowed. */
+    /** The number of vertices of the one type of elements of an entity.
+     * @throw SceneError if it is none for this dimension of space. */
+    int
+    require_allowed(const std::vector<int> &types,
+                    const int               element_dim,
+                    const unsigned int      dim)
+    {
+      int n_vertices = 0;
+      for (const int type : types)
+        {
+          std::string         name;
+          int                 its_dim, order, n_nodes;
+          std::vector<double> coordinates;
+          gmsh::model::mesh::getElementProperties(
+            type, name, its_dim, order, n_nodes, coordinates, n_vertices);
+          if (n_vertices != 1 << element_dim)
+            throw SceneError(only_hypercubes(dim));
+          if (types.size() > 1 || order > 2 || element_dim > int(dim))
+            throw SceneError(
+              "the element type " + std::to_string(type) + " (" + name +
+              ") is not allowed with Dimension = " + std::to_string(dim) +
+              (types.size() > 1 ? " beside others" : "") +
+              "; allowed are points, lines, quadrilaterals" +
+              (dim == 3 ? ", hexahedra" : "") +
+              " of one order (Gmsh: Mesh.ElementOrder = 1 or 2)");
+        }
+      return n_vertices;
+    }
+
+
+
+    /** All elements of a dimension, by their vertices.
+     * @param middles gets the further nodes of their edges.
+     * @throw SceneError if there are others than lines, quadrilaterals or
+     * hexahedra of first or second order. */
     std::vector<MeshElement>
-    read_elements(const int          element_dim,
-                  const int          allowed,
-                  const unsigned int dim)
+    read_elements(const int                         element_dim,
+                  const unsigned int                dim,
+                  std::map<EdgeNodes, std::size_t> &middles)
     {
       std::vector<MeshElement>         all;
       std::vector<std::pair<int, int>> entities;
@@ -135,27 +187,19 @@ namespace Crevasse
             types, numbers, nodes, entity.first, entity.second);
           if (types.empty())
             continue;
-          if (types.size() > 1 || types[0] != allowed)
-            {
-              const int other = types[0] != allowed ? types[0] : types[1];
-              if (other == 2 || other == 4 || other == 6 || other == 7)
-                throw SceneError(only_hypercubes(dim));
-              throw SceneError(
-                "the element type " + std::to_string(other) +
-                " is not allowed with Dimension = " + std::to_string(dim) +
-                "; allowed are points (15), lines (1), quadrilaterals (3)" +
-                (dim == 3 ? ", hexahedra (5)" : "") +
-                " (Gmsh: Mesh.ElementOrder = 1)");
-            }
+          const int n_vertices     = require_allowed(types, element_dim, dim);
           const unsigned int group = group_of(entity);
           const std::size_t  n     = nodes[0].size() / numbers[0].size();
           for (std::size_t i = 0; i < numbers[0].size(); ++i)
             {
               const auto begin = nodes[0].begin() + i * n;
-              all.push_back({numbers[0][i], group, {begin, begin + n}});
+              all.push_back(
+                {numbers[0][i], group, {begin, begin + n_vertices}});
               if (std::set<std::size_t>(begin, begin + n).size() < n)
                 throw SceneError("element " + std::to_string(numbers[0][i]) +
                                  ": a node occurs twice");
+              if (n > all.back().nodes.size())
+                read_middles(all.back(), {begin, begin + n}, middles);
             }
         }
       std::stable_sort(all.begin(),
@@ -183,15 +227,9 @@ namespace Crevasse
                                   coordinates[3 * i + 1],
                                   coordinates[3 * i + 2]};
       if (dim == 2)
-        read_elements(3, 0, dim); // none is allowed
-      mesh.cells =
-        read_elements(dim,
-                      dim == 2 ? quadrilateral_element : hexahedron_element,
-                      dim);
-      mesh.boundary =
-        read_elements(dim - 1,
-                      dim == 2 ? line_element : quadrilateral_element,
-                      dim);
+        read_elements(3, dim, mesh.middles); // none is allowed
+      mesh.cells    = read_elements(dim, dim, mesh.middles);
+      mesh.boundary = read_elements(dim - 1, dim, mesh.middles);
       return mesh;
     }
 

@@ -6,6 +6,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/refinement.h>
 #include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/grid/curved_edges.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/model/body.h>
 #include <crevasse/model/linear_choice.h>
@@ -178,6 +179,16 @@ namespace Crevasse
       make_mesh<dim>(scene.geometry, *mesh, [&](const CellCounts &cells) {
         require_room<dim>(scene, cells, communicator);
       });
+      // The middle of a face between arcs would have to lie on its surface.
+      if (dim == 3 && has_curved_edges(*mesh) &&
+          (scene.geometry.refinements > 0 ||
+           scene.refinement.strategy != RefinementStrategy::none))
+        throw SceneError(
+          "[Geometry] Mesh file = " + scene.geometry.mesh_file +
+          ": in space a mesh with curved edges cannot be refined; make the "
+          "file "
+          "finer, with [Geometry] Refinements = 0 and [Refinement] Strategy = "
+          "none.");
       return mesh;
     };
     return scene.refinement.strategy == RefinementStrategy::tip

@@ -48,7 +48,10 @@ namespace Crevasse
       mesh_file,
       "Mesh of quadrilaterals (in three dimensions: of hexahedra) with "
       "boundary ids, for the shape \"mesh file\". It is looked for next to the "
-      "scene file first, then in the working directory. Allowed: a Gmsh file "
+      "scene file first, then in the working directory. Elements of second "
+      "order in a Gmsh file (Mesh.ElementOrder = 2) make edges arcs of "
+      "circles: cells are curved with Degree = 2, and stay so when they are "
+      "divided. Allowed: a Gmsh file "
       "(.msh) or another format that deal.II reads");
     prm.add_parameter(
       "Subdivisions",

@@ -3,6 +3,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
+#include <crevasse/grid/curved_edges.h>
 #include <crevasse/postprocess/field_writer.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -10,6 +11,7 @@
 #include <deal.II/lac/lapack_support.h>
 #include <deal.II/lac/lapack_templates.h>
 #include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_postprocessor.h>
 
 #include <fstream>
 #include <sstream>
@@ -20,53 +22,6 @@ namespace Crevasse
 
   namespace
   {
-    /** Calls f(nodal dof, displacement dofs of that node) on each locally
-     * owned cell. */
-    template <int dim, typename Function>
-    void
-    for_each_node(const Space<dim>          &space,
-                  const StressRecovery<dim> &recovery,
-                  const Function            &f)
-    {
-      const FESystem<dim>                 &fe = space.finite_element();
-      std::vector<types::global_dof_index> vector_dofs(fe.n_dofs_per_cell());
-      std::vector<types::global_dof_index> nodal_dofs(
-        recovery.dof_handler().get_fe().n_dofs_per_cell());
-      std::array<types::global_dof_index, dim> dofs;
-      for (const auto &cell : recovery.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            cell->get_dof_indices(nodal_dofs);
-            typename DoFHandler<dim>::active_cell_iterator(&space.mesh(),
-                                                           cell->level(),
-                                                           cell->index(),
-                                                           &space.dof_handler())
-              ->get_dof_indices(vector_dofs);
-            for (unsigned int i = 0; i < nodal_dofs.size(); ++i)
-              {
-                for (unsigned int d = 0; d < dim; ++d)
-                  dofs[d] = vector_dofs[fe.component_to_system_index(d, i)];
-                f(nodal_dofs[i], dofs);
-              }
-          }
-    }
-
-
-
-    /** What is derived from the recovered stress, node by node. */
-    template <int dim>
-    struct StressInvariants
-    {
-      /** In the plane (space) of the mesh, the largest first. */
-      std::array<Vector, dim> principal_stress;
-      /** Unit vectors, in the displacement space. */
-      std::array<Vector, dim> principal_direction;
-      /** J₂ = ½ s′:s′ with the deviator s′ of the three-dimensional stress. */
-      Vector second_deviator_invariant;
-    };
-
-
-
     /** Principal stresses in the plane (space) of the mesh in ascending order,
      * and rows of their directions. By LAPACK, for the name that deal.II's
      * eigenvectors() has in a library compiled by GCC is not the one that Clang
@@ -98,40 +53,71 @@ namespace Crevasse
 
 
 
+    /** What is derived from the recovered stress, node by node: principal
+     * stresses in the plane (space) of the mesh, the largest first, each with
+     * its unit vector, and J₂ = ½ s′:s′ with the deviator s′ of the
+     * three-dimensional stress. */
     template <int dim>
-    StressInvariants<dim>
-    stress_invariants(const Space<dim>          &space,
-                      const StressRecovery<dim> &recovery,
-                      const std::vector<Vector> &nodal_stress)
+    class StressInvariants : public DataPostprocessor<dim>
     {
-      StressInvariants<dim> invariants;
-      Vector               &J2 = invariants.second_deviator_invariant;
-      J2.reinit(nodal_stress[0]);
-      invariants.principal_stress.fill(J2);
-      invariants.principal_direction.fill(make_vector(space.dof_handler()));
-      for_each_node(space, recovery, [&](const auto node, const auto &dofs) {
-        if (!J2.in_local_range(node))
-          return;
-        VoigtVector<dim> components;
-        for (unsigned int c = 0; c < nodal_stress.size(); ++c)
-          components[c] = nodal_stress[c](node);
-        const SymmetricTensor<2, 3> stress = stress_tensor<dim>(components);
-        const SymmetricTensor<2, 3> s      = deviator(stress);
-        J2(node)                           = 0.5 * (s * s);
-
-        const auto [values, vectors] = principal_stresses<dim>(stress);
-        for (unsigned int d = 0; d < dim; ++d)
+    public:
+      std::vector<std::string>
+      get_names() const override
+      {
+        std::vector<std::string> names;
+        for (unsigned int d = 1; d <= dim; ++d)
           {
-            const unsigned int ascending         = dim - 1 - d;
-            invariants.principal_stress[d](node) = values[ascending];
-            Vector &direction = invariants.principal_direction[d];
-            for (unsigned int c = 0; c < dim; ++c)
-              if (direction.in_local_range(dofs[c]))
-                direction(dofs[c]) = vectors[ascending * dim + c];
+            names.push_back("principal_stress_" + std::to_string(d));
+            names.insert(names.end(),
+                         dim,
+                         "principal_direction_" + std::to_string(d));
           }
-      });
-      return invariants;
-    }
+        names.push_back("second_deviator_invariant");
+        return names;
+      }
+
+      std::vector<DataComponentInterpretation::DataComponentInterpretation>
+      get_data_component_interpretation() const override
+      {
+        using namespace DataComponentInterpretation;
+        std::vector<DataComponentInterpretation::DataComponentInterpretation>
+          all(1 + dim * (1 + dim), component_is_part_of_vector);
+        for (unsigned int d = 0; d <= dim; ++d)
+          all[d * (1 + dim)] = component_is_scalar;
+        return all;
+      }
+
+      UpdateFlags
+      get_needed_update_flags() const override
+      {
+        return update_values;
+      }
+
+      void
+      evaluate_vector_field(
+        const DataPostprocessorInputs::Vector<dim> &inputs,
+        std::vector<dealii::Vector<double>>        &results) const override
+      {
+        for (unsigned int q = 0; q < results.size(); ++q)
+          {
+            VoigtVector<dim> components;
+            for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+              components[c] = inputs.solution_values[q](c);
+            const SymmetricTensor<2, 3> stress = stress_tensor<dim>(components);
+            const SymmetricTensor<2, 3> s      = deviator(stress);
+            const auto [values, vectors] = principal_stresses<dim>(stress);
+            unsigned int next            = 0;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                const unsigned int ascending = dim - 1 - d;
+                results[q](next++)           = values[ascending];
+                for (unsigned int c = 0; c < dim; ++c)
+                  results[q](next++) = vectors[ascending * dim + c];
+              }
+            results[q](next) = 0.5 * (s * s);
+          }
+      }
+    };
   } // namespace
 
 
@@ -148,15 +134,21 @@ namespace Crevasse
       at_dofs(lip.nodes()[k].dof) = contact_forces[k] / lip.nodes()[k].weight;
     lip.spread_to_held_nodes(at_dofs);
 
-    Vector pressure(recovery.dof_handler().locally_owned_dofs(),
+    Vector               pressure(recovery.dof_handler().locally_owned_dofs(),
                     space.communicator());
-    for_each_node(space, recovery, [&](const auto node, const auto &dofs) {
-      if (pressure.in_local_range(node))
+    const FESystem<dim> &fe = space.finite_element();
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> nodes(dofs.size() / dim);
+    for (const auto &cell : owned_cells(recovery.dof_handler()))
+      {
+        cell->get_dof_indices(nodes);
+        same_cell(cell->id(), space.dof_handler())->get_dof_indices(dofs);
         // Only the normal component of a lip node is not zero.
-        for (const auto dof : dofs)
-          if (at_dofs(dof) != 0.)
-            pressure(node) = at_dofs(dof);
-    });
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (const auto node = nodes[fe.system_to_component_index(i).second];
+              at_dofs(dofs[i]) != 0. && pressure.in_local_range(node))
+            pressure(node) = at_dofs(dofs[i]);
+      }
     return pressure;
   }
 
@@ -236,32 +228,32 @@ namespace Crevasse
   FieldWriter<dim>::write(const Snapshot    &snapshot,
                           const unsigned int number) const
   {
+    const unsigned int degree = space.finite_element().degree;
+    DoFHandler<dim>    cell_dofs(space.mesh());
+    cell_dofs.distribute_dofs(
+      FESystem<dim>(FE_DGQ<dim>(degree), n_stress_components<dim>));
     DataOut<dim>          data_out;
     DataOutBase::VtkFlags flags;
     flags.time                     = snapshot.time;
     flags.write_higher_order_cells = false;
     data_out.set_flags(flags);
 
-    const auto add_vector = [&](const Vector &values, const std::string &name) {
-      data_out.add_data_vector(
-        space.dof_handler(),
-        values,
-        std::vector<std::string>(dim, name),
-        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-          dim, DataComponentInterpretation::component_is_part_of_vector));
-    };
-    const auto add_scalar = [&](const Vector &values, const std::string &name) {
-      data_out.add_data_vector(recovery.dof_handler(), values, name);
-    };
-    const auto add_components = [&](const std::vector<Vector> &components,
-                                    const std::string         &name) {
-      for (unsigned int c = 0; c < components.size(); ++c)
-        add_scalar(components[c], name + '_' + voigt_name<dim>(c));
+    const auto add_components = [&](const Vector      &components,
+                                    const std::string &name) {
+      std::vector<std::string> names;
+      for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+        names.push_back(name + '_' + voigt_name<dim>(c));
+      data_out.add_data_vector(cell_dofs, components, names);
     };
 
     // DataOut copies these values, and those of ghosts from their owners.
-    add_vector(space.nodal_values(snapshot.state.displacement), "displacement");
-    const std::vector<Vector> stress = recovery.recover(snapshot.state.stress);
+    data_out.add_data_vector(
+      space.dof_handler(),
+      space.nodal_values(snapshot.state.displacement),
+      std::vector<std::string>(dim, "displacement"),
+      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+        dim, DataComponentInterpretation::component_is_part_of_vector));
+    const Vector stress = recovery.recover(snapshot.state.stress, cell_dofs);
     add_components(stress, "stress");
     const unsigned int n_branches = // 0 in an elastic body
       snapshot.viscous_strain.size() / snapshot.state.stress.size();
@@ -270,34 +262,27 @@ namespace Crevasse
       {
         Vector branch = snapshot.state.stress; // of its layout
         for (unsigned int k = 0; k < branch.locally_owned_size(); ++k)
-          branch.local_element(k) = snapshot.viscous_strain.local_element(
-            (k / n * n_branches + i) * n + k % n);
-        std::vector<Vector> strain = recovery.recover(branch);
-        // From engineering shears to components of a tensor.
-        for (unsigned int c = 3; c < strain.size(); ++c)
-          strain[c] *= 0.5;
-        add_components(strain,
+          branch.local_element(k) =
+            // From engineering shears to components of a tensor.
+            (k % n < 3 ? 1. : 0.5) * snapshot.viscous_strain.local_element(
+                                       (k / n * n_branches + i) * n + k % n);
+        add_components(recovery.recover(branch, cell_dofs),
                        n_branches == 1
                          ? "viscous_strain"
                          : "viscous_strain_branch_" + std::to_string(i + 1));
       }
-
-    const StressInvariants<dim> invariants =
-      stress_invariants(space, recovery, stress);
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const std::string suffix = '_' + std::to_string(d + 1);
-        add_scalar(invariants.principal_stress[d], "principal_stress" + suffix);
-        add_vector(invariants.principal_direction[d],
-                   "principal_direction" + suffix);
-      }
-    add_scalar(invariants.second_deviator_invariant,
-               "second_deviator_invariant");
-    add_scalar(
+    const StressInvariants<dim> invariants;
+    data_out.add_data_vector(cell_dofs, stress, invariants);
+    data_out.add_data_vector(
+      recovery.dof_handler(),
       contact_pressure(space, recovery, lip, snapshot.state.contact_forces),
       "contact_pressure");
 
-    data_out.build_patches(space.mapping(), space.finite_element().degree);
+    data_out.build_patches(space.mapping(),
+                           degree,
+                           has_curved_edges(space.mesh())
+                             ? DataOut<dim>::curved_inner_cells
+                             : DataOut<dim>::curved_boundary);
     try
       {
         data_out.write_vtu_with_pvtu_record(

@@ -11,6 +11,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Crevasse
@@ -86,9 +87,16 @@ namespace Crevasse
 
   template <int dim>
   typename ProbeEvaluator<dim>::Place
-  ProbeEvaluator<dim>::find_place(const Space<dim> &space) const
+  ProbeEvaluator<dim>::find_place(const Space<dim> &space)
   {
-    Place place;
+    // What comes first: cells with the point on a lip, between materials those
+    // on the left, below and in front, ranks in their order.
+    using Order = std::array<unsigned int, dim + 3>;
+    Order outside;
+    outside.fill(1);
+    Order        first = outside;
+    Place        place;
+    unsigned int least = numbers::invalid_unsigned_int, most = 0;
     for (const auto &[cell, unit_point] :
          GridTools::find_all_active_cells_around_point(space.mapping(),
                                                        space.dof_handler(),
@@ -97,22 +105,33 @@ namespace Crevasse
         {
           const unsigned int face =
             lip_face<dim>(cell, unit_point, space.roles());
-          if (!place.found || (place.lip_face == no_face && face != no_face))
-            place = {cell, unit_point, true, face};
+          Order                order{{0, face == no_face ? 1u : 0u}};
+          const Tensor<1, dim> offset = cell->center() - probe.point;
+          for (unsigned int d = 0; recovery.has_interfaces() && d < dim; ++d)
+            order[2 + d] = offset[d] > -0.1 * offset.norm() ? 1 : 0;
+          order[2 + dim] = Utilities::MPI::this_mpi_process(communicator);
+          least          = std::min(least, recovery.material_of(cell));
+          most           = std::max(most, recovery.material_of(cell));
+          if (order < first)
+            {
+              first = order;
+              place = {cell, unit_point, true, face};
+            }
         }
-
-    // Ranks that see the lip there come first, then any that sees the point.
-    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    const unsigned int order   = !place.found                ? 2 * n_ranks
-                                 : place.lip_face == no_face ? n_ranks + rank
-                                                             : rank;
-    const unsigned int first   = Utilities::MPI::min(order, communicator);
-    if (first == 2 * n_ranks)
+    const Order mine = first;
+    for (const Order &of_rank : Utilities::MPI::all_gather(communicator, first))
+      first = std::min(first, of_rank);
+    if (first == outside)
       throw SceneError("[Output] Probes: " + probe.name + " at " +
                        Text::from_point(probe.point) +
                        " lies outside the mesh.");
-    place.found = order == first;
+    place.found = mine == first;
+    if (Utilities::MPI::min(least, communicator) <
+        Utilities::MPI::max(most, communicator))
+      side =
+        Utilities::MPI::sum(place.found ? Tensor<1, dim>(place.cell->center())
+                                        : Tensor<1, dim>(),
+                            communicator);
     return place;
   }
 
@@ -172,7 +191,9 @@ namespace Crevasse
                                    place.cell->index(),
                                    &recovery.dof_handler()},
                                   place.unit_point);
-    stress_weights = recovery.weights_of(weights);
+    stress_weights =
+      recovery.weights_of(weights,
+                          place.found ? recovery.material_of(place.cell) : 0);
   }
 
 

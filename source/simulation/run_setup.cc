@@ -12,7 +12,9 @@ namespace Crevasse
                           std::shared_ptr<const Mesh<dim>> mesh)
     : scene(of_run)
     , body(scene, std::move(mesh))
-    , recovery(body.space, body.points)
+    , recovery(body.space,
+               body.points,
+               body.material.materials_of_cells(body.space, body.points))
     , probes(make_probes(*scene.output.probes, body.space, recovery, body.lip))
     , steps(scene.time_integration,
             scene.loads.period,

@@ -357,6 +357,12 @@ namespace Crevasse
       log.line("  contact solver: " + setup.solvers.contact.describe());
     if (setup.crack_tip != nullptr)
       log.line(setup.crack_tip->describe());
+    for (const auto &probe : setup.probes)
+      if (const auto &side = probe.side_of_interface())
+        log.line("  probe " + probe.name() +
+                 ": lies between materials, and has the stress of the cell "
+                 "around " +
+                 Text::from_point(*side));
     for (const std::string &warning :
          warnings(setup, setup.periodic_choice, setup.secular_split))
       log.line("  warning: " + warning);

@@ -65,3 +65,60 @@ x, y = mesh.points[:, 0], mesh.points[:, 1]
 on_lip = (y < 1e-6) & (x > 0.499)
 check(on_lip.any(), "no lip")
 difference(mesh.point_data["contact_pressure"], 10. * on_lip, "pressure")
+
+
+# Two bars side by side under the same strain: the stress jumps between them, and
+# has no mean, neither in the field nor at a probe, which takes the one below.
+BARS = """
+subsection Geometry
+  set Shape        = rectangle
+  set Subdivisions = 4, 4
+end
+subsection Boundary
+  set Symmetry = 0, 2
+  set Loaded   = 1
+end
+subsection Material
+  set Young modulus   = if(y < 0.5, 1, 10)
+  set Poisson ratio   = 0
+  set Relaxation time = 60
+end
+subsection Loads
+  set Period   = 600
+  set Traction = if(y < 0.5, 1, 10); 0
+end
+subsection Time integration
+  set Steps per period = 20
+end
+subsection Periodic state
+  set Maximum periods = 1
+  set Tolerance       = 0
+end
+"""
+# With hanging nodes between the bars around a crack tip, which nothing loads.
+TIP = ["Geometry/Shape=edge crack", "Refinement/Strategy=tip", "Refinement/Cycles=1",
+       "Material/Young modulus=if(y < 0.25, 1, 10)",
+       "Loads/Traction=if(y < 0.25, 1, 10); 0"]
+for degree, height, settings in ((1, 0.5, []), (2, 0.5, []), (1, 0.25, TIP),
+                                 (2, 0.25, TIP)):
+    results = run(BARS, "bars", [f"Discretisation/Degree={degree}", *settings,
+                                 f"Output/Probes=between: 0.5, {height}; end: 1, "
+                                 f"{height}; above: 0.5, 0.75"])
+    mesh = meshio.read(results.directory / "solution_0000.0.vtu")
+    y, stress = mesh.points[:, 1], mesh.point_data["stress_11"].ravel()
+    for value, place in ((1, y < height - 1e-3), (10, y > height + 1e-3)):
+        difference(stress[place], numpy.full(place.sum(), value), "s_11 of a bar")
+    between = stress[abs(y - height) < 1e-3]
+    check((between < 5).any() and (between > 5).any(), "one s_11 at the interface")
+    difference(between, numpy.where(between < 5, 1, 10), "s_11 at the interface")
+    for probe, expected in (("between", 1), ("end", 1), ("above", 10)):
+        values = results.table(f"probe_{probe}.csv")["s_11"]
+        check_below(max(abs(value / expected - 1) for value in values), 1e-9,
+                    f"s_11 at {probe}")
+    log = (results.directory / "log.txt").read_text()
+    check("probe between: lies between materials" in log
+          and "probe above" not in log, log)
+error = run(BARS, "estimate", [
+    "Refinement/Strategy=adaptive", "Refinement/Cycles=1",
+    "Material/Viscosity=none"]).summary["refinement"]["meshes"][0]["estimated_error"]
+check_below(error, 1e-9, "estimated error, which no jump of s_11 is")

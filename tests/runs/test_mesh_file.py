@@ -1,11 +1,13 @@
 """The same body, built in and read from both formats of Gmsh, whose nodes are
 numbered differently."""
 
+import math
 import os
 import pathlib
 import shutil
 
-from crevasse_run import SOURCE, check, check_below, execute, run
+import tubes
+from crevasse_run import (SOURCE, check, check_below, execute, run, run_on, tier)
 
 REST = """\
 subsection Material
@@ -173,7 +175,107 @@ def test_used_parameters():
           "used.prm gives another result")
 
 
+def tube(name, settings):
+    """Error of Lame's hoop stress inside and of the displacement outside, both
+    relative, of a tube from 1 to 2 under the pressure 1 in plane strain."""
+    results = run(tubes.TUBE, name, settings)
+    stress = results.table("probe_inside.csv")["s_22"][-1]
+    moved = results.table("probe_outside.csv")["u_1"][-1]
+    return abs(stress / (5 / 3) - 1), abs(moved / (4 / 3 * (1 - 0.3**2)) - 1)
+
+
+def test_curved_cells():
+    """Edges of second order are arcs: displacements converge as h^4, with straight
+    edges as h^2. New edges within cells that are divided are straight, which leaves
+    h^3."""
+    errors = {}
+    for order in (1, 2):
+        for n in (8, 16):
+            errors[order, n] = tube("tube", [
+                tubes.write(f"tube_{order}.msh", n, n, order)])[1]
+        rate = math.log2(errors[order, 8] / errors[order, 16])
+        check_below(abs(rate - 2 * order), 0.3, f"order {rate} of the displacement "
+                    f"with edges of order {order}: difference")
+    print(errors)
+    check_below(errors[2, 16], 1e-6, "displacement, curved cells")
+    check_below(1000 * errors[2, 16], errors[1, 16], "straight cells / 1000")
+    mesh = tubes.write("tube_2.msh", 2, 3)
+    divided = [tube("tube", [mesh, f"Geometry/Refinements={level}"])[1]
+               for level in (2, 3)]
+    check_below(abs(math.log2(divided[0] / divided[1]) - 3), 0.3,
+                "order with refinements - 3")
+    check_below(divided[1], 1e-5, "displacement, three refinements")
+    # A manifold in the file alone: linear elements, whose new vertices are on it.
+    linear = tube("tube", ["Geometry/Mesh file=tube_2.msh", "Discretisation/Degree=1",
+                           "Geometry/Refinements=3"])
+    check_below(linear[1], 5e-3, "Degree = 1")
+
+
+def test_curved_cells_everywhere():
+    """Adaptive meshes with hanging nodes, multigrid, and space."""
+    mesh = tubes.write("coarse.msh", 2, 3)
+    adaptive = [mesh, "Refinement/Strategy=adaptive", "Refinement/Cycles=5"]
+    errors = tube("adaptive", adaptive)
+    check_below(errors[1], 5e-4, "adaptive mesh: displacement")
+    probe = run(tubes.TUBE, "direct", adaptive).table("probe_inside.csv")
+    other = run(tubes.TUBE, "gmg", adaptive + [
+        "Linear solver/Type=gmg", "Contact/Solver=active set"
+        ]).table("probe_inside.csv")
+    check_below(abs(other["s_22"][-1] / probe["s_22"][-1] - 1), 1e-9, "multigrid")
+    # Resumed, and on two processes, after periods of creep.
+    creep = adaptive + ["Material/Viscosity=relaxation time",
+                        "Time integration/Steps per period=8",
+                        "Periodic state/Maximum periods=2"]
+    whole = run(tubes.TUBE, "whole", creep).table("probe_inside.csv")
+    for n_ranks in tier((), (2,)):
+        parallel = run_on(n_ranks, "whole.prm", "parallel",
+                          creep).table("probe_inside.csv")
+        check_below(max(abs(a / b - 1) for a, b in zip(
+            whole["s_22"], parallel["s_22"])), 1e-9, "two processes")
+    space = [tubes.write("space.msh", 4, 6, length=0.25), "Dimension=3",
+             "Boundary/Symmetry=1, 2, 5, 6",
+             "Loads/Traction=x/sqrt(x*x+y*y); y/sqrt(x*x+y*y); 0",
+             "Output/Probes=inside: 1, 0, 0; outside: 2, 0, 0"]
+    plane = tube("plane", [tubes.write("plane.msh", 4, 6)])
+    check_below(max(abs(a - b) for a, b in zip(tube("space", space), plane)), 1e-9,
+                "a slice in space against plane strain: errors")
+    refused(space + ["Geometry/Refinements=1"],
+            "in space a mesh with curved edges cannot be refined")
+
+
+def refused(settings, message):
+    path = pathlib.Path("refused.prm")
+    path.write_text(tubes.TUBE)
+    code, _, error = execute("--check", path, *(
+        word for setting in settings for word in ("--set", setting)))
+    check(code == 2 and message in " ".join(error.split()),
+          f"{message}: exit status {code}\n{error}")
+
+
+def test_refused_curves():
+    mesh = tubes.write("tube_2.msh", 2, 3)
+    for role in ("Symmetry=1, 2, 4", "Contact=4"):
+        refused([mesh, f"Boundary/{role}"], "is curved; lips and planes of "
+                "symmetry must be flat")
+
+    def quarter_point(r, phi):
+        """Of the second of four cells."""
+        return (r - 0.06, phi) if abs(r - 1.375) < 1e-9 else (r, phi)
+    refused([tubes.write("quarter.msh", 4, 3, move=quarter_point)],
+            "is not near the middle of the edge")
+
+    def bulge(r, phi):
+        return (1.2, phi) if r == 1 and abs(phi - math.pi / 12) < 1e-9 else (r, phi)
+    refused([tubes.write("folded.msh", 10, 3, move=bulge)], "or folds over")
+    text = pathlib.Path("tube_2.msh").read_text()
+    pathlib.Path("third.msh").write_text(text.replace(" 16 2 10", " 36 2 10"))
+    refused(["Geometry/Mesh file=third.msh"], "cannot be read as a mesh")
+
+
 test_formats()
+test_curved_cells()
+test_curved_cells_everywhere()
+test_refused_curves()
 test_names()
 test_names_of_materials()
 test_list_of_materials()

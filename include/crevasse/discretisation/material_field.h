@@ -111,6 +111,15 @@ namespace Crevasse
       return !free_strains.empty();
     }
 
+    /** A number for each cell of this rank, from 0 on: that of its material, as
+     * the mesh file and, where formulas are constant in most cells, the moduli
+     * at t = 0 tell. Fields may jump between cells with different numbers.
+     * Collective.
+     * @return by active cell index. */
+    std::vector<unsigned int>
+    materials_of_cells(const Space<dim>           &space,
+                       const QuadratureField<dim> &points) const;
+
     /** Bytes of what a state has besides that which does not vary. */
     std::size_t
     memory_of_variation(const MaterialState<dim> &state) const;

@@ -13,7 +13,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/hp/q_collection.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -109,10 +109,12 @@ namespace Crevasse
     {
       return fe;
     }
+    /** Of the degree of the elements if cells have curved edges, else linear.
+     */
     const dealii::Mapping<dim> &
     mapping() const
     {
-      return q1_mapping;
+      return cell_mapping;
     }
     const dealii::AffineConstraints<double> &
     constraints() const
@@ -261,7 +263,7 @@ namespace Crevasse
     constrain(const FixedPoint<dim> &fixed_point);
 
     const std::shared_ptr<const Mesh<dim>> triangulation;
-    const dealii::MappingQ1<dim>           q1_mapping;
+    const dealii::MappingQ<dim>            cell_mapping;
     const dealii::FESystem<dim>            fe;
     const dealii::QGauss<dim - 1>          face_rule;
     const BoundaryRoles                    boundary_roles;

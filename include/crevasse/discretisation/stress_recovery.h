@@ -12,8 +12,10 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -22,8 +24,9 @@ namespace Crevasse
   /**
    * Fields at quadrature points seen at nodes: on each cell the polynomial
    * through the values at the points (the nearest one, where there are more),
-   * at each node the mean over the cells that meet there, between nodes the
-   * shape functions.
+   * at each node the mean over the cells of one material that meet there,
+   * between nodes the shape functions. A node between materials has a value for
+   * each of them.
    */
   template <int dim>
   class StressRecovery
@@ -33,14 +36,19 @@ namespace Crevasse
      * (offset in the field, weight). */
     using PointWeights = std::vector<std::pair<std::size_t, double>>;
 
-    StressRecovery(const Space<dim> &space, const QuadratureField<dim> &points)
+    /** The first two must outlive this object. Collective.
+     * @param materials numbers from 0 on, by active cell index; those of other
+     * ranks' cells are not read. Nothing: all is one material. */
+    StressRecovery(const Space<dim>                &space,
+                   const QuadratureField<dim>      &points,
+                   const std::vector<unsigned int> &materials = {})
       : space(space)
       , points(points)
+      , materials(materials)
       , nodal_dofs(space.mesh())
     {
       const dealii::FE_Q<dim> fe(space.finite_element().degree);
       nodal_dofs.distribute_dofs(fe);
-
       extrapolations = fitting_matrices(fe, space);
 
       dealii::IndexSet relevant;
@@ -50,57 +58,67 @@ namespace Crevasse
                                                       hanging_nodes);
       hanging_nodes.close();
 
-      inverse_count = make_vector(nodal_dofs);
-      std::vector<dealii::types::global_dof_index> indices(
-        fe.n_dofs_per_cell());
-      for (const auto &cell : owned_cells(nodal_dofs))
-        {
-          cell->get_dof_indices(indices);
-          for (const auto i : indices)
-            inverse_count(i) += 1.;
-        }
-      inverse_count.compress(dealii::VectorOperation::add);
-      for (double &count : inverse_count)
-        count = 1. / count;
-      inverse_count.update_ghost_values();
+      unsigned int most = 0;
+      for (const auto &cell : owned_cells(space.mesh()))
+        most = std::max(most, material_of(cell));
+      n_materials = 1 + dealii::Utilities::MPI::max(most, space.communicator());
     }
 
-    /** Scalar nodal space that the recovered components live in. */
+    /** Scalar nodal space. */
     const dealii::DoFHandler<dim> &
     dof_handler() const
     {
       return nodal_dofs;
     }
 
-    /** One nodal vector for each stress component, with ghost values set. */
-    std::vector<Vector>
-    recover(const Vector &field) const
+    /** Between 0 and n_materials - 1 */
+    unsigned int
+    material_of(const typename dealii::Triangulation<dim>::active_cell_iterator
+                  &cell) const
     {
-      constexpr unsigned int n_components = n_stress_components<dim>;
-      std::vector<Vector>    nodal(n_components, make_vector(nodal_dofs));
-      std::vector<dealii::types::global_dof_index> indices(
-        nodal_dofs.get_fe().n_dofs_per_cell());
-      for (const auto &cell : owned_cells(nodal_dofs))
+      return materials.empty() ? 0 : materials[cell->active_cell_index()];
+    }
+
+    bool
+    has_interfaces() const
+    {
+      return n_materials > 1;
+    }
+
+    /** The components at the nodes of each cell, with ghost values set.
+     * Collective.
+     * @param cell_dofs of FE_DGQ elements with the nodes of the displacement,
+     * one for each component. */
+    Vector
+    recover(const Vector &field, const dealii::DoFHandler<dim> &cell_dofs) const
+    {
+      const auto lexicographic =
+        dealii::FETools::hierarchic_to_lexicographic_numbering<dim>(
+          nodal_dofs.get_fe().degree);
+      const auto &fe        = cell_dofs.get_fe();
+      Vector      recovered = make_vector(cell_dofs);
+      std::vector<dealii::types::global_dof_index> of_cell(
+        fe.n_dofs_per_cell());
+      for (unsigned int material = 0; material < n_materials; ++material)
         {
-          const dealii::FullMatrix<double> &extrapolation =
-            extrapolations[space.rule(cell)];
-          cell->get_dof_indices(indices);
-          const std::size_t offset = points.offset(cell);
-          for (unsigned int i = 0; i < extrapolation.m(); ++i)
-            for (unsigned int q = 0; q < extrapolation.n(); ++q)
-              for (unsigned int c = 0; c < n_components; ++c)
-                nodal[c](indices[i]) +=
-                  extrapolation(i, q) *
-                  field.local_element(offset + q * n_components + c);
+          const Vector              weights = inverse_count(material);
+          const std::vector<Vector> nodal   = means(field, material, weights);
+          for_each_cell_of(
+            material, [&](const auto &cell, const auto &indices) {
+              same_cell(cell->id(), cell_dofs)->get_dof_indices(of_cell);
+              for (unsigned int i = 0; i < indices.size(); ++i)
+                for_each_master(
+                  indices[i],
+                  weights,
+                  [&](const auto dof, const double factor) {
+                    for (unsigned int c = 0; c < n_components; ++c)
+                      recovered(of_cell[fe.component_to_system_index(
+                        c, lexicographic[i])]) += factor * nodal[c](dof);
+                  });
+            });
         }
-      for (Vector &component : nodal)
-        {
-          component.compress(dealii::VectorOperation::add);
-          component.scale(inverse_count);
-          hanging_nodes.distribute(component);
-          component.update_ghost_values();
-        }
-      return nodal;
+      recovered.update_ghost_values();
+      return recovered;
     }
 
     /**
@@ -110,44 +128,45 @@ namespace Crevasse
      *
      * @param nodal_weights (dof of dof_handler(), weight) of the point in its
      * cell; empty on ranks that do not own the cell.
+     * @param of_cell material of this cell; without meaning on other ranks.
      */
     PointWeights
     weights_of(
       const std::vector<std::pair<dealii::types::global_dof_index, double>>
-        &nodal_weights) const
+                        &nodal_weights,
+      const unsigned int of_cell) const
     {
+      const unsigned int material =
+        dealii::Utilities::MPI::max(nodal_weights.empty() ? 0 : of_cell,
+                                    space.communicator());
       // The transpose of recover(), applied to the shape functions at the
       // point.
-      Vector at_nodes = make_vector(nodal_dofs);
+      const Vector weights_of_cells = inverse_count(material);
+      Vector       at_nodes         = make_vector(nodal_dofs);
       for (const auto &[dof, weight] : nodal_weights)
-        if (const auto *entries = hanging_nodes.get_constraint_entries(dof))
-          for (const auto &[parent, factor] : *entries)
-            at_nodes(parent) += factor * weight;
-        else
-          at_nodes(dof) += weight;
+        for_each_master(dof,
+                        weights_of_cells,
+                        [&at_nodes, of_node = weight](const auto   master,
+                                                      const double factor) {
+                          at_nodes(master) += factor * of_node;
+                        });
       at_nodes.compress(dealii::VectorOperation::add);
-      at_nodes.scale(inverse_count);
+      at_nodes.scale(weights_of_cells);
       at_nodes.update_ghost_values();
 
-      PointWeights                                 weights;
-      std::vector<dealii::types::global_dof_index> indices(
-        nodal_dofs.get_fe().n_dofs_per_cell());
-      for (const auto &cell : owned_cells(nodal_dofs))
-        {
-          const dealii::FullMatrix<double> &extrapolation =
-            extrapolations[space.rule(cell)];
-          cell->get_dof_indices(indices);
-          for (unsigned int q = 0; q < extrapolation.n(); ++q)
-            {
-              double weight = 0.;
-              for (unsigned int i = 0; i < extrapolation.m(); ++i)
-                weight += extrapolation(i, q) * at_nodes(indices[i]);
-              if (weight != 0.)
-                weights.emplace_back(points.offset(cell) +
-                                       q * n_stress_components<dim>,
-                                     weight);
-            }
-        }
+      PointWeights weights;
+      for_each_cell_of(material, [&](const auto &cell, const auto &indices) {
+        const auto &extrapolation = extrapolations[space.rule(cell)];
+        for (unsigned int q = 0; q < extrapolation.n(); ++q)
+          {
+            double weight = 0.;
+            for (unsigned int i = 0; i < extrapolation.m(); ++i)
+              weight += extrapolation(i, q) * at_nodes(indices[i]);
+            if (weight != 0.)
+              weights.emplace_back(points.offset(cell) + q * n_components,
+                                   weight);
+          }
+      });
       return weights;
     }
 
@@ -159,25 +178,103 @@ namespace Crevasse
       for (const auto &[offset, weight] : weights)
         value += weight * QuadratureField<dim>::get(field, offset);
       dealii::Utilities::MPI::sum(
-        dealii::ArrayView<const double>(value.begin_raw(),
-                                        n_stress_components<dim>),
+        dealii::ArrayView<const double>(value.begin_raw(), n_components),
         space.communicator(),
-        dealii::ArrayView<double>(value.begin_raw(), n_stress_components<dim>));
+        dealii::ArrayView<double>(value.begin_raw(), n_components));
       return value;
     }
 
   private:
+    static constexpr unsigned int n_components = n_stress_components<dim>;
+
+    /** f(cell, dofs of its nodes) */
+    template <typename Function>
+    void
+    for_each_cell_of(const unsigned int material, const Function &f) const
+    {
+      std::vector<dealii::types::global_dof_index> indices(
+        nodal_dofs.get_fe().n_dofs_per_cell());
+      for (const auto &cell : owned_cells(nodal_dofs))
+        if (material_of(cell) == material)
+          {
+            cell->get_dof_indices(indices);
+            f(cell, indices);
+          }
+    }
+
+    /** 1 / number of cells of a material at each node, 0 without any; with
+     * ghost values. */
+    Vector
+    inverse_count(const unsigned int material) const
+    {
+      Vector inverse = make_vector(nodal_dofs);
+      for_each_cell_of(material, [&](const auto &, const auto &indices) {
+        for (const auto i : indices)
+          inverse(i) += 1.;
+      });
+      inverse.compress(dealii::VectorOperation::add);
+      for (double &count : inverse)
+        count = count > 0. ? 1. / count : 0.;
+      inverse.update_ghost_values();
+      return inverse;
+    }
+
+    /** The means over the cells of a material, one vector a component, with
+     * ghost values; hanging nodes not yet interpolated. */
+    std::vector<Vector>
+    means(const Vector      &field,
+          const unsigned int material,
+          const Vector      &weights) const
+    {
+      std::vector<Vector> nodal(n_components, make_vector(nodal_dofs));
+      for_each_cell_of(material, [&](const auto &cell, const auto &indices) {
+        const auto       &extrapolation = extrapolations[space.rule(cell)];
+        const std::size_t offset        = points.offset(cell);
+        for (unsigned int i = 0; i < extrapolation.m(); ++i)
+          for (unsigned int q = 0; q < extrapolation.n(); ++q)
+            for (unsigned int c = 0; c < n_components; ++c)
+              nodal[c](indices[i]) +=
+                extrapolation(i, q) *
+                field.local_element(offset + q * n_components + c);
+      });
+      for (Vector &component : nodal)
+        {
+          component.compress(dealii::VectorOperation::add);
+          component.scale(weights);
+          component.update_ghost_values();
+        }
+      return nodal;
+    }
+
+    /** f(dof, factor) for the nodes that a hanging node lies between, if cells
+     * of its material have them all; else for the node itself. */
+    template <typename Function>
+    void
+    for_each_master(const dealii::types::global_dof_index dof,
+                    const Vector                         &inverse_count,
+                    const Function                       &f) const
+    {
+      if (const auto *masters = hanging_nodes.get_constraint_entries(dof);
+          masters != nullptr &&
+          std::all_of(masters->begin(), masters->end(), [&](const auto &entry) {
+            return inverse_count(entry.first) > 0.;
+          }))
+        for (const auto &[master, factor] : *masters)
+          f(master, factor);
+      else
+        f(dof, 1.);
+    }
+
     const Space<dim>                 &space;
     const QuadratureField<dim>       &points;
+    const std::vector<unsigned int>   materials;
+    unsigned int                      n_materials;
     dealii::DoFHandler<dim>           nodal_dofs;
     dealii::AffineConstraints<double> hanging_nodes;
 
     /** From the values at the points of a cell to those at its nodes, for each
      * rule. */
     std::vector<dealii::FullMatrix<double>> extrapolations;
-
-    /** 1 / number of cells at each node. */
-    Vector inverse_count;
   };
 } // namespace Crevasse
 

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Crevasse
@@ -19,12 +20,16 @@ namespace Crevasse
   std::string
   only_hypercubes(const unsigned int dim);
 
+  /** Two nodes by the file's numbers, the smaller first. */
+  using EdgeNodes = std::pair<std::size_t, std::size_t>;
+
   /** The nodes and elements of a Gmsh file, in the order of their numbers. */
   struct GmshMesh
   {
     std::map<std::size_t, dealii::Point<3>> nodes;
     std::vector<MeshElement>                cells;
     std::vector<MeshElement>                boundary;
+    std::map<EdgeNodes, std::size_t>        middles; ///< of second order
   };
 
   /**

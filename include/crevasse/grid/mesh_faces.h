@@ -14,7 +14,7 @@ namespace Crevasse
   {
     std::size_t              number;
     unsigned int             group; ///< physical group; 0 if in none
-    std::vector<std::size_t> nodes; ///< in Gmsh's order
+    std::vector<std::size_t> nodes; ///< its vertices, in Gmsh's order
   };
 
   /**

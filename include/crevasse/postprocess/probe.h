@@ -11,6 +11,7 @@
 #include <crevasse/time/observer.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +49,14 @@ namespace Crevasse
       return is_on_lip;
     }
 
+    /** Of a point between materials the middle of the cell whose stress it has,
+     * on the left, else below, else in front. */
+    const std::optional<dealii::Point<dim>> &
+    side_of_interface() const
+    {
+      return side;
+    }
+
     dealii::Tensor<1, dim>
     displacement(const Vector &displacement) const;
 
@@ -82,7 +91,7 @@ namespace Crevasse
 
     /** One rank finds it. */
     Place
-    find_place(const Space<dim> &space) const;
+    find_place(const Space<dim> &space);
 
     void
     find_displacement_weights(const Place &place, const Space<dim> &space);
@@ -91,10 +100,11 @@ namespace Crevasse
     void
     find_lip_weights(const Place &place, const Space<dim> &space);
 
-    const Probe<dim>            probe;
-    const MPI_Comm              communicator;
-    const StressRecovery<dim>  &recovery;
-    const ContactBoundary<dim> &lip;
+    const Probe<dim>                  probe;
+    const MPI_Comm                    communicator;
+    const StressRecovery<dim>        &recovery;
+    const ContactBoundary<dim>       &lip;
+    std::optional<dealii::Point<dim>> side;
 
     /** Of the dofs and lip nodes that this rank owns. */
     std::array<std::vector<std::pair<dealii::types::global_dof_index, double>>,
