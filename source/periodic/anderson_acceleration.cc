@@ -12,11 +12,6 @@
 
 namespace Crevasse
 {
-  // Residuals are differences of images that are accurate to about this.
-  static constexpr double accuracy = 1e-11;
-
-
-
   void
   AndersonAcceleration::add(const Vector &x, const Vector &image)
   {
@@ -49,7 +44,7 @@ namespace Crevasse
   void
   AndersonAcceleration::extrapolate(Vector &x)
   {
-    constexpr double independent = 1e-3;
+    constexpr double independent = 1e-4;
 
     const Pair  &last  = pairs.back();
     const double noise = accuracy * last.image.l2_norm();
@@ -58,7 +53,10 @@ namespace Crevasse
     dealii::QR<Vector>  factors;
     std::vector<Vector> images;
     Vector              column;
-    for (std::size_t k = pairs.size() - 1; k > 0; --k)
+    // Of residuals that are hardly more than noise nothing is to be learned.
+    constexpr double clear = 10.;
+    const bool       tells = residual_norm > clear * noise;
+    for (std::size_t k = tells ? pairs.size() - 1 : 0; k > 0; --k)
       {
         column = pairs[k].residual;
         column -= pairs[k - 1].residual;
@@ -79,25 +77,78 @@ namespace Crevasse
           }
       }
 
-    x                    = last.image;
-    unexplained          = residual_norm;
-    const unsigned int n = images.size();
-    if (n == 0)
-      return;
-    dealii::Vector<double> gamma(n);
-    factors.multiply_with_QT(gamma, last.residual);
-    unexplained =
-      std::sqrt(std::max(unexplained * unexplained - gamma.norm_sqr(), 0.));
-    if (settings.damping < 1.)
+    const std::size_t n_independent = images.size();
+    while (true)
       {
-        Vector explained = last.residual;
-        factors.multiply_with_Q(explained, gamma);
-        x.add(-(1. - settings.damping), last.residual);
-        x.add(1. - settings.damping, explained);
+        x                    = last.image;
+        unexplained          = residual_norm;
+        const unsigned int n = images.size();
+        if (n == 0)
+          break;
+        dealii::Vector<double> gamma(n);
+        factors.multiply_with_QT(gamma, last.residual);
+        unexplained =
+          std::sqrt(std::max(unexplained * unexplained - gamma.norm_sqr(), 0.));
+        if (settings.damping < 1.)
+          {
+            Vector explained = last.residual;
+            factors.multiply_with_Q(explained, gamma);
+            x.add(-(1. - settings.damping), last.residual);
+            x.add(1. - settings.damping, explained);
+          }
+        factors.solve(gamma, gamma);
+        for (unsigned int i = 0; i < n; ++i)
+          x.add(-gamma(i), images[i]);
+        if (is_possible(x))
+          break;
+        factors.remove_column(n - 1);
+        images.pop_back();
       }
-    factors.solve(gamma, gamma);
-    for (unsigned int i = 0; i < n; ++i)
-      x.add(-gamma(i), images[i]);
+    if (images.size() < n_independent)
+      ++so_far.shortened;
+    if (settings.follows_drift)
+      follow_drift(x);
+  }
+
+
+
+  bool
+  AndersonAcceleration::is_possible(const Vector &x) const
+  {
+    // Of |f|²; the fixed point has ½, where the map is what it should be.
+    constexpr double required = 0.25;
+
+    Vector way;
+    return std::all_of(pairs.begin(), pairs.end(), [&](const Pair &pair) {
+      way = x;
+      way -= pair.image;
+      return way * pair.residual >= (required - 1.) * pair.residual.norm_sqr();
+    });
+  }
+
+
+
+  void
+  AndersonAcceleration::follow_drift(Vector &x)
+  {
+    constexpr double hardly_explained = 0.99, the_same = 0.05, longest = 1e6;
+
+    if (unexplained <= hardly_explained * residual_norm || change >= the_same)
+      {
+        leap = std::max(1., leap / 2.);
+        return;
+      }
+    const Pair &last = pairs.back();
+    for (;; leap /= 2.)
+      {
+        x = last.image;
+        x.add(leap - 1., last.residual);
+        if (leap <= 1. || is_possible(x))
+          break;
+      }
+    if (leap > 1.)
+      ++so_far.leaps;
+    leap = std::min(2. * leap, longest);
   }
 
 
@@ -128,5 +179,7 @@ namespace Crevasse
     archive.common(unexplained);
     archive.common(residual_norm);
     archive.common(change);
+    archive.common(leap);
+    archive.common(so_far);
   }
 } // namespace Crevasse

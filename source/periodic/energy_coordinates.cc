@@ -63,16 +63,27 @@ namespace Crevasse
   template <int dim>
   EnergyCoordinates<dim>::EnergyCoordinates(const Space<dim>           &space,
                                             const QuadratureField<dim> &points,
-                                            const MaterialState<dim> &material)
-    : roots(Crevasse::transform(*material.stiffness,
-                                points.n_local_points(),
-                                root<dim>))
-    , inverses(Crevasse::transform(roots,
-                                   points.n_local_points(),
-                                   inverse_of_upper<dim>))
+                                            const MaterialState<dim> &material,
+                                            const double creep_time)
   {
-    for (const double fraction : material.fractions)
-      fractions.push_back(std::sqrt(fraction));
+    constexpr double least = 1e-4; // of what relaxes within a period
+    for (std::size_t i = 0; i < material.fractions.size(); ++i)
+      {
+        const double w = material.fractions[i];
+        roots.push_back(combine(
+          *material.stiffness,
+          *material.fluidity[i],
+          points.n_local_points(),
+          [&](const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H) {
+            const VoigtMatrix<dim> creep =
+              creep_time * (material.plane_stress ? in_plane<dim>(H) : H);
+            return root<dim>(w * K +
+                             inverse<dim>(creep + least / w * inverse<dim>(K)));
+          }));
+        inverses.push_back(Crevasse::transform(roots.back(),
+                                               points.n_local_points(),
+                                               inverse_of_upper<dim>));
+      }
     CellValues<dim> cell_values(space, update_JxW_values);
     weights.resize(points.n_local_points());
     for (const auto &cell : space.dof_handler().active_cell_iterators())
@@ -94,18 +105,18 @@ namespace Crevasse
                                     const Vector &source,
                                     Vector       &target) const
   {
-    using Field              = QuadratureField<dim>;
-    const Matrices &matrices = to_strain ? inverses : roots;
+    using Field                           = QuadratureField<dim>;
+    const std::vector<Matrices> &matrices = to_strain ? inverses : roots;
     target.reinit(source, true);
     std::size_t offset = 0;
     for (std::size_t point = 0; point < weights.size(); ++point)
-      for (const double fraction : fractions)
+      for (const Matrices &of_branch : matrices)
         {
-          const double weight = weights[point] * fraction;
+          const double weight = weights[point];
           Field::set(target,
                      offset,
                      (to_strain ? 1. / weight : weight) *
-                       (matrices[point] * Field::get(source, offset)));
+                       (of_branch[point] * Field::get(source, offset)));
           offset += Field::n_components;
         }
   }

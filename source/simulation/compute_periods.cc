@@ -177,30 +177,35 @@ namespace Crevasse
                const double          slowness)
     {
       const Body<dim>             &body = work.setup.body;
-      const EnergyCoordinates<dim> coordinates(body.space,
-                                               body.points,
-                                               body.material.at(0.));
-      Anderson<dim>                method(periods,
+      const EnergyCoordinates<dim> coordinates(
+        body.space,
+        body.points,
+        body.material.at(0.),
+        work.setup.scene.loads.period *
+          work.setup.relaxation_times.mean_fluidity_factor);
+      Anderson<dim>           method(periods,
                            coordinates,
                            work.setup.scene.periodic_state,
-                           slowness,
-                           work.start.choice.may_fall_back);
+                           slowness);
       const ConvergenceStatus status = method.run(work.state.viscous_strain);
-      if (const unsigned int n = method.n_restarts(); n > 0)
-        work.output.log.line("  anderson began anew " +
-                             (n == 1 ? "once" : std::to_string(n) + " times") +
-                             ": residuals did not fall, or a step went astray");
+      const auto             &counts = method.counts();
+      if (counts.shortened > 0)
+        work.output.log.line(
+          "  anderson left out the oldest of the periods that it combines in " +
+          std::to_string(counts.shortened) +
+          " steps: with them the step could not lead to the periodic state");
+      if (counts.leaps > 0)
+        work.output.log.line("  anderson followed a steady drift by " +
+                             std::to_string(counts.leaps) +
+                             " steps of two and more periods");
       return status;
     }
 
 
 
-    /** @param left_at_last RunState::methods_left once only march is left. */
     template <int dim>
     ConvergenceStatus
-    search(Workspace<dim>       &work,
-           ObservedPeriods<dim> &periods,
-           const unsigned int    left_at_last)
+    search(Workspace<dim> &work, ObservedPeriods<dim> &periods)
     {
       // Infinite where nothing relaxes; what does not relax does not change
       // either.
@@ -210,18 +215,7 @@ namespace Crevasse
           ? slowness_of_relaxation(work.setup.scene.loads.period / slowest)
           : 1.;
       if (work.start.choice.method != PeriodicMethodType::march)
-        {
-          if (work.state.methods_left < left_at_last)
-            {
-              const ConvergenceStatus status =
-                accelerate(work, periods, slowness);
-              if (status != ConvergenceStatus::stagnant ||
-                  !work.start.choice.may_fall_back)
-                return status;
-              work.output.log.line("  anderson stagnates: march");
-            }
-          work.state.methods_left = left_at_last;
-        }
+        return accelerate(work, periods, slowness);
       return march(periods,
                    work.setup.scene.periodic_state.tolerance,
                    slowness,
@@ -289,7 +283,7 @@ namespace Crevasse
                                  before,
                                  !state.has_begun(),
                                  requires_return(work) ? &defect : nullptr);
-    const ConvergenceStatus  status = search(work, periods, shows ? 2 : 1);
+    const ConvergenceStatus  status = search(work, periods);
     state.result                    = periods.result();
     state.result.converged          = status == ConvergenceStatus::converged;
     state.stage.ends_run            = state.result.converged ||

@@ -22,26 +22,48 @@ namespace Crevasse
    * in the Euclidean norm. Differences that depend on younger ones, to rounding
    * or to what G itself is accurate to, are left out: their coefficients would
    * be noise, and large.
+   *
+   * G must not move two points apart in this norm. Then I − G is cocoercive
+   * (Baillon and Haddad, Isr. J. Math. 26, 1977): at any point xᵢ with the
+   * residual fᵢ the fixed point x* has
+   *
+   *     fᵢ · (x* − xᵢ) ≥ ½ |fᵢ|².
+   *
+   * A next point that misses half of that at some remembered point is known to
+   * be wrong: where G has kinks, as where a lip begins to touch, differences
+   * from the other side of a kink make such points. Then the oldest differences
+   * are left out, one after the other, until the point is possible; without
+   * differences it is G(x).
+   *
+   * A residual that is the same from point to point is a drift, which no
+   * combination explains. It is followed by 1, 2, 4, … residuals at once, as
+   * far as that is possible (projective integration: Gear and Kevrekidis, SIAM
+   * J. Sci. Comput. 24, 2003), and from where it ends by half of that the next
+   * time.
    */
   class AndersonAcceleration
   {
   public:
+    /** Residuals are differences of images that are accurate to about this. */
+    static constexpr double accuracy = 1e-13;
+
     struct Settings
     {
       unsigned int depth;   ///< number of differences
       double       damping; ///< β in ]0, 1]; 1: none
+      bool         follows_drift = false;
+    };
+
+    /** How often something else was done than to combine all differences. */
+    struct Counts
+    {
+      unsigned int shortened = 0; ///< the oldest ones were left out
+      unsigned int leaps     = 0; ///< a drift was followed by more than once
     };
 
     explicit AndersonAcceleration(const Settings &settings)
       : settings(settings)
     {
-    }
-
-    /** Forgets all points. */
-    void
-    clear()
-    {
-      pairs.clear();
     }
 
     /** Remembers a point @p x and its image G(x). */
@@ -62,19 +84,10 @@ namespace Crevasse
     double
     unexplained_distance() const;
 
-    /** |f − ΔF γ| / |f| of the last point; 1 if nothing is remembered. */
-    double
-    unexplained_part() const
+    const Counts &
+    counts() const
     {
-      return residual_norm > 0. ? unexplained / residual_norm : 1.;
-    }
-
-    /** |f − f'| / |f| with the residual f' of the point before; infinite if
-     * that is not remembered, or if the change is rounding. */
-    double
-    residual_change() const
-    {
-      return change;
+      return so_far;
     }
 
     void
@@ -87,11 +100,21 @@ namespace Crevasse
       double slowness = 0.; ///< |Δx| / |Δf| to the pair before
     };
 
+    /** Whether @p x may be the fixed point for all that is remembered. */
+    bool
+    is_possible(const Vector &x) const;
+
+    /** Goes along a drift from the last point to @p x if there is one. */
+    void
+    follow_drift(Vector &x);
+
     const Settings   settings;
     std::deque<Pair> pairs;              ///< the youngest at the back
     double           unexplained   = 0.; ///< |f − ΔF γ|
     double           residual_norm = 0.; ///< |f|
-    double           change        = 0.; ///< residual_change()
+    double           change        = 0.; ///< of f, relative to it
+    double           leap          = 1.; ///< the next one, in residuals
+    Counts           so_far;
   };
 } // namespace Crevasse
 

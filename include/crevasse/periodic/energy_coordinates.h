@@ -14,22 +14,27 @@ namespace Crevasse
 {
   /**
    * Coordinates y of a viscous strain in which the Euclidean norm is that of
-   * the energy of the stress it takes to undo it,
+   * the energy of the stress it takes to undo it, and of the work of making it
+   * creep within a period,
    *
-   *     |y|² = Σᵢ ∫ rᵢ : wᵢ K rᵢ,
+   *     |y|² = Σᵢ ∫ rᵢ : (wᵢ K + ηᵢ / T) rᵢ,
    *
    * so that methods which combine viscous strains by inner products do not
-   * depend on units, mesh grading or stiffness. In plane stress the creep in
-   * thickness, which bears no stress, counts for nothing but is carried along.
+   * depend on units, mesh grading or stiffness, and see what creeps slowly by
+   * the stress that it stands for. In plane stress the creep in thickness,
+   * which bears no stress, counts for nothing but is carried along. ηᵢ is
+   * limited to 1e4 T wᵢ K.
    */
   template <int dim>
   class EnergyCoordinates
   {
   public:
-    /** @param material whose stiffness is the one of the norm. */
+    /** @param material whose stiffness and fluidity are those of the norm.
+     * @param creep_time the period, times the mean of 1/η₀ over it. */
     EnergyCoordinates(const Space<dim>           &space,
                       const QuadratureField<dim> &points,
-                      const MaterialState<dim>   &material);
+                      const MaterialState<dim>   &material,
+                      const double                creep_time);
 
     /** y, with the layout of r. */
     void
@@ -50,10 +55,10 @@ namespace Crevasse
     void
     transform(const bool to_strain, const Vector &source, Vector &target) const;
 
-    std::vector<double> weights;   ///< √(det J × weight) of each point
-    std::vector<double> fractions; ///< √wᵢ
-    Matrices            roots;     ///< Lᵀ with K = L Lᵀ
-    Matrices            inverses;  ///< L⁻ᵀ
+    std::vector<double> weights; ///< √(det J × weight) of each point
+    // For each branch
+    std::vector<Matrices> roots;    ///< Lᵀ with wᵢ K + ηᵢ / T = L Lᵀ
+    std::vector<Matrices> inverses; ///< L⁻ᵀ
   };
 } // namespace Crevasse
 

@@ -40,9 +40,8 @@ namespace Crevasse
   /** How the search for the periodic state ended. */
   enum class ConvergenceStatus
   {
-    converged,      ///< the estimated error is within the tolerance
-    out_of_periods, ///< as many periods as allowed were computed
-    stagnant        ///< more periods would not help
+    converged,     ///< the estimated error is within the tolerance
+    out_of_periods ///< as many periods as allowed were computed
   };
 
   /** What integrates a body over the steps of a period. */

@@ -14,8 +14,7 @@ namespace Crevasse
   /**
    * Computes periods until the stress is periodic, no more are allowed, or the
    * stage on this mesh ends. A motion that was found by harmonic balance is
-   * verified and shown; otherwise the periods are marched or accelerated, and
-   * marched where the acceleration stagnates.
+   * verified and shown; otherwise the periods are marched or accelerated.
    *
    * @param work whose state is that at the beginning; afterwards result and
    * strain of the state are those after the last period, and so is the
