@@ -54,12 +54,15 @@ namespace Crevasse
           const double           relaxed =
             largest_entry(K * ((*material.fluidity[i])[point] * stress)) *
             period * mean_fluidity_factor;
-          largest[0] = std::max(largest[0], size);
           largest[1] = std::max(largest[1], largest_entry(K * strain));
           if (size > 0.)
-            largest[2] =
-              std::max(largest[2],
-                       size * slowness_of_relaxation(relaxed / size));
+            {
+              // Rounding of the mean stress leaves T/τ times that.
+              const double rate = relaxed / size;
+              largest[0] = std::max(largest[0], size / std::max(1., rate));
+              largest[2] =
+                std::max(largest[2], size * slowness_of_relaxation(rate));
+            }
           offset += Field::n_components;
         }
     Utilities::MPI::max(largest, before.get_mpi_communicator(), largest);
