@@ -30,10 +30,8 @@ namespace Crevasse
       const auto  choice = [](const Method       method,
                              const std::string &why,
                              const bool         starts_from_fourier = false) {
-        return PeriodicChoice{method,
-                              starts_from_fourier,
-                              true,
-                              "automatic: " + why};
+        return PeriodicChoice{
+          method, starts_from_fourier, true, "automatic: " + why, {}};
       };
       if (scene.periodic_state.secular_split == SecularSplitType::off)
         return choice(Method::march,
@@ -65,6 +63,40 @@ namespace Crevasse
                     "no harmonic balance, for " +
                       obstacles.front().substr(0, obstacles.front().find(';')));
     }
+
+
+
+    template <int dim>
+    PeriodicChoice
+    choose(const Scene     &scene,
+           const Body<dim> &body,
+           const StepList  &steps,
+           const double     largest_relaxation_time)
+    {
+      const PeriodicStateParameters &parameters = scene.periodic_state;
+      if (parameters.method == Method::automatic)
+        return choose_automatically(scene,
+                                    body,
+                                    steps,
+                                    largest_relaxation_time);
+
+      PeriodicChoice choice;
+      choice.method              = parameters.method;
+      choice.starts_from_fourier = parameters.method != Method::fourier && //
+                                   parameters.start_from == StartFrom::fourier;
+      choice.why = Text::parameter(PeriodicStateParameters::section, "Method") +
+                   " = " + name_of(parameters.method);
+      if (choice.uses_fourier())
+        require_fourier(scene, body, steps);
+      if (const std::string flow = secular_obstacle(body);
+          choice.method == Method::anderson && !flow.empty() &&
+          !body.law.has_spring())
+        throw SceneError(choice.why +
+                         ": whether there is a periodic viscous strain is not "
+                         "known, for " +
+                         flow + ". Use Method = march.");
+      return choice;
+    }
   } // namespace
 
 
@@ -90,26 +122,17 @@ namespace Crevasse
       return {Method::march,
               false,
               false,
-              "without viscosity one period tells all"};
-    const PeriodicStateParameters &parameters = scene.periodic_state;
-    if (parameters.method == Method::automatic)
-      return choose_automatically(scene, body, steps, largest_relaxation_time);
-
-    PeriodicChoice choice;
-    choice.method              = parameters.method;
-    choice.starts_from_fourier = parameters.method != Method::fourier && //
-                                 parameters.start_from == StartFrom::fourier;
-    choice.why = Text::parameter(PeriodicStateParameters::section, "Method") +
-                 " = " + name_of(parameters.method);
-    if (choice.uses_fourier())
-      require_fourier(scene, body, steps);
-    if (const std::string flow = secular_obstacle(body);
-        choice.method == Method::anderson && !flow.empty() &&
-        !body.law.has_spring())
-      throw SceneError(choice.why +
-                       ": whether there is a periodic viscous strain is not "
-                       "known, for " +
-                       flow + ". Use Method = march.");
+              "without viscosity one period tells all",
+              {}};
+    PeriodicChoice choice = choose(scene, body, steps, largest_relaxation_time);
+    if (choice.method == Method::march &&
+        choose_automatically(scene, body, steps, largest_relaxation_time)
+            .method != Method::march)
+      choice.alternative =
+        "set Method = automatic, which mostly needs fewer periods";
+    else if (choice.method == Method::anderson &&
+             fourier_obstacles(scene, body, steps).empty())
+      choice.alternative = "set Method = fourier with Scheme = trapezoid";
     return choice;
   }
 

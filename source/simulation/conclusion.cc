@@ -217,13 +217,13 @@ namespace Crevasse
 
     /** @param reason with what to do besides. */
     [[noreturn]] void
-    throw_another_state(const std::string &reason)
+    throw_another_state(const PeriodicChoice &choice, const std::string &reason)
     {
       throw NotPeriodicError(
         "The stress repeats, but it is not the periodic one: " + reason +
-        " march with [Periodic state] Tolerance = 0 over more periods, or, if "
-        "nothing but the loads depends on time, use Method = fourier with "
-        "Scheme = trapezoid. All results so far are written.");
+        " march with [Periodic state] Tolerance = 0 over more periods" +
+        (choice.alternative.empty() ? "" : ", or " + choice.alternative) +
+        ". All results so far are written.");
     }
 
 
@@ -259,19 +259,22 @@ namespace Crevasse
           difference <= error)
         return;
       throw_another_state(
+        start.choice,
         Text::Message()
-        << "the lip bears " << measured
-        << " in the mean of the last period, and " << expected
-        << " once its flow has become steady (mean contact force of the "
-           "secular problem). It still approaches contact, or leaves it, or "
-           "touches within a step only; raise [Time integration] Steps per "
-           "period,");
+          << "the lip bears " << measured
+          << " in the mean of the last period, and " << expected
+          << " once its flow has become steady (mean contact force of the "
+             "secular problem). It still approaches contact, or leaves it, or "
+             "touches within a step only; raise [Time integration] Steps per "
+             "period,");
     }
 
 
 
     void
-    require_lip_at_rest(const Scene &scene, const Summary &summary)
+    require_lip_at_rest(const Scene          &scene,
+                        const PeriodicChoice &choice,
+                        const Summary        &summary)
     {
       if (!summary.contains("drift") ||
           !summary["drift"].contains("largest_closing_rate"))
@@ -286,10 +289,11 @@ namespace Crevasse
       if (rate * scene.loads.period <= part * opening)
         return;
       throw_another_state(
+        choice,
         Text::Message()
-        << "the lip goes on to close, by up to " << rate * scene.loads.period
-        << " in the last period, of an opening of " << opening
-        << " at most. It will touch some time, and then the stress changes;");
+          << "the lip goes on to close, by up to " << rate * scene.loads.period
+          << " in the last period, of an opening of " << opening
+          << " at most. It will touch some time, and then the stress changes;");
     }
 
 
@@ -321,13 +325,8 @@ namespace Crevasse
       if (marches && result.steps_repeat)
         message << periods_to_go(result, parameters.tolerance);
       message << " and continue by --resume, allow a larger \"Tolerance\"";
-      if (parameters.method == PeriodicMethodType::march)
-        message
-          << ", set Method = automatic, which mostly needs fewer periods,";
-      else if (choice.method == PeriodicMethodType::anderson)
-        message
-          << ", set Method = fourier with Scheme = trapezoid if nothing but "
-             "the loads depends on time,";
+      if (!choice.alternative.empty())
+        message << ", " << choice.alternative << ',';
       message << " or set Tolerance = 0 to compute a fixed number of periods.";
       return message;
     }
@@ -356,7 +355,7 @@ namespace Crevasse
     if (!result.converged)
       return;
     require_contact_forces(work, summary);
-    require_lip_at_rest(work.setup.scene, summary);
+    require_lip_at_rest(work.setup.scene, work.start.choice, summary);
   }
 
 

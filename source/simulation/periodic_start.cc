@@ -44,7 +44,8 @@ namespace Crevasse
             start.choice = {PeriodicMethodType::march,
                             false,
                             true,
-                            "automatic: the flow was not found"};
+                            "automatic: the flow was not found",
+                            {}};
           // Nothing else of the run needs it.
           split.is_split = split.strain_returns = split.effect.on = false;
           split.effect.why                                        = what;
@@ -110,6 +111,7 @@ namespace Crevasse
                    std::string(error.what()));
           start.choice.method              = PeriodicMethodType::anderson;
           start.choice.starts_from_fourier = false;
+          start.choice.alternative.clear();
         }
     }
   } // namespace

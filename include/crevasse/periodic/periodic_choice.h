@@ -20,6 +20,9 @@ namespace Crevasse
     /** Whether another method takes over where one fails. */
     bool        may_fall_back = false;
     std::string why;
+    /** The method to try where this one fails, in words; empty: there is none
+     * that this scene allows. */
+    std::string alternative;
 
     /** Whether harmonic balance is used. */
     bool
@@ -48,9 +51,9 @@ namespace Crevasse
   };
 
   /**
-   * What the scene says; "automatic" takes harmonic balance where nothing but
-   * the loads depends on time, as a start for schemes other than its own, and
-   * else Anderson's acceleration, unless r may flow in an unknown way.
+   * What the scene asks for; "automatic" takes harmonic balance where nothing
+   * but the loads depends on time, as a start for schemes other than its own,
+   * and else Anderson's acceleration, unless r may flow in an unknown way.
    * Collective.
    *
    * @param steps whose jumps are marked.
