@@ -1,5 +1,8 @@
-"""Periodic problems on the mesh of the paper, and how far two runs are apart
-over their last periods."""
+"""Periodic problems on the mesh of the paper, a random family of others, and how
+far two runs are apart over their last periods."""
+
+import math
+import random
 
 from crevasse_run import SOURCE, run
 
@@ -18,6 +21,87 @@ COMPRESSIVE = "0; 10*(cos(2*pi*t/600) - 0.1)"
 TWO_HARMONICS = "0; 10*(sin(2*pi*t/600) + 0.5*cos(4*pi*t/600) - 0.1)"
 # Closes the lip near its mouth and opens it near its tip, or so.
 MIXED = "0; 10*sin(2*pi*t/600) + if(x < 0.75, 10, -14)"
+
+
+# What crevasse needs besides a member of the family.
+FAMILY_SCENE = """
+subsection Geometry
+  set Shape = edge crack
+end
+subsection Loads
+  set Period = 600
+end
+"""
+
+
+def random_material(draw, kind, varies, times):
+    """Two relaxation times, on the two sides of a line or in a chain."""
+    place = draw.choice(["x<0.7", "y<0.3", "y<0.5"])
+
+    def two(a, b):
+        return repr(a) if a == b else f"if({place}, {a!r}, {b!r})"
+
+    settings = [f"Material/Plane state={draw.choice(['plane stress', 'plane strain'])}",
+                f"Material/Poisson ratio={draw.choice([0, 0.2, 0.3, 0.45])}"]
+    if kind == 3 and draw.random() < 0.5:
+        settings.append("Material/Young modulus="
+                        + two(13000., 13000. * 10**draw.uniform(-1, 1)))
+    if "eta(t, x)" in varies:
+        settings.append(f"Material/Relaxation time={two(*times)}"
+                        "*(1 + 0.5*x*sin(2*pi*t/600))")
+    elif draw.random() < 0.25:
+        settings += ["Material/Viscosity=isotropic", "Material/Viscous modulus="
+                     + two(*(13000. * tau for tau in times)),
+                     f"Material/Viscous Poisson ratio={draw.choice([0.2, 0.3, 0.4])}"]
+    elif kind == 3 and draw.random() < 0.3:
+        settings += ["Material/Viscosity=chain",
+                     f"Material/Chain=0.6: {times[0]!r}; 0.4: {times[1]!r}"]
+    else:
+        settings.append(f"Material/Relaxation time={two(*times)}")
+    if "k" in varies:
+        settings.append("Material/Stiffness time factor="
+                        f"1 + {draw.uniform(0.1, 0.5):.3f}*sin(2*pi*t/600)")
+    if "eta" in varies:
+        settings.append("Material/Viscosity time factor="
+                        f"1 + {draw.uniform(0.1, 0.6):.3f}*cos(2*pi*t/600)")
+    if draw.random() < 0.15:
+        settings += ["Material/Thermal expansion=1e-5", "Loads/Temperature="
+                     f"{draw.choice([10, 50])}*(1+sin(2*pi*t/600))*y"]
+    return settings
+
+
+def family(seed):
+    """Settings of a random problem. Of four seeds, two are of a gap that a mean load
+    closes after some 3 to 60 periods, and one is of k(t), eta(t) or eta(t, x)."""
+    draw = random.Random(seed)
+    kind = seed % 4
+    varies = (draw.choice([["k"], ["k"], ["k", "eta"], ["eta(t, x)"]])
+              if kind == 2 or kind < 2 and draw.random() < 0.25 else [])
+    low, high = sorted(PERIOD * 10**draw.uniform(-0.5, 1.3) for _ in range(2))
+    times = draw.choice([(low, low), (low, high), (high, low)])
+    amplitude = 10**draw.uniform(-0.5, 1)
+    mean = amplitude * 10**draw.uniform(-2.5, 0.3 if kind < 2 else -0.3)
+    wave = f"{amplitude:.5g}*sin(2*pi*t/600)" + draw.choice(["", "*(0.3+x)"])
+    if draw.random() < 0.3:
+        wave += f" + {amplitude * draw.uniform(0.2, 1):.5g}*cos(4*pi*t/600 + 1)"
+    settings = random_material(draw, kind, varies, times) + [
+        f"Geometry/Subdivisions={draw.choice(['6, 3', '8, 4'])}",
+        f"Discretisation/Degree={draw.choice([1, 1, 2])}",
+        traction(f"0; {wave} - {mean:.5g}"
+                 + draw.choice(["", "*x*x", "*(x-0.3)"])),
+        "Time integration/Scheme="
+        + draw.choice(["heun", "trapezoid", "sdirk2", "rk4"]),
+        f"Time integration/Steps per period={draw.choice([24, 40])}"]
+    if kind < 2:
+        closing = 6 * mean / 13000 * PERIOD / math.sqrt(low * high)  # in a period
+        gap = closing * 10**draw.uniform(0.5, 1.8)
+        form = draw.choice(["", "*x*x", "*(1.1-x)", "*if(x<0.8, 1, 0.1)"])
+    else:
+        gap = amplitude / 13000 * 10**draw.uniform(-1, 1)
+        form = draw.choice(["", "*x*x", "*(x-0.5)"])
+    if kind < 2 or draw.random() < 0.4:
+        settings.append(f"Boundary/Gap=-{gap:.4g}{form}")
+    return settings
 
 
 def traction(formula):
@@ -123,3 +207,51 @@ def difference(one, other, openings=False, stride=1, which=-1,
             for (mine, theirs), my_gain, their_gain
             in zip([pair(t, "opening") for t in on_lip], *gains)]))
     return worst
+
+
+WAYS = {"march": method("march", None), "anderson": method("anderson", None),
+        "from fourier": method("anderson", None, start="fourier"),
+        "automatic": method("automatic", None)}
+
+
+def search(seed, way, most, tolerance=1e-6):
+    """Results of a member of the family by a method, or None where it is refused or
+    does not end within so many periods."""
+    settings = COMMON + family(seed) + [
+        s for s in WAYS[way] if not s.startswith("Time integration")] + [
+        f"Periodic state/Tolerance={tolerance}",
+        f"Periodic state/Maximum periods={most}"]
+    try:
+        return compute(f"{way}_{seed}".replace(" ", "_"), settings, FAMILY_SCENE)
+    except AssertionError as failure:
+        if any(f"exit status {n} " in str(failure) for n in (2, 3)):
+            return None
+        raise
+
+
+def stress_difference(one, other):
+    """At the probes over the last period, relative to what the estimated error is
+    relative to."""
+    return max(abs(a - b) for probe in PROBES for column in ("s_11", "s_22", "s_12")
+               for a, b in zip(*(period(r, f"probe_{probe}.csv", column)
+                                 for r in (one, other)))) / largest_stress(one)
+
+
+def search_by_all(seed, most):
+    """Periods of all methods that end, and how far the stress is from that of the
+    automatic choice, in the sum of the estimated errors."""
+    found = {way: search(seed, way, most) for way in WAYS}
+    found = {way: results for way, results in found.items() if results}
+    apart = 0.
+    for way, results in found.items():
+        if "automatic" in found and way != "automatic":
+            estimates = sum(error_estimate(r) for r in (results, found["automatic"]))
+            apart = max(apart, stress_difference(found["automatic"], results)
+                        / max(estimates, 1e-9))
+    return {way: r.summary["periods"] for way, r in found.items()}, apart
+
+
+def ratio_to_best(periods):
+    """Periods of the automatic choice by those of the best method."""
+    best = min(n for way, n in periods.items() if way != "automatic")
+    return periods["automatic"] / best
