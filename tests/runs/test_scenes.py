@@ -1,10 +1,13 @@
 """What the scenes of tests/scenes compute, against independent values."""
 
 import math
+import pathlib
 
-from crevasse_run import SOURCE, check, check_below, check_close, run
+from crevasse_run import (SECONDS, SOURCE, check, check_below, check_close, full,
+                          run)
 
 SCENES = SOURCE / "tests/scenes"
+BODY = pathlib.Path("prm/raous1980_body.prm")  # is not a scene by itself
 
 
 def handbook_opening(a, width, stress, modulus):
@@ -100,6 +103,20 @@ def test_solvers_agree():
                             f"{scene.stem}, {name}, {column}")
 
 
+@full
+def test_shipped_scenes():
+    """Each ends with status 0."""
+    scenes = {path.relative_to(SOURCE): path
+              for path in sorted(SOURCE.glob("prm/**/*.prm"))}
+    del scenes[BODY]
+    for name, path in scenes.items():
+        before = SECONDS[0]
+        results = run(path, f"shipped_{path.stem}")
+        print(f"{name}: {results.summary['periods']} periods, "
+              f"{SECONDS[0] - before:.1f} s")
+
+
 test_elastic_centre_crack()
 test_closing_gap()
 test_solvers_agree()
+test_shipped_scenes()
