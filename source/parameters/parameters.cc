@@ -50,9 +50,9 @@ namespace Crevasse
       "boundary ids, for the shape \"mesh file\". It is looked for next to the "
       "scene file first, then in the working directory. Elements of second "
       "order in a Gmsh file (Mesh.ElementOrder = 2) make edges arcs of "
-      "circles: cells are curved with Degree = 2, and stay so when they are "
-      "divided. Allowed: a Gmsh file "
-      "(.msh) or another format that deal.II reads");
+      "circles: cells are curved with Degree = 2, in the plane also when they "
+      "are divided. Allowed: a Gmsh file (.msh) or another format that deal.II "
+      "reads");
     prm.add_parameter(
       "Subdivisions",
       subdivisions,
