@@ -224,10 +224,10 @@ namespace Crevasse
           for (unsigned int q = 0; q < space.quadrature(cell).size(); ++q)
             distinct.insert(key_of(
               {values[first + q].begin_raw(), values[first + q].end_raw()}));
-          constant += distinct.size() == 1 ? 1 : -1;
-          for (const std::string &value : distinct)
-            *key += value;
-          ++key;
+          // Where moduli vary within cells, these are one material.
+          const bool is_constant = distinct.size() == 1;
+          constant += is_constant ? 1 : -1;
+          *key++ += is_constant ? *distinct.begin() : "varying";
         }
       if (Utilities::MPI::sum(constant, communicator) > 0)
         keys = longer;
