@@ -135,25 +135,28 @@ namespace Crevasse
       if (!mesh.all_reference_cells_are_hyper_cube())
         throw SceneError(where + only_hypercubes(dim));
       // At the corners; if edges are curved, in their middles and inside too.
-      const unsigned int    degree = has_curved_edges(mesh) ? 2 : 1;
-      const MappingQ<dim>   mapping(degree);
+      const unsigned int    most = has_curved_edges(mesh) ? 2 : 1;
       const FE_Nothing<dim> no_unknowns;
-      FEValues<dim>         values(mapping,
-                           no_unknowns,
-                           QGaussLobatto<dim>(degree + 1),
-                           update_jacobians);
-      for (const auto &cell : mesh.active_cell_iterators())
+      for (unsigned int degree = 1; degree <= most; ++degree)
         {
-          values.reinit(cell);
-          for (const auto &jacobian : values.get_jacobians())
-            if (!(jacobian.determinant() >
-                  1e-9 * std::pow(cell->diameter(), dim)))
-              throw SceneError(where + "the cell around " +
-                               Text::from_point<dim>(cell->center()) +
-                               " has an angle of 180 degrees or more" +
-                               (degree == 2 ? ", or folds over" : "") +
-                               "; every cell must be convex" +
-                               (dim == 2 ? ", in the plane x-y." : "."));
+          const MappingQ<dim> mapping(degree);
+          FEValues<dim>       values(mapping,
+                               no_unknowns,
+                               QGaussLobatto<dim>(degree + 1),
+                               update_jacobians);
+          for (const auto &cell : mesh.active_cell_iterators())
+            {
+              values.reinit(cell);
+              for (const auto &jacobian : values.get_jacobians())
+                if (!(jacobian.determinant() >
+                      1e-9 * std::pow(cell->diameter(), dim)))
+                  throw SceneError(where + "the cell around " +
+                                   Text::from_point<dim>(cell->center()) +
+                                   " has an angle of 180 degrees or more" +
+                                   (degree == 2 ? ", or folds over" : "") +
+                                   "; every cell must be convex" +
+                                   (dim == 2 ? ", in the plane x-y." : "."));
+            }
         }
     }
 
