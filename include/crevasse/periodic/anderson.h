@@ -22,9 +22,9 @@ namespace Crevasse
    *
    * Two motions of a body of Maxwell elements, with contact, never move apart
    * in the norm of its viscosity, nor in that of its energy where the strain is
-   * given; in between, the norm of EnergyCoordinates has both. So the
-   * acceleration can tell which combinations are wrong, and needs no restart:
-   * at worst it marches. Where the lip stands open, strains that bear no stress
+   * given. The norm of EnergyCoordinates has both, and so they hardly do in it:
+   * the acceleration can tell which combinations are unlikely, and needs no
+   * restart. Where it is mistaken it marches. Where the lip stands open, strains that bear no stress
    * drift under a mean load that closes it. The acceleration follows such
    * drifts if the strain is known to return.
    *
