@@ -90,10 +90,10 @@ namespace Crevasse
   ProbeEvaluator<dim>::find_place(const Space<dim> &space)
   {
     // What comes first: cells with the point on a lip, between materials those
-    // on the left, below and in front, ranks in their order.
-    using Order = std::array<unsigned int, dim + 3>;
+    // on the left, below and in front, or most so, ranks in their order.
+    using Order = std::array<double, 2 * dim + 3>;
     Order outside;
-    outside.fill(1);
+    outside.fill(1.);
     Order        first = outside;
     Place        place;
     unsigned int least = numbers::invalid_unsigned_int, most = 0;
@@ -105,13 +105,17 @@ namespace Crevasse
         {
           const unsigned int face =
             lip_face<dim>(cell, unit_point, space.roles());
-          Order                order{{0, face == no_face ? 1u : 0u}};
+          Order                order{{0., face == no_face ? 1. : 0.}};
           const Tensor<1, dim> offset = cell->center() - probe.point;
           for (unsigned int d = 0; recovery.has_interfaces() && d < dim; ++d)
-            order[2 + d] = offset[d] > -0.1 * offset.norm() ? 1 : 0;
-          order[2 + dim] = Utilities::MPI::this_mpi_process(communicator);
-          least          = std::min(least, recovery.material_of(cell));
-          most           = std::max(most, recovery.material_of(cell));
+            {
+              const double along = offset[d] / offset.norm();
+              order[2 + d]       = along > -0.1 ? 1. : 0.;
+              order[2 + dim + d] = std::round(1000. * along);
+            }
+          order.back() = Utilities::MPI::this_mpi_process(communicator);
+          least        = std::min(least, recovery.material_of(cell));
+          most         = std::max(most, recovery.material_of(cell));
           if (order < first)
             {
               first = order;
