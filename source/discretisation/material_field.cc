@@ -9,8 +9,12 @@
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/parameters/formulas.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <algorithm>
 #include <boost/serialization/set.hpp>
+#include <boost/serialization/utility.hpp>
+#include <map>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -33,6 +37,55 @@ namespace Crevasse
     {
       return {reinterpret_cast<const char *>(values.data()),
               values.size() * sizeof(double)};
+    }
+
+
+
+    /** Gives materials the same number that meet nowhere, nor a third one: the
+     * first free one, in their order. @param materials by active cell index. */
+    template <int dim>
+    void
+    share_numbers(const Mesh<dim>           &mesh,
+                  const unsigned int         n_materials,
+                  std::vector<unsigned int> &materials)
+    {
+      using Cell = typename Triangulation<dim>::active_cell_iterator;
+      GridTools::exchange_cell_data_to_ghosts<unsigned int, Triangulation<dim>>(
+        mesh,
+        [&](const Cell &cell) { return materials[cell->active_cell_index()]; },
+        [&](const Cell &cell, const unsigned int material) {
+          materials[cell->active_cell_index()] = material;
+        });
+      const auto cells_of = GridTools::vertex_to_cell_map(mesh);
+      std::set<std::pair<unsigned int, unsigned int>> near; // the later first
+      for (const auto &cell : owned_cells(mesh))
+        {
+          std::set<unsigned int> around;
+          for (const unsigned int v : cell->vertex_indices())
+            for (const auto &other : cells_of[cell->vertex_index(v)])
+              if (!other->is_artificial())
+                around.insert(materials[other->active_cell_index()]);
+          for (const unsigned int a : around)
+            for (const unsigned int b : around)
+              if (a > b)
+                near.emplace(a, b);
+        }
+      for (const auto &of_rank :
+           Utilities::MPI::all_gather(mesh.get_communicator(), near))
+        near.insert(of_rank.begin(), of_rank.end());
+
+      std::vector<unsigned int> numbers(n_materials);
+      auto                      pair = near.begin();
+      for (unsigned int material = 0; material < n_materials; ++material)
+        {
+          std::set<unsigned int> taken;
+          for (; pair != near.end() && pair->first == material; ++pair)
+            taken.insert(numbers[pair->second]);
+          while (taken.count(numbers[material]) > 0)
+            ++numbers[material];
+        }
+      for (unsigned int &material : materials)
+        material = numbers[material];
     }
 
 
@@ -237,14 +290,20 @@ namespace Crevasse
     for (const auto &fluidity : state.fluidity)
       distinguish(*fluidity);
 
-    std::set<std::string> all(keys.begin(), keys.end());
-    for (const auto &of_rank : Utilities::MPI::all_gather(communicator, all))
-      all.insert(of_rank.begin(), of_rank.end());
+    std::map<std::string, unsigned int> numbers;
+    for (const auto &of_rank : Utilities::MPI::all_gather(
+           communicator, std::set<std::string>(keys.begin(), keys.end())))
+      for (const std::string &key : of_rank)
+        numbers.emplace(key, 0);
+    unsigned int next = 0;
+    for (auto &[key, number] : numbers)
+      number = next++;
     std::vector<unsigned int> materials(space.mesh().n_active_cells());
     auto                      key = keys.begin();
     for (const auto &cell : owned_cells(space.mesh()))
-      materials[cell->active_cell_index()] =
-        std::distance(all.begin(), all.find(*key++));
+      materials[cell->active_cell_index()] = numbers.at(*key++);
+    if (numbers.size() > 2)
+      share_numbers(space.mesh(), numbers.size(), materials);
     return materials;
   }
 

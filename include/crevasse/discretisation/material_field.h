@@ -114,7 +114,8 @@ namespace Crevasse
     /** A number for each cell of this rank, from 0 on: that of its material, as
      * the mesh file and, where formulas are constant in most cells, the moduli
      * at t = 0 tell. Fields may jump between cells with different numbers.
-     * Collective.
+     * Materials that meet nowhere, nor a third one, may share a number: there
+     * are few numbers, however many materials. Collective.
      * @return by active cell index. */
     std::vector<unsigned int>
     materials_of_cells(const Space<dim>           &space,
