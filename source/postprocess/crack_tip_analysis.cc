@@ -32,11 +32,11 @@ namespace Crevasse
     , choice(choose_crack_tip_method(scene, body))
     , region(body.space, points, *body.material.at(0.).stiffness, "stiffness")
     , radius(choose_radius())
-    , fit(points,
-          body.lip,
-          region,
-          choose_fit_radius(),
-          body.space.communicator())
+    , fits(points,
+           body.lip,
+           region,
+           choose_fit_radius(),
+           body.space.communicator())
     , energy(body.material, points)
     , growth_law(describe_growth_law(scene.crack_tip))
     , no_c_star(find_viscous_region(split))

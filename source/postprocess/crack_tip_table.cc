@@ -40,20 +40,24 @@ namespace Crevasse
   CrackTipTable::Values
   CrackTipTable::evaluate(const Sample &sample)
   {
-    const double t      = steps.within_period(sample.instant);
-    const auto  &g      = sample.state.contact_forces;
-    const auto  &stress = sample.state.stress;
-    Values       values{};
-    values.of_stress = analysis.fit.value(stress, g);
+    const double       t      = steps.within_period(sample.instant);
+    const auto        &g      = sample.state.contact_forces;
+    const auto        &stress = sample.state.stress;
+    Values             values{};
+    const double       open = analysis.fits.open_length(sample.state);
+    const WilliamsFit &fit  = analysis.fits.within(open);
+    // Creep may have left a singular stress at a closed tip.
+    const bool is_closed = open == 0. && !analysis.body.effects.viscosity.on;
+    values.of_stress     = is_closed ? 0. : fit.value(stress, g);
     if (integrals)
       {
         nodal_forces.reinit(sample.state.displacement, true);
         analysis.body.loads.evaluate(t, nodal_forces);
-        values.intensity = integrals->large.value(nodal_forces, g);
+        const double large = integrals->large.value(nodal_forces, g);
+        values.intensity   = is_closed ? 0. : large;
         values.error =
-          std::max(std::abs(values.intensity -
-                            integrals->small.value(nodal_forces, g)),
-                   std::abs(values.intensity - values.of_stress));
+          std::max(std::abs(large - integrals->small.value(nodal_forces, g)),
+                   std::abs(large - values.of_stress));
         if (has_singular_function)
           values.of_singular_function =
             integrals->singular->value(nodal_forces, g);
@@ -61,7 +65,7 @@ namespace Crevasse
     else
       {
         values.intensity = values.of_stress;
-        values.error     = std::abs(analysis.fit.correction(stress, g));
+        values.error     = is_closed ? 0. : std::abs(fit.correction(stress, g));
       }
     values.error =
       std::max(values.error, relative_error * std::abs(values.intensity));

@@ -311,6 +311,57 @@ def test_partial_contact():
     check_below(max(found) / min(found) - 1, 2e-3, "K_I of three squares")
 
 
+# Bending that closes half of a crack in the middle of a plate (Code_Aster's
+# validation manual, SSNP171: 0.9648017 in the infinite plate). What is cut beside
+# it stays closed.
+HALF_CLOSED = [
+    "Material/Plane state=plane strain", "Material/Young modulus=1e6",
+    "Material/Poisson ratio=0", "Discretisation/Singular functions=2",
+    "Refinement/Strategy=adaptive", "Refinement/Refine fraction=0.4"]
+
+
+def half_closed(width, *settings):
+    results = run(SCENE, "half_closed", HALF_CLOSED + [
+        f"Geometry/Width={width}", f"Geometry/Height={width}",
+        f"Geometry/Crack length={width // 2 + 1}",
+        f"Geometry/Subdivisions={2 * width}, {2 * width}",
+        f"Loads/Traction=0; {width / 2} - x",
+        f"Refinement/Target unknowns={800 * width}", *settings])
+    return {name: column[0] for name, column in
+            results.table("crack_tip.csv").items()}
+
+
+def test_half_closed():
+    """Where a part of the lip is closed, integral and fit agree, whatever their
+    radius: the fit ends before the closed part."""
+    row = half_closed(10)
+    print(row)
+    check_close(row["K_I"], 0.9705, 2e-4, "K_I of SSNP171, width 10")
+    check_below(abs(row["K_I_stress"] / row["K_I"] - 1), 3e-4,
+                "fit against integral")
+    check_below(row["K_I_error"], 3e-4, "estimated error")
+    other = half_closed(10, "Crack tip/Radius=2")
+    check_below(abs(other["K_I"] / row["K_I"] - 1), 1e-5, "two radii")
+    if tier(False, True):
+        # The finite plate's share falls like the square of its size.
+        wide = half_closed(20)["K_I"]
+        print(f"widths 10 and 20: {row['K_I']}, {wide}")
+        check_close((4 * wide - row["K_I"]) / 3, 0.9648017, 3e-4,
+                    "K_I of the infinite plate")
+
+
+def test_closed_tip():
+    """An elastic tip that is pressed together has K_I = 0, evenly or not; what
+    the integral leaves is its error."""
+    for traction in ("-10", "-30 + 40*(x > 0.9)"):
+        row = at_full_load(run(SCENE, "closed_tip", [
+            f"Loads/Traction=0; {traction}",
+            "Discretisation/Singular functions=2"]))
+        check(row["K_I"] == row["K_I_stress"] == 0,
+              f"K_I under {traction}: {row}")
+        check_below(row["K_I_error"], 1e-2 * K_REFERENCE, "estimated error")
+
+
 @full
 def test_two_viscosities():
     """Where the integral is not right, the fit to the stress once it is steady
@@ -475,6 +526,7 @@ def test_refusals():
 
 TESTS = [test_reference, test_linearity, test_units, test_mirrored,
          test_energy_release, test_c_star, test_viscoelastic, test_partial_contact,
+         test_half_closed, test_closed_tip,
          test_two_viscosities, test_methods,
          test_chain, test_growth, test_ranks, test_refusals]
 

@@ -6,8 +6,8 @@
 
 #include <crevasse/base/log.h>
 #include <crevasse/base/summary.h>
+#include <crevasse/crack_tip/nested_fits.h>
 #include <crevasse/crack_tip/strain_energy.h>
-#include <crevasse/crack_tip/williams_fit.h>
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/secular_problem.h>
 #include <crevasse/postprocess/crack_tip_choice.h>
@@ -103,7 +103,7 @@ namespace Crevasse
     const CrackTipChoice           choice;
     const TipRegion                region;
     const double                   radius; ///< of the integral
-    const WilliamsFit              fit;
+    const NestedFits               fits;
     const StrainEnergy             energy;
     const std::string              growth_law; ///< its description; empty: none
     std::optional<const TipRegion> viscous_region;

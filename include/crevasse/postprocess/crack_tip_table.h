@@ -31,7 +31,9 @@ namespace Crevasse
    * difference between the integrals over two squares, that between integral
    * and fit, and what the mesh leaves, |K_I| times the relative error of the
    * elastic energy as StressEstimator has it; without the integral, of the
-   * difference of the fits to two discs and the last. It is no bound.
+   * difference of the fits to two discs and the last. It is no bound. K_I and
+   * K_I_stress are 0 where nothing creeps and the node next to the tip is
+   * closed; what the integral has there is its error.
    */
   class CrackTipTable : public Observer
   {

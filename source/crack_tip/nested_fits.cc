@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/crack_tip/nested_fits.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  NestedFits::NestedFits(const PointGeometry      &points,
+                         const ContactBoundary<2> &lip,
+                         const TipRegion          &region,
+                         const double              radius,
+                         const MPI_Comm            communicator)
+    : lip(lip)
+    , region(region)
+    , communicator(communicator)
+  {
+    // Each has a disc of half its radius, which needs data.
+    const double least =
+      2. * WilliamsFit::least_radius(points, region, communicator);
+    constexpr double closer = 0.7;
+    double           next   = radius;
+    do
+      {
+        fits.emplace_back(points, lip, region, next, communicator);
+        radii.push_back(next);
+        next *= closer;
+    } while (next >= least);
+  }
+
+
+
+  double
+  NestedFits::open_length(const State &state) const
+  {
+    constexpr double never    = std::numeric_limits<double>::max();
+    const double     touching = 1e-10 * state.displacement.linfty_norm();
+    // From the tip to each node of its lip on this rank, and whether the node
+    // is closed.
+    std::vector<std::pair<double, bool>> nodes;
+    for (std::size_t k = 0; k < lip.nodes().size(); ++k)
+      {
+        const LipNode<2> &node  = lip.nodes()[k];
+        const Point<2>    local = region.tip().local(node.point);
+        const double      opening =
+          node.sign * state.displacement(node.dof) - node.gap;
+        if (local[0] < 0. && std::abs(local[1]) <= 1e-8 * -local[0])
+          nodes.emplace_back(-local[0],
+                             state.contact_forces[k] > 0. &&
+                               opening <= touching);
+      }
+
+    double closed = never, open = 0.;
+    for (const auto &[distance, is_closed] : nodes)
+      if (is_closed)
+        closed = std::min(closed, distance);
+    closed = Utilities::MPI::min(closed, communicator);
+    for (const auto &[distance, is_closed] : nodes)
+      if (distance < closed)
+        open = std::max(open, distance);
+    return closed == never ? never : Utilities::MPI::max(open, communicator);
+  }
+
+
+
+  const WilliamsFit &
+  NestedFits::within(const double open_length) const
+  {
+    for (std::size_t i = 0; i < fits.size(); ++i)
+      if (radii[i] <= open_length)
+        return fits[i];
+    return open_length > 0. ? fits.back() : fits.front();
+  }
+} // namespace Crevasse
