@@ -128,17 +128,19 @@ namespace Crevasse
     for (std::size_t p = 0; p < points.cell.size(); ++p)
       if ((stiffness[p] - own).norm() > rounding * own.norm())
         end = std::min(end, distance(points.cell[p]));
-    end = Utilities::MPI::min(end, communicator);
+    end                     = Utilities::MPI::min(end, communicator);
+    ends_at_other_stiffness = end < boundary;
     if (end < end_of_tip_cells * (1. - rounding))
       throw SceneError(
         setting() + ": the cells at the crack tip " + place + " reach to " +
         Text::from_number(end_of_tip_cells) + " around it, but " +
-        (end < boundary ? std::string("another ") + name +
-                            " begins within them. Where it changes from place "
-                            "to place at the tip itself, K_I is not known: set "
-                            "it to false. Else make"
-                        : "another boundary begins at " +
-                            Text::from_number(end) + ". Make") +
+        (ends_at_other_stiffness
+           ? std::string("another ") + name +
+               " begins within them. Where it changes from place "
+               "to place at the tip itself, K_I is not known: set "
+               "it to false. Else make"
+           : "another boundary begins at " + Text::from_number(end) +
+               ". Make") +
         " these cells smaller ([Geometry] Subdivisions or Refinements, or "
         "[Refinement] Strategy = tip).");
   }
@@ -196,6 +198,15 @@ namespace Crevasse
                 end = std::min(end, distance_of_segment(a, b));
             }
     end = Utilities::MPI::min(end, communicator);
+  }
+
+
+
+  bool
+  TipRegion::is_of_tip(const unsigned int cell) const
+  {
+    return !ends_at_other_stiffness || cells[cell].first == 0. ||
+           cells[cell].second < end * (1. - rounding);
   }
 
 

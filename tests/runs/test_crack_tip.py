@@ -362,6 +362,21 @@ def test_closed_tip():
         check_below(row["K_I_error"], 1e-2 * K_REFERENCE, "estimated error")
 
 
+def test_interface():
+    """Two materials with a given interface: K_I_error is of the order of the
+    error, against a finer mesh."""
+    def row(cells):
+        return at_full_load(run(SCENE, "interface", [
+            "Material/Young modulus=if(y < 0.25, 13000, 130000)",
+            "Discretisation/Singular functions=2",
+            f"Geometry/Subdivisions={cells}, {cells}"]))
+    coarse, fine = row(12), row(36)
+    error = abs(coarse["K_I"] - fine["K_I"])
+    print(f"error {error}, estimated {coarse['K_I_error']}")
+    check(0.5 * error < coarse["K_I_error"] < 20 * error,
+          "the error is estimated to its order of magnitude")
+
+
 @full
 def test_two_viscosities():
     """Where the integral is not right, the fit to the stress once it is steady
@@ -526,7 +541,7 @@ def test_refusals():
 
 TESTS = [test_reference, test_linearity, test_units, test_mirrored,
          test_energy_release, test_c_star, test_viscoelastic, test_partial_contact,
-         test_half_closed, test_closed_tip,
+         test_half_closed, test_closed_tip, test_interface,
          test_two_viscosities, test_methods,
          test_chain, test_growth, test_ranks, test_refusals]
 

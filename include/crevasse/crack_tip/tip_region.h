@@ -83,6 +83,11 @@ namespace Crevasse
     double
     aligned_radius(const double at_most) const;
 
+    /** Whether a cell of this rank is of the body around the tip: any is,
+     * unless another stiffness begins; then those that do not touch it. */
+    bool
+    is_of_tip(const unsigned int cell) const;
+
     /** From where on a cell of this rank reaches outwards, by its active cell
      * index; 0 at the tip. */
     double
@@ -105,6 +110,7 @@ namespace Crevasse
     std::vector<Interval>          cells; ///< by active cell index
     std::optional<PlaneElasticity> plane_elasticity;
     double                         end = 0., end_of_tip_cells = 0.;
+    bool                           ends_at_other_stiffness = false;
   };
 } // namespace Crevasse
 

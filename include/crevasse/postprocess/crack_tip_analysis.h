@@ -56,7 +56,8 @@ namespace Crevasse
               Summary             &summary,
               Log                 &log) const;
 
-    /** Of the elastic body at the extreme loads: what the mesh leaves. */
+    /** Of the elastic body at the extreme loads, in the cells of the tip: what
+     * the mesh leaves. */
     double
     relative_energy_error(ContactSystemCache<2> &systems,
                           const StepList        &steps) const;
