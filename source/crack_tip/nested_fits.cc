@@ -50,12 +50,10 @@ namespace Crevasse
       {
         const LipNode<2> &node  = lip.nodes()[k];
         const Point<2>    local = region.tip().local(node.point);
-        const double      opening =
-          node.sign * state.displacement(node.dof) - node.gap;
         if (local[0] < 0. && std::abs(local[1]) <= 1e-8 * -local[0])
           nodes.emplace_back(-local[0],
                              state.contact_forces[k] > 0. &&
-                               opening <= touching);
+                               node.opening(state.displacement) <= touching);
       }
 
     double closed = never, open = 0.;

@@ -36,10 +36,9 @@ namespace Crevasse
     std::vector<double> maxima(2);
     for (unsigned int k = 0; k < lip.nodes().size(); ++k)
       {
-        const LipNode<dim> &node = lip.nodes()[k];
-        const double        g    = state.contact_forces[k];
-        const double        opening =
-          node.sign * state.displacement(node.dof) - node.gap;
+        const LipNode<dim> &node    = lip.nodes()[k];
+        const double        g       = state.contact_forces[k];
+        const double        opening = node.opening(state.displacement);
         sums[0] += opening <= touching ? 1. : 0.;
         maxima[0] = std::max(maxima[0], g / node.weight);
         maxima[1] = std::max(maxima[1], opening);

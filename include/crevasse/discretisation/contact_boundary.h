@@ -24,6 +24,13 @@ namespace Crevasse
     double             held_weight = 0.;
     dealii::Point<dim> point;
 
+    /** u_N − gap */
+    double
+    opening(const Vector &displacement) const
+    {
+      return sign * displacement(dof) - gap;
+    }
+
     /** The force on the part of the lip that this node speaks for, from its
      * contact force g: g and the share of the held nodes around. */
     double
