@@ -80,22 +80,26 @@ namespace Crevasse
                       strain.components->begin(),
                       strain.components->end());
 
-    const Ids                existing = material_ids(mesh);
-    const auto               names    = material_names(scene);
-    std::vector<std::string> list;
-    for (const auto id : existing)
-      list.push_back(describe(id, names));
-    std::set<std::string> problems; // each once
+    const Ids existing = material_ids(mesh);
+    // By parameter and formula, each once.
+    std::map<std::string, std::set<unsigned int>> missing;
     for (const Expression &formula : formulas)
       for (const unsigned int id : compared_ids(formula.formula()))
         if (existing.count(id) == 0)
-          problems.insert(
-            formula.parameter() + " = " + Text::shorten(formula.formula()) +
-            ": no cell of the mesh has the material id " + describe(id, names) +
-            "; there are: " + Text::join(list, ", "));
+          missing[formula.parameter() + " = " +
+                  Text::shorten(formula.formula())]
+            .insert(id);
+    if (missing.empty())
+      return;
+    const auto               names = material_names(scene); // reads the file
+    std::vector<std::string> list;
+    for (const auto id : existing)
+      list.push_back(describe(id, names));
     Problems all;
-    for (const std::string &problem : problems)
-      all.add(problem);
+    for (const auto &[formula, ids] : missing)
+      for (const unsigned int id : ids)
+        all.add(formula + ": no cell of the mesh has the material id " +
+                describe(id, names) + "; there are: " + Text::join(list, ", "));
     all.throw_if_any();
   }
 
