@@ -163,8 +163,8 @@ namespace Crevasse
         const double error = estimate->estimator().relative_error();
         estimate.reset(); // before the space that it refers to
         readapt(squares, error, state);
-        state.methods_left = 0;
-        state.was_resumed  = false;
+        state.fourier_failed = false;
+        state.was_resumed    = false;
       }
   }
 

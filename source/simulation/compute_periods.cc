@@ -253,7 +253,7 @@ namespace Crevasse
     const bool shows =
       start.choice.method == PeriodicMethodType::fourier && start.direct;
     PeriodicResult before = state.result;
-    if (shows && state.methods_left == 0)
+    if (shows && !state.fourier_failed)
       {
         before = show_motion(work, observers, writer);
         if (before.converged)
@@ -263,7 +263,7 @@ namespace Crevasse
             return;
           }
         work.output.log.line("  anderson takes over");
-        ++state.methods_left;
+        state.fourier_failed = true;
       }
     if (shows)
       work.start.choice.method = PeriodicMethodType::anderson;

@@ -46,10 +46,9 @@ namespace Crevasse
     double                        largest_opening      = 0.;
     std::map<std::string, double> seconds; ///< of each phase
 
-    /** How many methods were tried in vain on this mesh. */
-    unsigned int methods_left = 0;
-    bool         was_resumed  = false; ///< this stage of the run
-    MeshStage    stage;
+    bool      fourier_failed = false; ///< on this mesh
+    bool      was_resumed    = false; ///< this stage of the run
+    MeshStage stage;
 
     dealii::Timer timer; ///< since the set-up of the meshes
 
@@ -82,7 +81,7 @@ namespace Crevasse
       archive.common(largest_displacement);
       archive.common(largest_opening);
       archive.common(seconds);
-      archive.common(methods_left);
+      archive.common(fourier_failed);
     }
   };
 } // namespace Crevasse
