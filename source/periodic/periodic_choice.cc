@@ -125,7 +125,7 @@ namespace Crevasse
               "without viscosity one period tells all",
               {}};
     PeriodicChoice choice = choose(scene, body, steps, largest_relaxation_time);
-    if (choice.method == Method::march &&
+    if (scene.periodic_state.method == Method::march &&
         choose_automatically(scene, body, steps, largest_relaxation_time)
             .method != Method::march)
       choice.alternative =
