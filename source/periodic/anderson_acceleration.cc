@@ -4,8 +4,6 @@
 #include <crevasse/base/state_archive.h>
 #include <crevasse/periodic/anderson_acceleration.h>
 
-#include <deal.II/lac/qr.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -77,37 +75,47 @@ namespace Crevasse
           }
       }
 
+    combine(factors, images, x);
     const std::size_t n_independent = images.size();
-    while (true)
+    while (!images.empty() && !is_possible(x))
       {
-        x                    = last.image;
-        unexplained          = residual_norm;
-        const unsigned int n = images.size();
-        if (n == 0)
-          break;
-        dealii::Vector<double> gamma(n);
-        factors.multiply_with_QT(gamma, last.residual);
-        unexplained =
-          std::sqrt(std::max(unexplained * unexplained - gamma.norm_sqr(), 0.));
-        if (settings.damping < 1.)
-          {
-            Vector explained = last.residual;
-            factors.multiply_with_Q(explained, gamma);
-            x.add(-(1. - settings.damping), last.residual);
-            x.add(1. - settings.damping, explained);
-          }
-        factors.solve(gamma, gamma);
-        for (unsigned int i = 0; i < n; ++i)
-          x.add(-gamma(i), images[i]);
-        if (is_possible(x))
-          break;
-        factors.remove_column(n - 1);
+        factors.remove_column(images.size() - 1);
         images.pop_back();
+        combine(factors, images, x);
       }
     if (images.size() < n_independent)
       ++so_far.shortened;
     if (settings.follows_drift)
       follow_drift(x);
+  }
+
+
+
+  void
+  AndersonAcceleration::combine(const dealii::QR<Vector>  &factors,
+                                const std::vector<Vector> &images,
+                                Vector                    &x)
+  {
+    const Pair &last     = pairs.back();
+    x                    = last.image;
+    unexplained          = residual_norm;
+    const unsigned int n = images.size();
+    if (n == 0)
+      return;
+    dealii::Vector<double> gamma(n);
+    factors.multiply_with_QT(gamma, last.residual);
+    unexplained =
+      std::sqrt(std::max(unexplained * unexplained - gamma.norm_sqr(), 0.));
+    if (settings.damping < 1.)
+      {
+        Vector explained = last.residual;
+        factors.multiply_with_Q(explained, gamma);
+        x.add(-(1. - settings.damping), last.residual);
+        x.add(1. - settings.damping, explained);
+      }
+    factors.solve(gamma, gamma);
+    for (unsigned int i = 0; i < n; ++i)
+      x.add(-gamma(i), images[i]);
   }
 
 

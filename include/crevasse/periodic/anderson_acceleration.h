@@ -6,7 +6,10 @@
 
 #include <crevasse/time/rate_equation.h>
 
+#include <deal.II/lac/qr.h>
+
 #include <deque>
+#include <vector>
 
 namespace Crevasse
 {
@@ -99,6 +102,13 @@ namespace Crevasse
       Vector image, residual;
       double slowness = 0.; ///< |Δx| / |Δf| to the pair before
     };
+
+    /** @p x from these differences of residuals, factorised, and of images;
+     * sets what they leave unexplained. */
+    void
+    combine(const dealii::QR<Vector>  &factors,
+            const std::vector<Vector> &images,
+            Vector                    &x);
 
     /** Whether @p x may be the fixed point for all that is remembered. */
     bool
