@@ -186,8 +186,8 @@ namespace Crevasse
         throw SceneError(
           "[Geometry] Mesh file = " + scene.geometry.mesh_file +
           ": in space a mesh with curved edges cannot be refined; make the "
-          "file "
-          "finer, with [Geometry] Refinements = 0 and [Refinement] Strategy = "
+          "file finer, with [Geometry] Refinements = 0 and [Refinement] "
+          "Strategy = "
           "none.");
       return mesh;
     };

@@ -231,7 +231,6 @@ namespace Crevasse
                       "about one elastic strain a step at most; Scheme = "
                       "sdirk2 is exact there");
     }
-
   } // namespace
 
 

@@ -24,9 +24,9 @@ namespace Crevasse
    * in the norm of its viscosity, nor in that of its energy where the strain is
    * given. The norm of EnergyCoordinates has both, and so they hardly do in it:
    * the acceleration can tell which combinations are unlikely, and needs no
-   * restart. Where it is mistaken it marches. Where the lip stands open, strains that bear no stress
-   * drift under a mean load that closes it. The acceleration follows such
-   * drifts if the strain is known to return.
+   * restart. Where it is mistaken it marches. Where the lip stands open,
+   * strains that bear no stress drift under a mean load that closes it. The
+   * acceleration follows such drifts if the strain is known to return.
    *
    * The error of the stress is estimated before the next period is computed:
    * the step to its start, which the acceleration extrapolates from all that it
