@@ -24,7 +24,7 @@ namespace Crevasse
 
   template <int dim>
   Anderson<dim>::Anderson(ObservedPeriods<dim>          &periods,
-                          const EnergyCoordinates<dim>  &coordinates,
+                          const ViscousCoordinates<dim> &coordinates,
                           const PeriodicStateParameters &parameters,
                           const double                   slowness)
     : periods(periods)

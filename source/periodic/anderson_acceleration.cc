@@ -123,14 +123,12 @@ namespace Crevasse
   bool
   AndersonAcceleration::is_possible(const Vector &x) const
   {
-    // Of |f|²; the fixed point has ½, where the map is what it should be.
-    constexpr double required = 0.25;
-
     Vector way;
     return std::all_of(pairs.begin(), pairs.end(), [&](const Pair &pair) {
       way = x;
       way -= pair.image;
-      return way * pair.residual >= (required - 1.) * pair.residual.norm_sqr();
+      // G(xᵢ) = xᵢ + fᵢ
+      return way * pair.residual >= -0.5 * pair.residual.norm_sqr();
     });
   }
 

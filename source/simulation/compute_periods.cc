@@ -176,8 +176,8 @@ namespace Crevasse
                ObservedPeriods<dim> &periods,
                const double          slowness)
     {
-      const Body<dim>             &body = work.setup.body;
-      const EnergyCoordinates<dim> coordinates(
+      const Body<dim>              &body = work.setup.body;
+      const ViscousCoordinates<dim> coordinates(
         body.space,
         body.points,
         body.material.at(0.),

@@ -264,7 +264,7 @@ DRIFTING = {
                  " - 0.0294359*(y-x)"),
         "Material/Relaxation time=if(y<0.5, 8.87439, 16.1858)", PLANE_STRAIN,
         "Boundary/Gap=-0.00222409*(x-0.5)",
-        "Loads/Body force=0; 1.46353*cos(2*pi*t/600)"], 70)}
+        "Loads/Body force=0; 1.46353*cos(2*pi*t/600)"], 40)}
 
 
 @full

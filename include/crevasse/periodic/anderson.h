@@ -6,8 +6,8 @@
 
 #include <crevasse/parameters/parameters.h>
 #include <crevasse/periodic/anderson_acceleration.h>
-#include <crevasse/periodic/energy_coordinates.h>
 #include <crevasse/periodic/observed_periods.h>
+#include <crevasse/periodic/viscous_coordinates.h>
 
 #include <deque>
 
@@ -15,18 +15,16 @@ namespace Crevasse
 {
   /**
    * The fixed point of the period map r(0) → r(T) (the paper's Remark 2) by
-   * Anderson's acceleration, with the norm of EnergyCoordinates. Each period
+   * Anderson's acceleration, with the norm of ViscousCoordinates. Each period
    * starts from the combination of what the last ones ended with. Where a mean
    * load makes the body flow, the map must be that of the split form: only then
    * r is periodic.
    *
    * Two motions of a body of Maxwell elements, with contact, never move apart
-   * in the norm of its viscosity, nor in that of its energy where the strain is
-   * given. The norm of EnergyCoordinates has both, and so they hardly do in it:
-   * the acceleration can tell which combinations are unlikely, and needs no
-   * restart. Where it is mistaken it marches. Where the lip stands open,
-   * strains that bear no stress drift under a mean load that closes it. The
-   * acceleration follows such drifts if the strain is known to return.
+   * in this norm: the acceleration can tell which combinations are wrong, and
+   * needs no restart. Where the lip stands open, strains that bear no stress
+   * drift under a mean load that closes it. The acceleration follows such
+   * drifts if the strain is known to return.
    *
    * The error of the stress is estimated before the next period is computed:
    * the step to its start, which the acceleration extrapolates from all that it
@@ -46,7 +44,7 @@ namespace Crevasse
      * itself: that far from the fixed point residuals may be. 1 if it is not
      * known. */
     Anderson(ObservedPeriods<dim>          &periods,
-             const EnergyCoordinates<dim>  &coordinates,
+             const ViscousCoordinates<dim> &coordinates,
              const PeriodicStateParameters &parameters,
              const double                   slowness);
 
@@ -72,7 +70,7 @@ namespace Crevasse
     estimated_error(const double change) const;
 
     ObservedPeriods<dim>          &periods;
-    const EnergyCoordinates<dim>  &coordinates;
+    const ViscousCoordinates<dim> &coordinates;
     const PeriodicStateParameters &parameters;
     const double                   slowness;
     AndersonAcceleration           acceleration;

@@ -32,10 +32,10 @@ namespace Crevasse
    *
    *     fᵢ · (x* − xᵢ) ≥ ½ |fᵢ|².
    *
-   * A next point that misses half of that at some remembered point is known to
-   * be wrong: where G has kinks, as where a lip begins to touch, differences
-   * from the other side of a kink make such points. Then the oldest differences
-   * are left out, one after the other, until the point is possible; without
+   * A next point that misses that at some remembered point is known to be
+   * wrong: where G has kinks, as where a lip begins to touch, differences from
+   * the other side of a kink make such points. Then the oldest differences are
+   * left out, one after the other, until the point is possible; without
    * differences it is G(x).
    *
    * A residual that is the same from point to point is a drift, which no

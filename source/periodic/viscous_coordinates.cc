@@ -3,7 +3,7 @@
 
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/material/voigt_matrix.h>
-#include <crevasse/periodic/energy_coordinates.h>
+#include <crevasse/periodic/viscous_coordinates.h>
 
 #include <cmath>
 
@@ -13,11 +13,11 @@ namespace Crevasse
 
   namespace
   {
-    /** Lᵀ with K = L Lᵀ. Where K has no 33 row, one that counts for nothing
+    /** Lᵀ with η = L Lᵀ. Where η has no 33 row, one that counts for nothing
      * takes its place: the matrix must have an inverse. */
     template <int dim>
     VoigtMatrix<dim>
-    root(const VoigtMatrix<dim> &K)
+    root(const VoigtMatrix<dim> &eta)
     {
       constexpr unsigned int n          = n_stress_components<dim>;
       constexpr double       negligible = 1e-6;
@@ -25,14 +25,14 @@ namespace Crevasse
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = i; j < n; ++j)
           {
-            double value = K[i][j];
+            double value = eta[i][j];
             for (unsigned int k = 0; k < i; ++k)
               value -= upper[k][i] * upper[k][j];
             if (j > i)
               upper[i][j] = value / upper[i][i];
             else
-              upper[i][i] = K[i][i] > 0. ? std::sqrt(value)
-                                         : negligible * std::sqrt(K.norm());
+              upper[i][i] = eta[i][i] > 0. ? std::sqrt(value)
+                                           : negligible * std::sqrt(eta.norm());
           }
       return upper;
     }
@@ -61,10 +61,11 @@ namespace Crevasse
 
 
   template <int dim>
-  EnergyCoordinates<dim>::EnergyCoordinates(const Space<dim>           &space,
-                                            const QuadratureField<dim> &points,
-                                            const MaterialState<dim> &material,
-                                            const double creep_time)
+  ViscousCoordinates<dim>::ViscousCoordinates(
+    const Space<dim>           &space,
+    const QuadratureField<dim> &points,
+    const MaterialState<dim>   &material,
+    const double                creep_time)
   {
     constexpr double least = 1e-4; // of what relaxes within a period
     for (std::size_t i = 0; i < material.fractions.size(); ++i)
@@ -77,8 +78,7 @@ namespace Crevasse
           [&](const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H) {
             const VoigtMatrix<dim> creep =
               creep_time * (material.plane_stress ? in_plane<dim>(H) : H);
-            return root<dim>(w * K +
-                             inverse<dim>(creep + least / w * inverse<dim>(K)));
+            return root<dim>(inverse<dim>(creep + least / w * inverse<dim>(K)));
           }));
         inverses.push_back(Crevasse::transform(roots.back(),
                                                points.n_local_points(),
@@ -101,9 +101,9 @@ namespace Crevasse
 
   template <int dim>
   void
-  EnergyCoordinates<dim>::transform(const bool    to_strain,
-                                    const Vector &source,
-                                    Vector       &target) const
+  ViscousCoordinates<dim>::transform(const bool    to_strain,
+                                     const Vector &source,
+                                     Vector       &target) const
   {
     using Field                           = QuadratureField<dim>;
     const std::vector<Matrices> &matrices = to_strain ? inverses : roots;
@@ -123,6 +123,6 @@ namespace Crevasse
 
 
 
-  template class EnergyCoordinates<2>;
-  template class EnergyCoordinates<3>;
+  template class ViscousCoordinates<2>;
+  template class ViscousCoordinates<3>;
 } // namespace Crevasse

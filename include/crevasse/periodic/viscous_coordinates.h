@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_periodic_energy_coordinates_h
-#define crevasse_periodic_energy_coordinates_h
+#ifndef crevasse_periodic_viscous_coordinates_h
+#define crevasse_periodic_viscous_coordinates_h
 
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/quadrature_field.h>
@@ -14,27 +14,24 @@ namespace Crevasse
 {
   /**
    * Coordinates y of a viscous strain in which the Euclidean norm is that of
-   * the energy of the stress it takes to undo it, and of the work of making it
-   * creep within a period,
+   * the work of making it creep within a period,
    *
-   *     |y|² = Σᵢ ∫ rᵢ : (wᵢ K + ηᵢ / T) rᵢ,
+   *     |y|² = Σᵢ ∫ rᵢ : (ηᵢ / T) rᵢ,
    *
-   * so that methods which combine viscous strains by inner products do not
-   * depend on units, mesh grading or stiffness, and see what creeps slowly by
-   * the stress that it stands for. In plane stress the creep in thickness,
-   * which bears no stress, counts for nothing but is carried along. ηᵢ is
-   * limited to 1e4 T wᵢ K.
+   * in which two motions of the body never move apart. In plane stress the
+   * creep in thickness, which bears no stress, counts for nothing but is
+   * carried along. ηᵢ is limited to 1e4 T wᵢ K.
    */
   template <int dim>
-  class EnergyCoordinates
+  class ViscousCoordinates
   {
   public:
-    /** @param material whose stiffness and fluidity are those of the norm.
+    /** @param material whose fluidity is that of the norm.
      * @param creep_time the period, times the mean of 1/η₀ over it. */
-    EnergyCoordinates(const Space<dim>           &space,
-                      const QuadratureField<dim> &points,
-                      const MaterialState<dim>   &material,
-                      const double                creep_time);
+    ViscousCoordinates(const Space<dim>           &space,
+                       const QuadratureField<dim> &points,
+                       const MaterialState<dim>   &material,
+                       const double                creep_time);
 
     /** y, with the layout of r. */
     void
@@ -57,7 +54,7 @@ namespace Crevasse
 
     std::vector<double> weights; ///< √(det J × weight) of each point
     // For each branch
-    std::vector<Matrices> roots;    ///< Lᵀ with wᵢ K + ηᵢ / T = L Lᵀ
+    std::vector<Matrices> roots;    ///< Lᵀ with ηᵢ / T = L Lᵀ
     std::vector<Matrices> inverses; ///< L⁻ᵀ
   };
 } // namespace Crevasse
