@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/crack_tip/auxiliary_field.h>
 #include <crevasse/crack_tip/interaction_integral.h>
+#include <crevasse/crack_tip/lip_integral.h>
 #include <crevasse/discretisation/cell_values.h>
-#include <crevasse/discretisation/polar_field.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <cmath>
@@ -17,308 +19,278 @@ namespace Crevasse
 
   namespace
   {
-    /** q and its gradient, in the coordinates of the tip. */
-    struct Weight
+    /** The strain in the plane of a stress in the plane, and what a strain
+     * across the plane adds to it, as strain without stress does. */
+    struct InPlane
     {
-      const double radius;
-
-      double
-      value(const Point<2> &local) const
+      explicit InPlane(const VoigtMatrix<2> &K)
+        : twofold_mu(2. * K[3][3])
+        , nu(K[0][1] / (K[0][0] + K[0][1]))
+        , of_third(K[0][2] / (K[0][0] + K[0][1]))
       {
-        return factor(local[0]) * factor(local[1]);
       }
 
-      Tensor<1, 2>
-      gradient(const Point<2> &local) const
+      explicit InPlane(const PlaneElasticity &elasticity)
+        : twofold_mu(2. * elasticity.shear_modulus())
+        , nu((3. - elasticity.kappa()) / 4.)
+        , of_third(0.)
       {
-        return Tensor<1, 2>({slope(local[0]) * factor(local[1]),
-                             factor(local[0]) * slope(local[1])});
       }
 
-      double
-      factor(const double x) const
+      VoigtVector<2>
+      strain(const VoigtVector<2> &s) const
       {
-        const double s = x / radius;
-        return std::abs(s) >= 1. ? 0. : (1. - s * s) * (1. - s * s);
+        VoigtVector<2> e;
+        e[0] = (s[0] - nu * (s[0] + s[1])) / twofold_mu;
+        e[1] = (s[1] - nu * (s[0] + s[1])) / twofold_mu;
+        e[3] = 2. * s[3] / twofold_mu;
+        return e;
       }
 
-      double
-      slope(const double x) const
+      VoigtVector<2>
+      free_strain(const VoigtVector<2> &e) const
       {
-        const double s = x / radius;
-        return std::abs(s) >= 1. ? 0. : -4. * s * (1. - s * s) / radius;
+        VoigtVector<2> sum = e;
+        sum[0] += of_third * e[2];
+        sum[1] += of_third * e[2];
+        sum[2] = 0.;
+        return sum;
       }
+
+      const double twofold_mu, nu, of_third;
     };
 
 
 
-    /** u^a: K_I = 1 */
-    PolarField
-    unit_field(const PlaneElasticity &elasticity)
+    /** For a cell of rule 0: the polynomials through its points, at those of a
+     * rule that is fine enough for their product with the kernel. */
+    class KernelRules
     {
-      PolarField field = williams_term(1, elasticity.kappa());
-      field *=
-        1. / (2. * elasticity.shear_modulus() * std::sqrt(2. * numbers::PI));
-      return field;
-    }
-
-
-
-    /** The integrand of 2 I at a point, times E'/2, for any gradient of u in
-     * the coordinates of the tip. */
-    struct Integrand
-    {
-      const PlaneElasticity &elasticity;
-      const Tensor<2, 2>     unit_gradient, unit_stress;
-      const Tensor<1, 2>     weight_gradient;
-
-      double
-      operator()(const Tensor<2, 2> &gradient, const double dilatation) const
+    public:
+      explicit KernelRules(const Space<2> &space)
+        : per_direction(std::lround(std::sqrt(space.quadratures()[0].size())))
+        , polynomials(QGauss<1>(per_direction))
+        , usual(space.mapping(),
+                polynomials,
+                QGauss<2>(per_direction + 4),
+                flags)
+        , fine(space.mapping(),
+               polynomials,
+               QIterated<2>(QGauss<1>(4), 8),
+               flags)
       {
-        const Tensor<2, 2> stress = elasticity.stress(gradient, dilatation);
-        double             sum    = 0.;
-        for (unsigned int i = 0; i < 2; ++i)
-          for (unsigned int j = 0; j < 2; ++j)
-            sum += (stress[i][j] * unit_gradient[i][0] +
-                    unit_stress[i][j] * gradient[i][0]) *
-                     weight_gradient[j] -
-                   stress[i][j] * unit_gradient[i][j] * weight_gradient[0];
-        return elasticity.modulus() * sum;
       }
+
+      /** @param is_rough whether the kernel grows in the cell like r^(−3/2),
+       * or jumps, as it does where a square ends. */
+      const FEValues<2> &
+      reinit(const Triangulation<2>::active_cell_iterator &cell,
+             const bool                                    is_rough)
+      {
+        FEValues<2> &values = is_rough ? fine : usual;
+        values.reinit(cell);
+        return values;
+      }
+
+    private:
+      const UpdateFlags flags =
+        update_values | update_quadrature_points | update_JxW_values;
+      const unsigned int            per_direction;
+      const FE_DGQArbitraryNodes<2> polynomials;
+      FEValues<2>                   usual, fine;
     };
 
 
 
-    /** That of the gradient of a shape function over a cell. It has one
-     * component d, and so its gradient is e_d ⊗ ∇φ. */
-    double
-    integral_of_shape(const FEValues<2>            &values,
-                      const unsigned int            i,
-                      const CrackTip               &tip,
-                      const std::vector<Integrand> &at_points,
-                      const bool                    mean_volume)
+    /** Of the squares whose τ viscous strain is multiplied by, each with its
+     * factor. */
+    std::vector<std::pair<SquareWeight, double>>
+    weights_of_creep(const InteractionIntegral::Squares &squares)
     {
-      const unsigned int d = values.get_fe().system_to_component_index(i).first;
-      const Tensor<1, 2> direction({tip.ahead[d], tip.inward[d]});
-      double             mean = 0., volume = 0.;
-      if (mean_volume)
-        for (const unsigned int q : values.quadrature_point_indices())
-          {
-            mean += values.shape_grad(i, q)[d] * values.JxW(q);
-            volume += values.JxW(q);
-          }
-
-      double sum = 0.;
-      for (const unsigned int q : values.quadrature_point_indices())
-        {
-          const Tensor<1, 2> slope    = values.shape_grad(i, q);
-          const Tensor<2, 2> gradient = outer_product(
-            direction, Tensor<1, 2>({slope * tip.ahead, slope * tip.inward}));
-          sum += at_points[q](gradient,
-                              mean_volume ? mean / volume : trace(gradient)) *
-                 values.JxW(q);
-        }
-      return sum;
-    }
-
-
-
-    /** Adds those of the gradients of singular functions over a cell. */
-    void
-    add_singular_functions(const Space<2>               &space,
-                           const CrackTip               &tip,
-                           const FEValues<2>            &values,
-                           const std::vector<Integrand> &at_points,
-                           Vector                       &functional)
-    {
-      if (space.singular_shapes() == nullptr)
-        return;
-      const Tensor<2, 2>        turn = tip.to_local();
-      std::vector<Tensor<2, 2>> gradients;
-      for (unsigned int k = 0; k < space.singular_shapes()->size(); ++k)
-        {
-          space.singular_shapes()->gradients(k, values, gradients);
-          double sum = 0.;
-          for (const unsigned int q : values.quadrature_point_indices())
-            {
-              const Tensor<2, 2> gradient =
-                turn * gradients[q] * transpose(turn);
-              sum += at_points[q](gradient, trace(gradient)) * values.JxW(q);
-            }
-          functional(space.singular_unknown(k)) += sum;
-        }
-    }
-
-
-
-    /** A rule on a face of the lip, of the weight 1/√r, exact for polynomials
-     * as they occur: r = s² makes it smooth. */
-    Quadrature<1>
-    inverse_root_rule(const double r_0, const double r_1)
-    {
-      const QGauss<1>       gauss(8);
-      const double          s_0 = std::sqrt(r_0), s_1 = std::sqrt(r_1);
-      std::vector<Point<1>> nodes;
-      std::vector<double>   weights;
-      for (unsigned int k = 0; k < gauss.size(); ++k)
-        {
-          const double s = s_0 + gauss.point(k)[0] * (s_1 - s_0);
-          nodes.emplace_back((s * s - r_0) / (r_1 - r_0));
-          weights.push_back(gauss.weight(k) * 2. * (s_1 - s_0) / (r_1 - r_0));
-        }
-      return Quadrature<1>(nodes, weights);
-    }
-
-
-
-    /** Those of displacements over the square. */
-    Vector
-    integrate_over_cells(const Body<2>   &body,
-                         const TipRegion &region,
-                         const double     radius)
-    {
-      const Space<2>        &space      = body.space;
-      const CrackTip        &tip        = region.tip();
-      const PlaneElasticity &elasticity = region.elasticity();
-      const PolarField       unit       = unit_field(elasticity);
-      const Weight           weight{radius};
-      const bool             mean_volume =
-        space.volumetric_strain() == VolumetricStrain::mean;
-
-      // Independent of the points where the stress is: u is known everywhere.
-      const FESystem<2> &fe = space.finite_element();
-      const UpdateFlags  flags =
-        update_gradients | update_quadrature_points | update_JxW_values;
-      FEValues<2> regular(space.mapping(), fe, QGauss<2>(fe.degree + 4), flags);
-      CellValues<2> near_tip(space, flags);
-
-      Vector functional;
-      body.strain_operator.initialize(functional);
-      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-      dealii::Vector<double>               cell_vector(fe.n_dofs_per_cell());
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned() &&
-            region.distance(cell->active_cell_index()) < radius)
-          {
-            if (space.rule(cell) == 0)
-              regular.reinit(cell);
-            const FEValues<2> &values =
-              space.rule(cell) == 0 ? regular : near_tip.reinit(cell);
-            std::vector<Integrand> at_points;
-            for (const Point<2> &point : values.get_quadrature_points())
-              {
-                const Tensor<2, 2> gradient = unit.gradient(tip.local(point));
-                at_points.push_back({elasticity,
-                                     gradient,
-                                     elasticity.stress(gradient),
-                                     weight.gradient(tip.local(point))});
-              }
-            cell->get_dof_indices(dofs);
-            for (const unsigned int i : values.dof_indices())
-              cell_vector[i] =
-                integral_of_shape(values, i, tip, at_points, mean_volume);
-            space.constraints().distribute_local_to_global(cell_vector,
-                                                           dofs,
-                                                           functional);
-            add_singular_functions(space, tip, values, at_points, functional);
-          }
-      functional.compress(VectorOperation::add);
-      return functional;
-    }
-
-
-
-    /** Those of the pressure along the lip, for its nodes. */
-    std::vector<double>
-    integrate_over_lip(const Body<2>  &body,
-                       const CrackTip &tip,
-                       const double    radius)
-    {
-      const Space<2>                      &space = body.space;
-      const Weight                         weight{radius};
-      const FESystem<2>                   &fe = space.finite_element();
-      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-      Vector per_pressure = space.ghosted_vector();
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int f : cell->face_indices())
-            {
-              if (!cell->at_boundary(f) || space.roles().contact.count(
-                                             cell->face(f)->boundary_id()) == 0)
-                continue;
-              const Point<2> a   = tip.local(cell->face(f)->vertex(0));
-              const Point<2> b   = tip.local(cell->face(f)->vertex(1));
-              const double   r_a = -a[0], r_b = -b[0];
-              // Another lip may be anywhere.
-              if (std::abs(a[1]) + std::abs(b[1]) > 1e-8 * (b - a).norm() ||
-                  r_a + r_b <= 0. || std::min(r_a, r_b) >= radius)
-                continue;
-              FEFaceValues<2> values(space.mapping(),
-                                     fe,
-                                     inverse_root_rule(std::max(r_a, 0.),
-                                                       std::max(r_b, 0.)),
-                                     update_values | update_quadrature_points |
-                                       update_JxW_values);
-              values.reinit(cell, f);
-              cell->get_dof_indices(dofs);
-              for (const unsigned int i : values.dof_indices())
-                {
-                  const unsigned int d = fe.system_to_component_index(i).first;
-                  if (!fe.has_support_on_face(i, f) ||
-                      std::abs(tip.inward[d]) < 0.5)
-                    continue;
-                  for (const unsigned int q : values.quadrature_point_indices())
-                    per_pressure(dofs[i]) +=
-                      2. / std::sqrt(2. * numbers::PI) *
-                      values.shape_value(i, q) *
-                      weight.value(tip.local(values.quadrature_point(q))) *
-                      values.JxW(q);
-                }
-            }
-      per_pressure.compress(VectorOperation::add);
-      body.lip.gather_from_held_nodes(per_pressure);
-      std::vector<double> of_forces;
-      for (const LipNode<2> &node : body.lip.nodes())
-        of_forces.push_back(per_pressure(node.dof) / node.weight);
-      return of_forces;
+      if (squares.uniform_creep >= squares.size)
+        return {};
+      if (squares.uniform_creep > 0.)
+        return {{{squares.size}, 1.}, {{squares.uniform_creep}, -1.}};
+      return {{{squares.size}, 1.},
+              {{squares.varying_creep}, -2.},
+              {{2. * squares.varying_creep}, 1.}};
     }
   } // namespace
 
 
 
+  InteractionIntegral::InteractionIntegral(const Body<2>        &body,
+                                           const PointGeometry  &points,
+                                           const TipRegion      &region,
+                                           const LoadParameters &loads,
+                                           const Squares        &squares)
+    : body(body)
+    , points(points)
+    , region(region)
+    , of_contact_forces(lip_integral(body, region.tip(), {squares.size}))
+  {
+    for (const LoadParameters::Force &force : loads.forces())
+      for (unsigned int d = 0; force.in_volume && d < force.components->size();
+           ++d)
+        if (Expression value((*force.components)[d]); !value.is_zero())
+          body_force.emplace_back(d, std::move(value));
+    integrate_over_cells(squares);
+    balance();
+  }
+
+
+
+  void
+  InteractionIntegral::integrate_over_cells(const Squares &squares)
+  {
+    const std::vector<std::pair<SquareWeight, double>> of_creep =
+      weights_of_creep(squares);
+    const auto add = [&](Kernel         &kernel,
+                         const Point<2> &point,
+                         const double    share) {
+      const auto field_of = [&](const SquareWeight &weight) {
+        return AuxiliaryField(region.tip(), point, weight);
+      };
+      kernel.field.add(share, field_of({squares.size}));
+      for (const auto &[weight, factor] : of_creep)
+        kernel.of_viscous_strain += share * factor * field_of(weight).of_strain;
+    };
+    const auto ends_within = [&](const TipRegion::Interval &reach) {
+      bool ends = TipRegion::is_within(squares.size, reach);
+      for (const auto &of_weight : of_creep)
+        ends = ends || TipRegion::is_within(of_weight.first.radius, reach);
+      return ends;
+    };
+
+    const Space<2> &space = body.space;
+    KernelRules     rules(space);
+    for (const auto &cell : owned_cells(space.mesh()))
+      {
+        const auto &reach = region.reach(cell->active_cell_index());
+        if (reach.first >= squares.size)
+          continue;
+        const std::size_t   first = body.points.first_point(cell);
+        std::vector<Kernel> of_cell(space.quadrature(cell).size());
+        for (unsigned int p = 0; p < of_cell.size(); ++p)
+          of_cell[p].point = first + p;
+        if (space.rule(cell) != 0)
+          for (Kernel &kernel : of_cell)
+            add(kernel,
+                points.location[kernel.point],
+                points.weight[kernel.point]);
+        else
+          {
+            const FEValues<2> &values =
+              rules.reinit(cell, reach.first == 0. || ends_within(reach));
+            for (const unsigned int q : values.quadrature_point_indices())
+              {
+                Kernel here;
+                add(here, values.quadrature_point(q), values.JxW(q));
+                for (unsigned int p = 0; p < of_cell.size(); ++p)
+                  of_cell[p].add(values.shape_value(p, q), here);
+              }
+          }
+        kernels.insert(kernels.end(), of_cell.begin(), of_cell.end());
+      }
+  }
+
+
+
+  void
+  InteractionIntegral::balance()
+  {
+    const MPI_Comm communicator = body.space.communicator();
+    const auto     is_at_tip    = [&](const Kernel &kernel) {
+      return region.reach(points.cell[kernel.point]).first == 0.;
+    };
+    VoigtVector<2> sum;
+    double         area = 0.;
+    for (const Kernel &kernel : kernels)
+      {
+        sum += kernel.field.of_strain;
+        if (is_at_tip(kernel))
+          area += points.weight[kernel.point];
+      }
+    for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
+      sum[c] = Utilities::MPI::sum(sum[c], communicator);
+    area = Utilities::MPI::sum(area, communicator);
+    for (Kernel &kernel : kernels)
+      if (is_at_tip(kernel))
+        kernel.field.of_strain -= points.weight[kernel.point] / area * sum;
+  }
+
+
+
   double
-  IntensityFunctional::value(const Vector              &v,
-                             const std::vector<double> &contact_forces) const
+  InteractionIntegral::of_body_force(const double t, const double kappa) const
   {
-    double of_forces = 0.;
-    for (std::size_t k = 0; k < of_contact_forces.size(); ++k)
-      of_forces += of_contact_forces[k] * contact_forces[k];
-    return of_vector * v +
-           Utilities::MPI::sum(of_forces, v.get_mpi_communicator());
+    double sum = 0.;
+    for (const auto &[d, force] : body_force)
+      for (const Kernel &kernel : kernels)
+        sum +=
+          (kernel.field.of_force[0][d] + kappa * kernel.field.of_force[1][d]) *
+          force.value(points.location[kernel.point], t);
+    return 4. / (kappa + 1.) * sum;
   }
 
 
 
-  IntensityFunctional
-  interaction_integral(const Body<2>   &body,
-                       const TipRegion &region,
-                       const double     radius)
+  double
+  InteractionIntegral::of_uniform_body(
+    const Vector              &stress,
+    const std::vector<double> &contact_forces,
+    const double               kappa) const
   {
-    return {integrate_over_cells(body, region, radius),
-            integrate_over_lip(body, region.tip(), radius)};
+    double sum = 0.;
+    for (const Kernel &kernel : kernels)
+      {
+        const VoigtVector<2> s = QuadratureField<2>::get(
+          stress, kernel.point * QuadratureField<2>::n_components);
+        sum += kernel.field.of_stress[0] * s +
+               kappa * (kernel.field.of_stress[1] * s);
+      }
+    sum *= 4. / (kappa + 1.);
+    for (std::size_t i = 0; i < of_contact_forces.size(); ++i)
+      sum += of_contact_forces[i] * contact_forces[i];
+    return Utilities::MPI::sum(sum, body.space.communicator());
   }
 
 
 
-  IntensityFunctional
-  weight_function(Vector                   &&influence,
-                  const UnilateralBounds    &bounds,
-                  const std::vector<double> &of_lip)
+  double
+  InteractionIntegral::value(const double            t,
+                             const Sample           &sample,
+                             const MaterialState<2> &material,
+                             const PlaneElasticity  &at_tip) const
   {
-    std::vector<double> of_contact_forces(of_lip);
-    of_contact_forces.resize(bounds.dofs.size(), 0.);
-    for (std::size_t k = 0; k < of_contact_forces.size(); ++k)
-      of_contact_forces[k] += bounds.sign[k] * influence(bounds.dofs[k]);
-    return {std::move(influence), std::move(of_contact_forces)};
+    using Field         = QuadratureField<2>;
+    const double      k = material.stiffness_factor;
+    const InPlane     tip_law(at_tip);
+    const std::size_t n_branches =
+      sample.viscous_strain.size() > 0 ? material.fractions.size() : 0;
+
+    double of_strain = 0.;
+    for (const Kernel &kernel : kernels)
+      {
+        const std::size_t    offset = kernel.point * Field::n_components;
+        const VoigtVector<2> s      = Field::get(sample.state.stress, offset);
+        const InPlane        law((*material.stiffness)[kernel.point]);
+        VoigtVector<2>       strain = (law.strain(s) - tip_law.strain(s)) / k;
+        if (material.thermal_strain != nullptr)
+          strain += law.free_strain((*material.thermal_strain)[kernel.point]);
+        of_strain += kernel.field.of_strain * strain;
+        for (unsigned int i = 0; i < n_branches; ++i)
+          of_strain += material.fractions[i] *
+                       (kernel.of_viscous_strain *
+                        law.free_strain(Field::get(sample.viscous_strain,
+                                                   offset * n_branches +
+                                                     i * Field::n_components)));
+      }
+    const double of_variation =
+      k * at_tip.modulus() * of_strain + of_body_force(t, at_tip.kappa());
+    return of_uniform_body(sample.state.stress,
+                           sample.state.contact_forces,
+                           at_tip.kappa()) -
+           Utilities::MPI::sum(of_variation, body.space.communicator());
   }
 } // namespace Crevasse

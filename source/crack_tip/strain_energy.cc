@@ -12,8 +12,7 @@ namespace Crevasse
 
   StrainEnergy::StrainEnergy(const MaterialField<2> &material,
                              const PointGeometry    &points)
-    : material(material)
-    , points(points)
+    : points(points)
     , constant_compliance(
         material.stiffness_varies()
           ? std::nullopt
@@ -32,12 +31,11 @@ namespace Crevasse
 
 
   double
-  StrainEnergy::value(const double  t,
-                      const Vector &stress,
-                      const Vector &viscous_strain) const
+  StrainEnergy::value(const MaterialState<2> &state,
+                      const Vector           &stress,
+                      const Vector           &viscous_strain) const
   {
-    using Field                   = QuadratureField<2>;
-    const MaterialState<2>  state = material.at(t);
+    using Field = QuadratureField<2>;
     std::optional<Matrices> of_now;
     if (!constant_compliance)
       of_now = compliance_of(state);

@@ -5,6 +5,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/tip_region.h>
 #include <crevasse/discretisation/cell_values.h>
+#include <crevasse/material/plane_elasticity.h>
 #include <crevasse/parameters/parameters.h>
 
 #include <deal.II/base/mpi.h>
@@ -87,29 +88,32 @@ namespace Crevasse
 
 
 
-  TipRegion::TipRegion(const Space<2>                    &space,
-                       const PointGeometry               &points,
-                       const PointValues<VoigtMatrix<2>> &stiffness,
-                       const char                        *name)
+  TipRegion::TipRegion(const Space<2> &space)
     : communicator(space.communicator())
     , crack_tip(only_crack_tip(space.mesh(), space.roles(), setting()))
   {
     measure_cells(space);
     find_boundaries(space);
+    if (end < end_of_tip_cells * (1. - rounding))
+      throw SceneError(
+        setting() + ": the cells at the crack tip " +
+        Text::from_point(crack_tip.position) + " reach to " +
+        Text::from_number(end_of_tip_cells) +
+        " around it, but another boundary begins at " + Text::from_number(end) +
+        ". Make these cells smaller ([Geometry] Subdivisions or Refinements, "
+        "or [Refinement] Strategy = tip).");
+  }
+
+
+
+  TipRegion::Uniform
+  TipRegion::uniform(const PointGeometry               &points,
+                     const PointValues<VoigtMatrix<2>> &matrices) const
+  {
     std::optional<VoigtMatrix<2>> at_tip;
     for (std::size_t p = 0; p < points.cell.size() && !at_tip; ++p)
-      if (distance(points.cell[p]) == 0.)
-        at_tip = stiffness[p];
-    const bool is_isotropic =
-      Utilities::MPI::min(!at_tip || PlaneElasticity::is_isotropic(*at_tip) ? 1
-                                                                            : 0,
-                          communicator) == 1;
-    const std::string place = Text::from_point(crack_tip.position);
-    if (!is_isotropic)
-      throw SceneError(
-        setting() + ": the " + name + " at the crack tip " + place +
-        " is not isotropic in the plane, and K_I is known for isotropic "
-        "bodies only. Make it isotropic there, or set it to false.");
+      if (reach(points.cell[p]).first == 0.)
+        at_tip = matrices[p];
 
     // Of one rank that has the tip, for all.
     const unsigned int none = Utilities::MPI::n_mpi_processes(communicator);
@@ -122,27 +126,14 @@ namespace Crevasse
       Utilities::MPI::broadcast(communicator,
                                 at_tip.value_or(VoigtMatrix<2>()),
                                 root);
-
-    plane_elasticity.emplace(own);
-    const double boundary = end;
+    if (!PlaneElasticity::is_isotropic(own))
+      return {own, 0.};
+    double radius = end;
     for (std::size_t p = 0; p < points.cell.size(); ++p)
-      if ((stiffness[p] - own).norm() > rounding * own.norm())
-        end = std::min(end, distance(points.cell[p]));
-    end                     = Utilities::MPI::min(end, communicator);
-    ends_at_other_stiffness = end < boundary;
-    if (end < end_of_tip_cells * (1. - rounding))
-      throw SceneError(
-        setting() + ": the cells at the crack tip " + place + " reach to " +
-        Text::from_number(end_of_tip_cells) + " around it, but " +
-        (ends_at_other_stiffness
-           ? std::string("another ") + name +
-               " begins within them. Where it changes from place "
-               "to place at the tip itself, K_I is not known: set "
-               "it to false. Else make"
-           : "another boundary begins at " + Text::from_number(end) +
-               ". Make") +
-        " these cells smaller ([Geometry] Subdivisions or Refinements, or "
-        "[Refinement] Strategy = tip).");
+      if ((matrices[p] - own).norm() > rounding * own.norm())
+        radius = std::min(radius, reach(points.cell[p]).first);
+    radius = Utilities::MPI::min(radius, communicator);
+    return {own, radius < end_of_tip_cells * (1. - rounding) ? 0. : radius};
   }
 
 
@@ -198,15 +189,6 @@ namespace Crevasse
                 end = std::min(end, distance_of_segment(a, b));
             }
     end = Utilities::MPI::min(end, communicator);
-  }
-
-
-
-  bool
-  TipRegion::is_of_tip(const unsigned int cell) const
-  {
-    return !ends_at_other_stiffness || cells[cell].first == 0. ||
-           cells[cell].second < end * (1. - rounding);
   }
 
 

@@ -8,7 +8,6 @@
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>
-#include <crevasse/model/secular.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -16,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -28,16 +26,8 @@ namespace Crevasse
                                      const StepList     &steps)
     : scene(scene)
     , body(body)
-    , points(body.space, body.points)
-    , choice(choose_crack_tip_method(scene, body))
-    , region(body.space, points, *body.material.at(0.).stiffness, "stiffness")
-    , radius(choose_radius())
-    , fits(points,
-           body.lip,
-           region,
-           choose_fit_radius(),
-           body.space.communicator())
-    , energy(body.material, points)
+    , intensity(scene, body, steps)
+    , energy(body.material, intensity.points)
     , growth_law(describe_growth_law(scene.crack_tip))
     , no_c_star(find_viscous_region(split))
     , mean_load_vanishes(split.mean_load.size() > 0 && !split.effect.on)
@@ -52,74 +42,6 @@ namespace Crevasse
 
 
 
-  double
-  CrackTipAnalysis::choose_radius() const
-  {
-    const double wish = scene.crack_tip.radius;
-    if (wish == 0.)
-      return region.aligned_radius(region.largest_radius());
-    constexpr double rounding = 1e-10;
-    if (wish > region.largest_radius() * (1. + rounding) ||
-        wish < region.cell_radius() * (1. - rounding))
-      {
-        std::ostringstream message;
-        message << "[Crack tip] Radius = " << wish << ": must be at most "
-                << region.largest_radius()
-                << ", where another boundary or another stiffness begins, and "
-                   "at least "
-                << region.cell_radius()
-                << ", where the cells at the tip end; or 0.";
-        throw SceneError(message.str());
-      }
-    return wish;
-  }
-
-
-
-  double
-  CrackTipAnalysis::choose_fit_radius() const
-  {
-    if (scene.crack_tip.radius > 0.)
-      return scene.crack_tip.radius;
-    // The smaller disc, of half this radius, needs data.
-    const double least =
-      2. * WilliamsFit::least_radius(points, region, body.space.communicator());
-    constexpr double part = 0.5;
-    return std::min(region.largest_radius(),
-                    std::max({least,
-                              2. * region.cell_radius(),
-                              part * homogeneous_radius()}));
-  }
-
-
-
-  double
-  CrackTipAnalysis::homogeneous_radius() const
-  {
-    double radius = region.largest_radius();
-    for (const auto &fluidity : body.material.at(0.).fluidity)
-      try
-        {
-          if (!fluidity->is_uniform())
-            radius =
-              std::min(radius,
-                       TipRegion(body.space,
-                                 points,
-                                 transform(*fluidity,
-                                           body.points.n_local_points(),
-                                           PlaneElasticity::like_stiffness),
-                                 "fluidity")
-                         .largest_radius());
-        }
-      catch (const SceneError &)
-        {
-          return 0.; // It varies from the tip on.
-        }
-    return radius;
-  }
-
-
-
   std::string
   CrackTipAnalysis::find_viscous_region(const SecularSplit &split)
   {
@@ -127,21 +49,15 @@ namespace Crevasse
       return split.effect.why;
     if (const auto force = Effects::first_on(body.effects.volume_forces))
       return "there is a " + force->name + ", which the integral does not know";
-    const MaterialState<2>      material = body.material.at(0.);
-    std::optional<Viscosity<2>> viscosity;
+    const MaterialState<2> material = body.material.at(0.);
     collectively(body.space.communicator(), [&]() {
       viscosity = viscosity_of<2>(material, body.points.n_local_points());
     });
-    try
-      {
-        viscous_region.emplace(body.space, points, viscosity->sum, "viscosity");
-      }
-    catch (const SceneError &)
-      {
-        return "the viscosity is not isotropic and the same in all cells at "
+    viscous_region = intensity.region.uniform(intensity.points, viscosity->sum);
+    return viscous_region->radius > 0.
+             ? ""
+             : "the viscosity is not isotropic and the same in all cells at "
                "the crack tip";
-      }
-    return "";
   }
 
 
@@ -149,26 +65,11 @@ namespace Crevasse
   std::string
   CrackTipAnalysis::describe() const
   {
-    return "  crack tip: " + Text::from_point(region.tip().position) +
-           ", K_I by " + choice.name() + " (" + choice.why + ")" +
+    const std::string &why = intensity.why_no_integral();
+    return "  crack tip: " + Text::from_point(intensity.region.tip().position) +
+           ", K_I by " + intensity.method() +
+           (why.empty() ? "" : " (" + why + ")") +
            (growth_law.empty() ? "" : "; " + growth_law);
-  }
-
-
-
-  double
-  CrackTipAnalysis::modulus(const double t) const
-  {
-    const double k = body.law.stiffness_factor(t);
-    if (!body.material.stiffness_varies())
-      return k * region.elasticity().modulus();
-    return k * elasticity_at(region.tip(),
-                             body.space.mesh(),
-                             body.law,
-                             body.temperature,
-                             t,
-                             "[Crack tip] Stress intensity = true")
-                 .modulus();
   }
 
 
@@ -188,8 +89,12 @@ namespace Crevasse
     const dealii::Vector<float> squares = estimator.squares();
     double                      sum     = 0.;
     for (const auto &cell : owned_cells(body.space.mesh()))
-      if (region.is_of_tip(cell->active_cell_index()))
-        sum += squares(cell->active_cell_index());
+      {
+        const unsigned int i            = cell->active_cell_index();
+        const auto [begin, end_of_cell] = intensity.region.reach(i);
+        if (begin == 0. || end_of_cell < intensity.largest_radius())
+          sum += squares(i);
+      }
     return Utilities::MPI::sum(sum, body.space.communicator());
   }
 
@@ -198,14 +103,15 @@ namespace Crevasse
   void
   CrackTipAnalysis::require_no_force_at_tip(const StepList &steps) const
   {
-    const CrackTip &tip                 = region.tip();
+    const CrackTip &tip                 = intensity.region.tip();
     bool            is_held_along_crack = false;
     for (const FixedPoint<2> &fixed : fixed_points<2>(scene))
       for (unsigned int d = 0; d < 2; ++d)
         is_held_along_crack =
           is_held_along_crack ||
           (fixed.components[d] && std::abs(tip.ahead[d]) > 0.5 &&
-           fixed.point.distance(tip.position) < 1e-6 * region.cell_radius());
+           fixed.point.distance(tip.position) <
+             1e-6 * intensity.region.cell_radius());
     if (!is_held_along_crack)
       return;
     const unsigned int axis       = std::abs(tip.ahead[0]) > 0.5 ? 0 : 1;
@@ -240,45 +146,8 @@ namespace Crevasse
                                const CrackTipTable::File        &file,
                                Log                              &log) const
   {
-    std::optional<CrackTipTable::Integrals> integrals;
-    if (choice.integral)
-      {
-        const UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
-        const auto             influence_on = [&](const Vector &functional) {
-          return elastic_displacement<2>(
-            scene, body, systems, functional, false);
-        };
-        const auto over_square = [&](const double size) {
-          const IntensityFunctional integral =
-            interaction_integral(body, region, size);
-          return weight_function(influence_on(integral.of_vector),
-                                 bounds,
-                                 integral.of_contact_forces);
-        };
-        const double small =
-          std::max(region.aligned_radius(0.5 * radius), region.cell_radius());
-        integrals.emplace(CrackTipTable::Integrals{over_square(radius),
-                                                   over_square(small),
-                                                   {}});
-        if (const SingularShapes *shapes = body.space.singular_shapes())
-          {
-            const auto first = body.space.singular_unknown(0);
-            Vector     coefficient;
-            body.strain_operator.initialize(coefficient);
-            if (coefficient.in_local_range(first))
-              coefficient(first) = shapes->functions().unit_stress_intensity;
-            integrals->singular =
-              weight_function(influence_on(coefficient), bounds, {});
-          }
-      }
-    return std::make_unique<CrackTipTable>(*this,
-                                           std::move(integrals),
-                                           relative_energy_error(systems,
-                                                                 steps),
-                                           steps,
-                                           flow,
-                                           file,
-                                           log);
+    return std::make_unique<CrackTipTable>(
+      *this, relative_energy_error(systems, steps), steps, flow, file, log);
   }
 
 
@@ -288,14 +157,28 @@ namespace Crevasse
   {
     if (mean_load_vanishes)
       return 0.;
-    if (!viscous_region || flow == nullptr)
+    if (!no_c_star.empty() || flow == nullptr)
       return {};
-    const double K = interaction_integral(body,
-                                          *viscous_region,
-                                          viscous_region->aligned_radius(
-                                            viscous_region->largest_radius()))
-                       .value(flow->velocity, flow->contact_forces);
-    return K * K / viscous_region->elasticity().modulus();
+    Vector stress;
+    body.points.initialize(stress);
+    body.strain_operator.for_each_strain(
+      flow->velocity,
+      [&](const std::size_t offset, const VoigtVector<2> &strain_rate) {
+        const std::size_t point = offset / QuadratureField<2>::n_components;
+        QuadratureField<2>::set(stress,
+                                offset,
+                                viscosity->sum[point] * strain_rate);
+      });
+    const PlaneElasticity viscous(viscous_region->matrix);
+    const double size = intensity.region.aligned_radius(viscous_region->radius);
+    const double K =
+      InteractionIntegral(body,
+                          intensity.points,
+                          intensity.region,
+                          scene.loads,
+                          {size, size, size})
+        .of_uniform_body(stress, flow->contact_forces, viscous.kappa());
+    return K * K / viscous.modulus();
   }
 
 
@@ -320,14 +203,15 @@ namespace Crevasse
         energy        = std::max(energy, values.energy);
       }
 
-    auto &tip        = summary["crack_tip"];
-    tip["method"]    = choice.name();
-    tip["why"]       = choice.why;
-    tip["position"]  = {region.tip().position[0], region.tip().position[1]};
-    tip["radius"]    = choice.integral ? radius : choose_fit_radius();
-    tip["K_I"]       = {{"largest", history.largest()},
-                        {"smallest", history.least()}};
-    tip["K_I_error"] = error;
+    auto &tip                  = summary["crack_tip"];
+    tip["method"]              = intensity.method();
+    tip["why"]                 = intensity.why_no_integral();
+    tip["position"]            = {intensity.region.tip().position[0],
+                                  intensity.region.tip().position[1]};
+    tip["radius"]              = intensity.radius();
+    tip["K_I"]                 = {{"largest", history.largest()},
+                                  {"smallest", history.least()}};
+    tip["K_I_error"]           = error;
     tip["energy_release_rate"] = {{"largest", most_release},
                                   {"smallest", least_release}};
     tip["strain_energy"]       = {{"largest", energy}};
@@ -374,8 +258,9 @@ namespace Crevasse
     const double     density =
       energy / GridTools::volume(
                  static_cast<const Triangulation<2> &>(body.space.mesh()));
-    const double usual =
-      std::sqrt(modulus(0.) * density * region.largest_radius());
+    const double usual = std::sqrt(body.law.stiffness_factor(0.) *
+                                   intensity.elasticity(0.).modulus() *
+                                   density * intensity.largest_radius());
     if (const double size =
           std::max(std::abs(history.largest()), std::abs(history.least()));
         error > large * size && size > negligible * usual)

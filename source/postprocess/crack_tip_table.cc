@@ -4,25 +4,29 @@
 #include <crevasse/base/state_archive.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace Crevasse
 {
+  using namespace dealii;
+
   CrackTipTable::CrackTipTable(const CrackTipAnalysis           &analysis,
-                               std::optional<Integrals>        &&integrals,
                                const double                      relative_error,
                                const StepList                   &steps,
                                const std::optional<SecularFlow> &flow,
                                const File                       &file,
                                Log                              &log)
     : analysis(analysis)
-    , integrals(std::move(integrals))
     , relative_error(relative_error)
     , steps(steps)
     , flow(flow)
     , log(log)
-    , has_singular_function(this->integrals && this->integrals->singular)
+    , has_singular_function(analysis.body.space.singular_shapes() != nullptr &&
+                            !analysis.body.effects.viscosity.on &&
+                            !analysis.body.material.stiffness_varies())
   {
     if (file.name.empty())
       return;
@@ -40,38 +44,28 @@ namespace Crevasse
   CrackTipTable::Values
   CrackTipTable::evaluate(const Sample &sample)
   {
-    const double       t      = steps.within_period(sample.instant);
-    const auto        &g      = sample.state.contact_forces;
-    const auto        &stress = sample.state.stress;
-    Values             values{};
-    const double       open = analysis.fits.open_length(sample.state);
-    const WilliamsFit &fit  = analysis.fits.within(open);
-    // Creep may have left a singular stress at a closed tip.
-    const bool is_closed = open == 0. && !analysis.body.effects.viscosity.on;
-    values.of_stress     = is_closed ? 0. : fit.value(stress, g);
-    if (integrals)
+    const double           t        = steps.within_period(sample.instant);
+    const MaterialState<2> material = analysis.body.material.at(t);
+    Values values{analysis.intensity.evaluate(t, sample, material), 0., 0., 0.};
+    if (has_singular_function)
       {
-        nodal_forces.reinit(sample.state.displacement, true);
-        analysis.body.loads.evaluate(t, nodal_forces);
-        const double large = integrals->large.value(nodal_forces, g);
-        values.intensity   = is_closed ? 0. : large;
-        values.error =
-          std::max(std::abs(large - integrals->small.value(nodal_forces, g)),
-                   std::abs(large - values.of_stress));
-        if (has_singular_function)
-          values.of_singular_function =
-            integrals->singular->value(nodal_forces, g);
-      }
-    else
-      {
-        values.intensity = values.of_stress;
-        values.error     = is_closed ? 0. : std::abs(fit.correction(stress, g));
+        const Space<2> &space = analysis.body.space;
+        const Vector   &u     = sample.state.displacement;
+        const auto      first = space.singular_unknown(0);
+        values.of_singular_function =
+          material.stiffness_factor *
+          space.singular_shapes()->functions().unit_stress_intensity *
+          Utilities::MPI::sum(u.in_local_range(first) ? u(first) : 0.,
+                              space.communicator());
       }
     values.error =
       std::max(values.error, relative_error * std::abs(values.intensity));
     values.release_rate =
-      values.intensity * values.intensity / analysis.modulus(t);
-    values.energy = analysis.energy.value(t, stress, sample.viscous_strain);
+      values.intensity * values.intensity /
+      (material.stiffness_factor * analysis.intensity.elasticity(t).modulus());
+    values.energy = analysis.energy.value(material,
+                                          sample.state.stress,
+                                          sample.viscous_strain);
     return values;
   }
 

@@ -12,9 +12,10 @@ EDGES = {4: ((0, 1), (1, 2), (2, 3), (3, 0)),
 
 
 def write(name, n_r, n_phi, order=2, radii=(1., 2.), length=None,
-          material=lambda r: 10, move=lambda r, phi: (r, phi)):
+          material=lambda r: 10, move=lambda r, phi: (r, phi), crack=0):
     """Format 2.2. Cells are cut along radii and circles; @p material numbers
-    those around a radius; @p move changes the polar coordinates of a node."""
+    those around a radius; @p move changes the polar coordinates of a node; on
+    y = 0 as many cells as @p crack says, from inside, have the id 7."""
     numbers = {}
 
     def node(key):
@@ -38,7 +39,7 @@ def write(name, n_r, n_phi, order=2, radii=(1., 2.), length=None,
             cell = [(2 * (i + a), 2 * (j + b)) for a, b in
                     ((0, 0), (1, 0), (1, 1), (0, 1))]
             sides = [(group_of_side, [cell[a], cell[b]]) for group_of_side, a, b, on in
-                     ((1, 0, 1, j == 0), (2, 2, 3, j == n_phi - 1),
+                     ((7 if i < crack else 1, 0, 1, j == 0), (2, 2, 3, j == n_phi - 1),
                       (3, 3, 0, i == 0), (4, 1, 2, i == n_r - 1)) if on]
 
             def at(points, z):

@@ -4,72 +4,121 @@
 #ifndef crevasse_crack_tip_interaction_integral_h
 #define crevasse_crack_tip_interaction_integral_h
 
+#include <crevasse/crack_tip/auxiliary_field.h>
 #include <crevasse/crack_tip/tip_region.h>
+#include <crevasse/material/plane_elasticity.h>
 #include <crevasse/model/body.h>
+#include <crevasse/time/observer.h>
 
+#include <utility>
 #include <vector>
 
 namespace Crevasse
 {
-  /** K_I = k·v + l·g, for a vector v of the nodes and the contact forces g. */
-  struct IntensityFunctional
-  {
-    Vector              of_vector;         ///< k
-    std::vector<double> of_contact_forces; ///< l, for local nodes of the lip
-
-    /** K_I. Collective. */
-    double
-    value(const Vector &v, const std::vector<double> &contact_forces) const;
-  };
-
   /**
-   * The stress intensity factor K_I as a linear function of an elastic
-   * displacement u and of the contact forces g, by the interaction integral
-   * (Yau, Wang, Corten, J. Appl. Mech. 47, 1980) of the half body above the
-   * crack,
+   * The stress intensity factor K_I as a linear function of the stress, by the
+   * interaction integral (Yau, Wang, Corten, J. Appl. Mech. 47, 1980) of the
+   * half body above the crack, in the form of Betti's theorem. With the
+   * auxiliary field of K_I = 1, differentiated along the crack (σ^B ~ r^(−3/2),
+   * displacement u^B, stress function φ^B ~ √r), and a weight q,
    *
-   *     I = ∫ [σ_ij ∂u^a_i/∂X + σ^a_ij ∂u_i/∂X − σ_kl ε^a_kl δ_1j] ∂q/∂x_j dA
-   *         − ∫_lip t_i ∂u^a_i/∂X q ds,              K_I = E'/2 · 2 I.
+   *     w = q u^B,     τ = curl curl (q φ^B) = q σ^B + τ′,
    *
-   * u^a is the first term of Williams' series with K_I = 1. The factor 2 is the
-   * other half of the body: the energy that a crack releases is that of both.
+   *     K_I = E' ∫ [s:ε(w) − ε(u):τ − b·w] dA + ∫_lip 2 p q / √(2πr) ds
+   *         = ∫ s:N dA − E' ∫ [(S − S_tip) s + ε*]:τ dA − …,
+   *     N   = E' (sym(∇q ⊗ u^B) − S_tip τ′).
+   *
+   * S is the compliance in the plane and ε* the strain without stress; τ is in
+   * equilibrium and leaves the lip free, so that compatible strains such as a
+   * uniform one contribute nothing. No derivative of moduli or strains occurs:
+   * they may vary and jump (the "incompatibility formulation": Dolbow, Gosz,
+   * Int. J. Solids Struct. 39, 2002; Kim, Paulino, J. Appl. Mech. 72, 2005).
+   *
+   * Viscous strain is as singular as the stress, and its product with τ only
+   * conditionally integrable. But where the creep is isotropic and the same
+   * everywhere, it is compatible like S_tip s. So only what it does outside a
+   * square in which it is so enters, with τ of q less τ of the smaller square's
+   * weight; around a tip where the creep varies, the error of doing so is
+   * linear in the size a of this square, and 2 K_I(a) − K_I(2a) is taken.
+   *
    * The weight is q = (1 − X²/R²)² (1 − Y²/R²)² in the square |X| ≤ R, 0 ≤ Y ≤
-   * R, and its gradient vanishes at the tip and where q ends. On the lip the
-   * contact pressure p leaves the term ∫ 2 p q / √(2πr) ds.
-   *
-   * q is not interpolated: it is smooth on any mesh, hanging nodes or not, and
-   * so the functional differs from that of the continuous body by nothing but
-   * the quadrature. By Betti's theorem its error is then the square of that of
-   * the energy norm's.
-   *
-   * u must be an elastic displacement under tractions; what creeps has
-   * gradients of its own.
-   *
-   * Collective. @param radius R, with nothing but lip and plane of symmetry in
-   * the square: see TipRegion::largest_radius().
+   * R. In each cell N and τ are projected to the polynomials through its
+   * points, so that a polynomial stress is integrated exactly. By Betti's
+   * theorem the error of K_I is the square of that of the energy norm's.
    */
-  IntensityFunctional
-  interaction_integral(const Body<2>   &body,
-                       const TipRegion &region,
-                       const double     radius);
+  class InteractionIntegral
+  {
+  public:
+    /** Squares, by half their side. */
+    struct Squares
+    {
+      double size; ///< R, at most TipRegion::largest_radius()
+      /** Where creep is no more the same everywhere. */
+      double uniform_creep;
+      /** a, where it varies around the tip or thermal strain makes it. */
+      double varying_creep;
+    };
 
-  /**
-   * What K_I loads and contact forces cause in an elastic body (Bueckner's
-   * weight function, of the discretised body): with the displacement u of A u =
-   * F + Lᵀ g, K_I = k·u + l·g, by the interaction integral or by the
-   * coefficient of a singular function (l = 0), is
-   *
-   *     K_I = z·F + Σ (L z + l)_i g_i,       A z = k.
-   *
-   * One solve serves all instants. A factor of A leaves K_I as it is.
-   *
-   * @param influence z
-   * @param bounds those of the contact forces, the nodes of the lip first.
-   * @param of_lip l, for the nodes of the lip. */
-  IntensityFunctional
-  weight_function(Vector                   &&influence,
-                  const UnilateralBounds    &bounds,
-                  const std::vector<double> &of_lip);
+    /** Collective. All arguments must outlive this object. */
+    InteractionIntegral(const Body<2>        &body,
+                        const PointGeometry  &points,
+                        const TipRegion      &region,
+                        const LoadParameters &loads,
+                        const Squares        &squares);
+
+    /** K_I of an instant. Collective.
+     * @param t within the period.
+     * @param material of this instant.
+     * @param at_tip its stiffness there, without the factor k. */
+    double
+    value(const double            t,
+          const Sample           &sample,
+          const MaterialState<2> &material,
+          const PlaneElasticity  &at_tip) const;
+
+    /** K_I = ∫ s:N dA + ∫_lip …, of a body that is the same everywhere in the
+     * square and bears neither free strain nor body force there: elastic, or
+     * viscous with the stress of a flow. Collective. */
+    double
+    of_uniform_body(const Vector              &stress,
+                    const std::vector<double> &contact_forces,
+                    const double               kappa) const;
+
+  private:
+    /** What is multiplied at a point, times its share of the area. */
+    struct Kernel
+    {
+      std::size_t    point = 0;
+      AuxiliaryField field;
+      VoigtVector<2> of_viscous_strain;
+
+      void
+      add(const double factor, const Kernel &other)
+      {
+        field.add(factor, other.field);
+        of_viscous_strain += factor * other.of_viscous_strain;
+      }
+    };
+
+    void
+    integrate_over_cells(const Squares &squares);
+
+    /** A uniform strain contributes nothing, to rounding: the rules in the
+     * cells at the tip are not exact. */
+    void
+    balance();
+
+    /** Of all components of the body force at an instant. */
+    double
+    of_body_force(const double t, const double kappa) const;
+
+    const Body<2>                                   &body;
+    const PointGeometry                             &points;
+    const TipRegion                                 &region;
+    std::vector<std::pair<unsigned int, Expression>> body_force;
+    std::vector<Kernel>                              kernels;
+    std::vector<double>                              of_contact_forces;
+  };
 } // namespace Crevasse
 
 #endif

@@ -27,11 +27,11 @@ namespace Crevasse
     /** Collective. Both must outlive this object. */
     StrainEnergy(const MaterialField<2> &material, const PointGeometry &points);
 
-    /** Collective. @param t within the period. */
+    /** Collective. @param state the material of the instant. */
     double
-    value(const double  t,
-          const Vector &stress,
-          const Vector &viscous_strain) const;
+    value(const MaterialState<2> &state,
+          const Vector           &stress,
+          const Vector           &viscous_strain) const;
 
   private:
     using Matrices = PointValues<VoigtMatrix<2>>;
@@ -39,7 +39,6 @@ namespace Crevasse
     Matrices
     compliance_of(const MaterialState<2> &state) const;
 
-    const MaterialField<2>       &material;
     const PointGeometry          &points;
     const std::optional<Matrices> constant_compliance; ///< if it is constant
   };

@@ -8,7 +8,7 @@
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/space.h>
-#include <crevasse/material/plane_elasticity.h>
+#include <crevasse/material/voigt.h>
 
 #include <optional>
 #include <utility>
@@ -31,25 +31,17 @@ namespace Crevasse
 
 
   /**
-   * The surroundings of a crack tip in which the body is the same everywhere
-   * and ends nowhere but at the lip and the plane of symmetry. Distances are
-   * max(|X|, |Y|): they belong to squares |X| ≤ R, 0 ≤ Y ≤ R.
+   * The surroundings of a crack tip, in which the body ends nowhere but at the
+   * lip and the plane of symmetry. Distances are max(|X|, |Y|): they belong to
+   * squares |X| ≤ R, 0 ≤ Y ≤ R.
    */
   class TipRegion
   {
   public:
-    /**
-     * Collective.
-     *
-     * @param stiffness at the quadrature points, or the viscosity.
-     * @param name of it, for messages.
-     * @throw SceneError if it is not isotropic at the tip, or not the same in
-     * all cells at the tip.
+    /** Collective.
+     * @throw SceneError if another boundary begins within the cells at the tip.
      */
-    TipRegion(const Space<2>                    &space,
-              const PointGeometry               &points,
-              const PointValues<VoigtMatrix<2>> &stiffness,
-              const char                        *name);
+    explicit TipRegion(const Space<2> &space);
 
     const CrackTip &
     tip() const
@@ -57,19 +49,26 @@ namespace Crevasse
       return crack_tip;
     }
 
-    /** Of the stiffness at the tip. */
-    const PlaneElasticity &
-    elasticity() const
-    {
-      return *plane_elasticity;
-    }
-
-    /** Where another boundary or another stiffness begins. */
+    /** Where another boundary begins. */
     double
     largest_radius() const
     {
       return end;
     }
+
+    /** What a stiffness or viscosity is in the cells at the tip, and where it
+     * is no more that, at most largest_radius(); 0 if it differs within these
+     * cells or is not isotropic in the plane there. */
+    struct Uniform
+    {
+      VoigtMatrix<2> matrix;
+      double         radius;
+    };
+
+    /** Collective. */
+    Uniform
+    uniform(const PointGeometry               &points,
+            const PointValues<VoigtMatrix<2>> &matrices) const;
 
     /** Of the cells that have the tip as a vertex. */
     double
@@ -83,34 +82,36 @@ namespace Crevasse
     double
     aligned_radius(const double at_most) const;
 
-    /** Whether a cell of this rank is of the body around the tip: any is,
-     * unless another stiffness begins; then those that do not touch it. */
-    bool
-    is_of_tip(const unsigned int cell) const;
-
-    /** From where on a cell of this rank reaches outwards, by its active cell
-     * index; 0 at the tip. */
-    double
-    distance(const unsigned int cell) const
-    {
-      return cells[cell].first;
-    }
-
-  private:
     /** From where to where a cell reaches. */
     using Interval = std::pair<double, double>;
 
+    /** That of a cell of this rank, by its active cell index; from 0 on at the
+     * tip. */
+    const Interval &
+    reach(const unsigned int cell) const
+    {
+      return cells[cell];
+    }
+
+    /** Whether a square of this size cuts a cell, but for rounding. */
+    static bool
+    is_within(const double size, const Interval &reach)
+    {
+      constexpr double rounding = 1e-10;
+      return reach.first < size * (1. - rounding) &&
+             size * (1. + rounding) < reach.second;
+    }
+
+  private:
     void
     measure_cells(const Space<2> &space);
     void
     find_boundaries(const Space<2> &space);
 
-    const MPI_Comm                 communicator;
-    const CrackTip                 crack_tip;
-    std::vector<Interval>          cells; ///< by active cell index
-    std::optional<PlaneElasticity> plane_elasticity;
-    double                         end = 0., end_of_tip_cells = 0.;
-    bool                           ends_at_other_stiffness = false;
+    const MPI_Comm        communicator;
+    const CrackTip        crack_tip;
+    std::vector<Interval> cells; ///< by active cell index
+    double                end = 0., end_of_tip_cells = 0.;
   };
 } // namespace Crevasse
 

@@ -18,6 +18,7 @@
 #include <crevasse/temperature/temperature.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace Crevasse
@@ -57,9 +58,17 @@ namespace Crevasse
     const ExternalLoads<dim>   loads;
   };
 
-  /** The elastic body around a tip at an instant, without its factor k.
-   * @throw SceneError if it is not isotropic, or not the same in all cells
-   * that have the tip for a vertex. */
+  /** What a property of the material tends to at a tip, if that is the same
+   * from all sides. Around the tip it may vary. */
+  std::optional<VoigtMatrix<2>>
+  limit_at(const CrackTip                 &tip,
+           const dealii::Triangulation<2> &mesh,
+           const Property<VoigtMatrix<2>> &property,
+           const Temperature<2>           &temperature,
+           const double                    t);
+
+  /** The elastic body at a tip at an instant, without its factor k.
+   * @throw SceneError if it is not isotropic, or has no limit there. */
   PlaneElasticity
   elasticity_at(const CrackTip                 &tip,
                 const dealii::Triangulation<2> &mesh,

@@ -6,12 +6,12 @@
 
 #include <crevasse/base/log.h>
 #include <crevasse/base/summary.h>
-#include <crevasse/crack_tip/nested_fits.h>
 #include <crevasse/crack_tip/strain_energy.h>
 #include <crevasse/model/contact_system_cache.h>
+#include <crevasse/model/secular.h>
 #include <crevasse/model/secular_problem.h>
-#include <crevasse/postprocess/crack_tip_choice.h>
 #include <crevasse/postprocess/crack_tip_table.h>
+#include <crevasse/postprocess/stress_intensity.h>
 
 #include <memory>
 #include <optional>
@@ -36,7 +36,7 @@ namespace Crevasse
     describe() const;
 
     /** The observer of a run, which in the end adds "crack_tip" to the summary
-     * and prints a few lines. Solves for the weight functions. References must
+     * and prints a few lines. References must
      * outlive the table.
      *
      * @param flow none: none was found. */
@@ -56,8 +56,8 @@ namespace Crevasse
               Summary             &summary,
               Log                 &log) const;
 
-    /** Of the elastic body at the extreme loads, in the cells of the tip: what
-     * the mesh leaves. */
+    /** Of the elastic body at the extreme loads, in the cells around the tip
+     * that touch no other material: what the mesh leaves. */
     double
     relative_energy_error(ContactSystemCache<2> &systems,
                           const StepList        &steps) const;
@@ -66,17 +66,7 @@ namespace Crevasse
     void
     require_no_force_at_tip(const StepList &steps) const;
 
-    double
-    choose_radius() const;
-    double
-    choose_fit_radius() const;
-
-    /** Of the square where the body creeps everywhere alike: there the stress
-     * is Williams' series whatever the rest of the body does; 0: none. */
-    double
-    homogeneous_radius() const;
-
-    /** What hinders C* from being known; empty: nothing. Makes the region of
+    /** What hinders C* from being known; empty: nothing. Finds the square of
      * the viscosity. */
     std::string
     find_viscous_region(const SecularSplit &split);
@@ -86,7 +76,7 @@ namespace Crevasse
     std::optional<double>
     c_star(const SecularFlow *flow) const;
 
-    /** @param energy the largest strain energy of the history. */
+    /** @param energy the largest strain energy of the last period. */
     void
     warn_of_uncertainty(const TipHistory &history,
                         const double      error,
@@ -94,22 +84,15 @@ namespace Crevasse
                         Summary          &summary,
                         Log              &log) const;
 
-    /** E' = 8μ/(κ + 1) at an instant within the period. */
-    double
-    modulus(const double t) const;
-
-    const Scene                   &scene;
-    const Body<2>                 &body;
-    const PointGeometry            points;
-    const CrackTipChoice           choice;
-    const TipRegion                region;
-    const double                   radius; ///< of the integral
-    const NestedFits               fits;
-    const StrainEnergy             energy;
-    const std::string              growth_law; ///< its description; empty: none
-    std::optional<const TipRegion> viscous_region;
-    const std::string              no_c_star; ///< why; empty: known
-    const bool                     mean_load_vanishes;
+    const Scene                &scene;
+    const Body<2>              &body;
+    const StressIntensity       intensity;
+    const StrainEnergy          energy;
+    const std::string           growth_law; ///< its description; empty: none
+    std::optional<Viscosity<2>> viscosity;  ///< if there is a C*
+    std::optional<TipRegion::Uniform> viscous_region; ///< likewise
+    const std::string                 no_c_star;      ///< why; empty: known
+    const bool                        mean_load_vanishes;
   };
 } // namespace Crevasse
 

@@ -7,7 +7,7 @@
 #include <crevasse/base/csv_table.h>
 #include <crevasse/base/log.h>
 #include <crevasse/crack_tip/growth_law.h>
-#include <crevasse/crack_tip/interaction_integral.h>
+#include <crevasse/postprocess/stress_intensity.h>
 #include <crevasse/time/observer.h>
 #include <crevasse/time/secular_flow.h>
 #include <crevasse/time/step_list.h>
@@ -24,34 +24,19 @@ namespace Crevasse
   /**
    * crack_tip.csv: what is read off at the crack tip at each accepted step.
    *
-   * K_I is that of the interaction integral where there is one, or else of the
-   * fit, which K_I_stress is in any case. K_I_singular is the coefficient of
-   * the singular function that opens the crack, in the displacement of an
-   * elastic body under the same forces. K_I_error is the largest of three: the
-   * difference between the integrals over two squares, that between integral
-   * and fit, and what the mesh leaves, |K_I| times the relative error of the
-   * elastic energy as StressEstimator has it; without the integral, of the
-   * difference of the fits to two discs and the last. It is no bound. K_I and
-   * K_I_stress are 0 where nothing creeps and the node next to the tip is
-   * closed; what the integral has there is its error.
+   * See StressIntensity::Estimate for K_I and K_I_stress. K_I_singular is the
+   * coefficient of the singular function that opens the crack, of an elastic
+   * body. K_I_error is the error there, or |K_I| times the relative error of
+   * the elastic energy as StressEstimator has it in the cells around the tip,
+   * if that is larger. It is no bound.
    */
   class CrackTipTable : public Observer
   {
   public:
     /** The numbers of a step. */
-    struct Values
+    struct Values : StressIntensity::Estimate
     {
-      double intensity, of_stress, of_singular_function, error, release_rate,
-        energy;
-    };
-
-    /** Weight functions: of the interaction integral over two squares, and of
-     * the coefficient of the singular function that opens the crack, if there
-     * is one. */
-    struct Integrals
-    {
-      IntensityFunctional                large, small;
-      std::optional<IntensityFunctional> singular;
+      double of_singular_function, release_rate, energy;
     };
 
     /** Where its rows go. */
@@ -63,11 +48,9 @@ namespace Crevasse
 
     /** References must outlive this object.
      *
-     * @param integrals none: the fit serves for K_I
      * @param relative_error of the elastic energy
      * @param flow none: none was found. */
     CrackTipTable(const CrackTipAnalysis           &analysis,
-                  std::optional<Integrals>        &&integrals,
                   const double                      relative_error,
                   const StepList                   &steps,
                   const std::optional<SecularFlow> &flow,
@@ -102,13 +85,11 @@ namespace Crevasse
     evaluate(const Sample &sample);
 
     const CrackTipAnalysis           &analysis;
-    const std::optional<Integrals>    integrals;
     const double                      relative_error;
     const StepList                   &steps;
     const std::optional<SecularFlow> &flow;
     Log                              &log;
     const bool                        has_singular_function;
-    Vector                            nodal_forces;
     std::unique_ptr<CsvTable>         table;
     TipHistory                        history;
     std::vector<Values>               of_last_period;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_crack_tip_auxiliary_field_h
+#define crevasse_crack_tip_auxiliary_field_h
+
+#include <crevasse/discretisation/crack_tip.h>
+#include <crevasse/material/voigt.h>
+
+#include <array>
+#include <cmath>
+
+namespace Crevasse
+{
+  /** The weight q = (1 − X²/R²)² (1 − Y²/R²)² of the interaction integral, the
+   * product of a factor of X and one of Y. */
+  struct SquareWeight
+  {
+    const double radius; ///< R
+
+    /** A factor and its first two derivatives; 0 outside of the square. */
+    std::array<double, 3>
+    factor(const double x) const
+    {
+      const double s = x / radius, rest = 1. - s * s;
+      if (std::abs(s) >= 1.)
+        return {};
+      return {{rest * rest,
+               -4. * s * rest / radius,
+               4. * (3. * s * s - 1.) / (radius * radius)}};
+    }
+  };
+
+  /**
+   * What the interaction integral multiplies at a point, from the auxiliary
+   * field times the weight: see InteractionIntegral. N and E' w are
+   * (f₀ + κ f₁) 4/(κ + 1); all is in the coordinates of the mesh.
+   */
+  struct AuxiliaryField
+  {
+    /** Nothing anywhere. */
+    AuxiliaryField() = default;
+
+    /** @param point not the tip itself. */
+    AuxiliaryField(const CrackTip         &tip,
+                   const dealii::Point<2> &point,
+                   const SquareWeight     &weight);
+
+    /** Adds a field times a factor. */
+    void
+    add(const double factor, const AuxiliaryField &other);
+
+    std::array<VoigtVector<2>, 2>       of_stress; ///< N, with shears twofold
+    std::array<dealii::Tensor<1, 2>, 2> of_force;  ///< E' w
+    VoigtVector<2>                      of_strain; ///< τ
+  };
+} // namespace Crevasse
+
+#endif

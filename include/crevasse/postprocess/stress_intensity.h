@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_postprocess_stress_intensity_h
+#define crevasse_postprocess_stress_intensity_h
+
+#include <crevasse/crack_tip/interaction_integral.h>
+#include <crevasse/crack_tip/nested_fits.h>
+#include <crevasse/time/step_list.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace Crevasse
+{
+  /**
+   * K_I of a run at its instants: by the integrals over two squares, where the
+   * field at the tip is Williams' series (the moduli are isotropic there and
+   * the same on all sides), and by the fit. Squares and discs end where another
+   * boundary or material begins.
+   */
+  class StressIntensity
+  {
+  public:
+    /** All 0 where nothing creeps and the node next to the tip is closed. */
+    struct Estimate
+    {
+      double intensity, of_stress;
+      /** The larger of the difference between the integrals over two squares
+       * and that between integral and fit, less what the fit to two discs
+       * differs by; without the integral, the latter. */
+      double error;
+    };
+
+    /** Collective. Arguments must outlive this object.
+     * @throw SceneError if the tip is not one whose field is known, or [Crack
+     * tip] Radius or Method does not fit it. */
+    StressIntensity(const Scene    &scene,
+                    const Body<2>  &body,
+                    const StepList &steps);
+
+    StressIntensity(const StressIntensity &) = delete;
+
+    /** Collective. @param t within the period. @param material of that. */
+    Estimate
+    evaluate(const double            t,
+             const Sample           &sample,
+             const MaterialState<2> &material) const;
+
+    /** "interaction integral" or "williams fit", and why the latter. */
+    std::string
+    method() const
+    {
+      return name_of(integrals ? StressIntensityMethod::interaction_integral
+                               : StressIntensityMethod::williams_fit);
+    }
+    const std::string &
+    why_no_integral() const
+    {
+      return no_integral;
+    }
+
+    /** That of the law at the tip at an instant within the period, without its
+     * factor k. */
+    PlaneElasticity
+    elasticity(const double t) const
+    {
+      return body.material.stiffness_varies() ? find_elasticity(t)
+                                              : first_elasticity;
+    }
+
+    /** Where another boundary or another stiffness begins. */
+    double
+    largest_radius() const
+    {
+      return uniform.stiffness > 0. ? uniform.stiffness
+                                    : region.largest_radius();
+    }
+
+    /** Of the square, or of the largest disc of the fit. */
+    double
+    radius() const
+    {
+      return integrals ? square : fit_radius;
+    }
+
+    const Scene        &scene;
+    const Body<2>      &body;
+    const PointGeometry points;
+    const TipRegion     region;
+
+  private:
+    /** Half the sides of squares, over the whole period; 0: it varies from the
+     * tip on. */
+    struct UniformRadii
+    {
+      double stiffness;
+      /** Where besides all points creep alike and no strain but theirs makes
+       * stress: there the stress is Williams' series whatever the rest of the
+       * body does. */
+      double creep;
+    };
+
+    using Integrals = std::pair<InteractionIntegral, InteractionIntegral>;
+
+    PlaneElasticity
+    find_elasticity(const double t) const;
+
+    UniformRadii
+    find_uniform_radii(const StepList &steps) const;
+
+    /** Why the integral is not taken; empty: it is.
+     * @throw SceneError if Method asks for it where it is not right. */
+    std::string
+    find_no_integral(const StepList &steps) const;
+
+    double
+    choose_square() const;
+
+    Integrals
+    make_integrals() const;
+
+    double
+    choose_fit_radius() const;
+
+    const PlaneElasticity          first_elasticity; ///< at t = 0
+    const UniformRadii             uniform;
+    const std::string              no_integral; ///< why; empty: there is one
+    const double                   square;      ///< of the integral
+    const std::optional<Integrals> integrals;   ///< large and small
+    const double                   fit_radius;
+    const NestedFits               fits;
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/crack_tip/auxiliary_field.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <algorithm>
+#include <complex>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** A symmetric tensor with these components in the coordinates of the tip
+     * as a vector in those of the mesh. */
+    VoigtVector<2>
+    to_mesh(const CrackTip              &tip,
+            const std::array<double, 3> &t, // 11, 22, 12
+            const double                 of_shear)
+    {
+      const Tensor<2, 2> turn = tip.to_local();
+      Tensor<2, 2>       local;
+      local[0][0] = t[0];
+      local[1][1] = t[1];
+      local[0][1] = local[1][0] = t[2];
+      const Tensor<2, 2> tensor = transpose(turn) * local * turn;
+      VoigtVector<2>     vector;
+      vector[0] = tensor[0][0];
+      vector[1] = tensor[1][1];
+      vector[3] = of_shear * tensor[0][1];
+      return vector;
+    }
+
+
+
+    Tensor<1, 2>
+    to_mesh(const CrackTip &tip, const Complex &u)
+    {
+      return tip.global(Tensor<1, 2>({u.real(), u.imag()}));
+    }
+  } // namespace
+
+
+
+  AuxiliaryField::AuxiliaryField(const CrackTip     &tip,
+                                 const Point<2>     &point,
+                                 const SquareWeight &weight)
+  {
+    const Point<2> local = tip.local(point);
+    const auto     f = weight.factor(local[0]), g = weight.factor(local[1]);
+    if (f[0] == 0. || g[0] == 0.)
+      return;
+    // Muskhelishvili's potentials: φ = √z/√(2π) and ψ = φ/2 have K_I = 1.
+    // Differentiated along the crack they are Φ = φ′ and Ψ = 3/2 Φ, and
+    // 2μ u^B = κ Φ − rest.
+    const Complex z(local[0], std::max(local[1], 0.));
+    const Complex Phi    = 0.5 / std::sqrt(2. * numbers::PI * z);
+    const Complex slope  = -0.5 * Phi / z;
+    const Complex second = -1.5 * slope / z;
+    const Complex rest   = z * std::conj(slope) + 1.5 * std::conj(Phi);
+    const double  airy   = (std::conj(z) * Phi + 3. * z * Phi).real(); // φ^B
+    const Complex along  = Phi + rest; // ∂φ^B/∂X + i ∂φ^B/∂Y
+    const double  mean   = 2. * slope.real();
+    const Complex half_difference = // ½ (σ₂₂ − σ₁₁) + i σ₁₂
+      std::conj(z) * second + 1.5 * slope;
+
+    const double q = f[0] * g[0], q_1 = f[1] * g[0], q_2 = f[0] * g[1];
+    const std::array<double, 3> rest_of_tau = {
+      {2. * q_2 * along.imag() + f[0] * g[2] * airy,
+       2. * q_1 * along.real() + f[2] * g[0] * airy,
+       -q_1 * along.imag() - q_2 * along.real() - f[1] * g[1] * airy}};
+    const auto strain = [&](const Complex &u) { // sym(∇q ⊗ u)
+      return std::array<double, 3>{{q_1 * u.real(),
+                                    q_2 * u.imag(),
+                                    0.5 * (q_1 * u.imag() + q_2 * u.real())}};
+    };
+    const double                trace = rest_of_tau[0] + rest_of_tau[1];
+    const std::array<double, 3> unit  = {{trace, trace, 0.}};
+    of_stress                         = {
+                              {to_mesh(tip, unit, 2.) * 0.75 - to_mesh(tip, strain(rest), 2.) -
+                                 to_mesh(tip, rest_of_tau, 2.),
+                               to_mesh(tip, strain(Phi), 2.) - to_mesh(tip, unit, 2.) * 0.25}};
+    of_force  = {{-q * to_mesh(tip, rest), q * to_mesh(tip, Phi)}};
+    of_strain = to_mesh(tip,
+                        {{rest_of_tau[0] + q * (mean - half_difference.real()),
+                          rest_of_tau[1] + q * (mean + half_difference.real()),
+                          rest_of_tau[2] + q * half_difference.imag()}},
+                        1.);
+  }
+
+
+
+  void
+  AuxiliaryField::add(const double factor, const AuxiliaryField &other)
+  {
+    for (const unsigned int k : {0, 1})
+      {
+        of_stress[k] += factor * other.of_stress[k];
+        of_force[k] += factor * other.of_force[k];
+      }
+    of_strain += factor * other.of_strain;
+  }
+} // namespace Crevasse

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/crack_tip/lip_integral.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** A rule on a face of the lip, of the weight 1/√r, exact for polynomials
+     * as they occur: r = s² makes it smooth. */
+    Quadrature<1>
+    inverse_root_rule(const double r_0, const double r_1)
+    {
+      const QGauss<1>       gauss(8);
+      const double          s_0 = std::sqrt(r_0), s_1 = std::sqrt(r_1);
+      std::vector<Point<1>> nodes;
+      std::vector<double>   weights;
+      for (unsigned int k = 0; k < gauss.size(); ++k)
+        {
+          const double s = s_0 + gauss.point(k)[0] * (s_1 - s_0);
+          nodes.emplace_back((s * s - r_0) / (r_1 - r_0));
+          weights.push_back(gauss.weight(k) * 2. * (s_1 - s_0) / (r_1 - r_0));
+        }
+      return Quadrature<1>(nodes, weights);
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  lip_integral(const Body<2>      &body,
+               const CrackTip     &tip,
+               const SquareWeight &weight)
+  {
+    const Space<2>                      &space = body.space;
+    const FESystem<2>                   &fe    = space.finite_element();
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    Vector                               per_pressure = space.ghosted_vector();
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->at_boundary(f) ||
+                space.roles().contact.count(cell->face(f)->boundary_id()) == 0)
+              continue;
+            const Point<2> a   = tip.local(cell->face(f)->vertex(0));
+            const Point<2> b   = tip.local(cell->face(f)->vertex(1));
+            const double   r_a = -a[0], r_b = -b[0];
+            // Another lip may be anywhere.
+            if (std::abs(a[1]) + std::abs(b[1]) > 1e-8 * (b - a).norm() ||
+                r_a + r_b <= 0. || std::min(r_a, r_b) >= weight.radius)
+              continue;
+            FEFaceValues<2> values(space.mapping(),
+                                   fe,
+                                   inverse_root_rule(std::max(r_a, 0.),
+                                                     std::max(r_b, 0.)),
+                                   update_values | update_quadrature_points |
+                                     update_JxW_values);
+            values.reinit(cell, f);
+            cell->get_dof_indices(dofs);
+            for (const unsigned int i : values.dof_indices())
+              {
+                const unsigned int d = fe.system_to_component_index(i).first;
+                if (!fe.has_support_on_face(i, f) ||
+                    std::abs(tip.inward[d]) < 0.5)
+                  continue;
+                for (const unsigned int q : values.quadrature_point_indices())
+                  per_pressure(dofs[i]) +=
+                    2. / std::sqrt(2. * numbers::PI) *
+                    values.shape_value(i, q) *
+                    weight.factor(tip.local(values.quadrature_point(q))[0])[0] *
+                    values.JxW(q);
+              }
+          }
+    per_pressure.compress(VectorOperation::add);
+    body.lip.gather_from_held_nodes(per_pressure);
+    std::vector<double> of_forces;
+    for (const LipNode<2> &node : body.lip.nodes())
+      of_forces.push_back(per_pressure(node.dof) / node.weight);
+    return of_forces;
+  }
+} // namespace Crevasse

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/postprocess/stress_intensity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Where moduli that vary in time are looked at. */
+    std::vector<double>
+    instants_of_variation(const MaterialField<2> &material,
+                          const StepList         &steps)
+    {
+      constexpr unsigned int several  = 8;
+      std::vector<double>    instants = {0.};
+      if (material.stiffness_varies() || material.fluidity_varies())
+        for (unsigned int k = 1; k < several; ++k)
+          instants.push_back(k * steps.period() / several);
+      return instants;
+    }
+  } // namespace
+
+
+
+  StressIntensity::StressIntensity(const Scene    &scene,
+                                   const Body<2>  &body,
+                                   const StepList &steps)
+    : scene(scene)
+    , body(body)
+    , points(body.space, body.points)
+    , region(body.space)
+    , first_elasticity(find_elasticity(0.))
+    , uniform(find_uniform_radii(steps))
+    , no_integral(find_no_integral(steps))
+    , square(choose_square())
+    , integrals(no_integral.empty() ? std::make_optional(make_integrals())
+                                    : std::nullopt)
+    , fit_radius(choose_fit_radius())
+    , fits(points, body.lip, region, fit_radius, body.space.communicator())
+  {
+  }
+
+
+
+  PlaneElasticity
+  StressIntensity::find_elasticity(const double t) const
+  {
+    return elasticity_at(region.tip(),
+                         body.space.mesh(),
+                         body.law,
+                         body.temperature,
+                         t,
+                         "[Crack tip] Stress intensity = true");
+  }
+
+
+
+  StressIntensity::UniformRadii
+  StressIntensity::find_uniform_radii(const StepList &steps) const
+  {
+    UniformRadii radii{region.largest_radius(), region.largest_radius()};
+    for (const double t : instants_of_variation(body.material, steps))
+      {
+        const MaterialState<2> material = body.material.at(t);
+        radii.stiffness =
+          std::min(radii.stiffness,
+                   region.uniform(points, *material.stiffness).radius);
+        for (const auto &fluidity : material.fluidity)
+          radii.creep =
+            std::min(radii.creep,
+                     region
+                       .uniform(points,
+                                transform(*fluidity,
+                                          points.location.size(),
+                                          PlaneElasticity::like_stiffness))
+                       .radius);
+      }
+    radii.creep = std::min(radii.creep, radii.stiffness);
+    if (Effects::first_on(body.effects.free_strains))
+      radii.creep = 0.;
+    return radii;
+  }
+
+
+
+  std::string
+  StressIntensity::find_no_integral(const StepList &steps) const
+  {
+    using Method              = StressIntensityMethod;
+    const Method      wish    = scene.crack_tip.method;
+    const std::string setting = "[Crack tip] Method = " + name_of(wish);
+    if (wish == Method::williams_fit)
+      return setting;
+    for (const double t : instants_of_variation(body.material, steps))
+      for (const auto &branch : body.law.branches())
+        {
+          const auto limit = limit_at(region.tip(),
+                                      body.space.mesh(),
+                                      branch.fluidity,
+                                      body.temperature,
+                                      t);
+          if (limit && PlaneElasticity::is_isotropic(
+                         PlaneElasticity::like_stiffness(*limit)))
+            continue;
+          const std::string why =
+            "the viscosity at the crack tip is not "
+            "isotropic in the plane and the same on all "
+            "sides";
+          if (wish == Method::interaction_integral)
+            throw SceneError(setting + ": " + why +
+                             ", so that the field there is not known. Set it "
+                             "to automatic or williams fit.");
+          return why;
+        }
+    return "";
+  }
+
+
+
+  double
+  StressIntensity::choose_square() const
+  {
+    const double wish = scene.crack_tip.radius, most = largest_radius();
+    if (wish == 0.)
+      return region.aligned_radius(uniform.creep > 0. ? uniform.creep : most);
+    constexpr double rounding = 1e-10;
+    if (wish > most * (1. + rounding) ||
+        wish < region.cell_radius() * (1. - rounding))
+      {
+        std::ostringstream message;
+        message << "[Crack tip] Radius = " << wish << ": must be at most "
+                << most
+                << ", where another boundary or another stiffness begins, and "
+                   "at least "
+                << region.cell_radius()
+                << ", where the cells at the tip end; or 0.";
+        throw SceneError(message.str());
+      }
+    return wish;
+  }
+
+
+
+  std::pair<InteractionIntegral, InteractionIntegral>
+  StressIntensity::make_integrals() const
+  {
+    const auto over_square = [&](const double size) {
+      // Two cells hold what the creep at the tip makes of the mesh.
+      return InteractionIntegral(
+        body,
+        points,
+        region,
+        scene.loads,
+        {size,
+         body.effects.viscosity.on ? uniform.creep : size,
+         std::min(0.25 * size, 2. * region.cell_radius())});
+    };
+    return {over_square(square),
+            over_square(std::max(region.aligned_radius(0.5 * square),
+                                 region.cell_radius()))};
+  }
+
+
+
+  double
+  StressIntensity::choose_fit_radius() const
+  {
+    if (scene.crack_tip.radius > 0. && !integrals)
+      return scene.crack_tip.radius;
+    // The smaller disc, of half this radius, needs data.
+    const double least =
+      2. * WilliamsFit::least_radius(points, region, body.space.communicator());
+    const double of_series =
+      Effects::first_on(body.effects.volume_forces) ? 0. : uniform.creep;
+    constexpr double part = 0.5;
+    return std::min(largest_radius(),
+                    std::max(
+                      {least, 2. * region.cell_radius(), part * of_series}));
+  }
+
+
+
+  StressIntensity::Estimate
+  StressIntensity::evaluate(const double            t,
+                            const Sample           &sample,
+                            const MaterialState<2> &material) const
+  {
+    const Vector &stress = sample.state.stress;
+    const auto   &g      = sample.state.contact_forces;
+    const double  open   = fits.open_length(sample.state);
+    // Creep may have left a singular stress at a closed tip.
+    if (open == 0. && !body.effects.viscosity.on)
+      return {0., 0., 0.};
+    const WilliamsFit &fit        = fits.within(open);
+    const double       of_stress  = fit.value(stress, g);
+    const double       correction = std::abs(fit.correction(stress, g));
+    if (!integrals)
+      return {of_stress, of_stress, correction};
+    const PlaneElasticity at_tip = elasticity(t);
+    const double large = integrals->first.value(t, sample, material, at_tip);
+    const double small = integrals->second.value(t, sample, material, at_tip);
+    return {large,
+            of_stress,
+            std::max(std::abs(large - small),
+                     std::abs(large - of_stress) - correction)};
+  }
+} // namespace Crevasse
