@@ -54,7 +54,8 @@ namespace Crevasse
     compared_ids(const std::string &formula)
     {
       static const std::regex comparison(
-        "\\bmaterial *[=!]= *(\\d{1,9})\\b|\\b(\\d{1,9}) *[=!]= *material\\b");
+        "\\bmaterial *[=!]= *(\\d{1,9})(?![\\w.])|(?:^|[^\\w.])(\\d{1,9}) *[=!]= "
+        "*material\\b");
       std::set<unsigned int> ids;
       for (std::sregex_iterator
              part(formula.begin(), formula.end(), comparison),
