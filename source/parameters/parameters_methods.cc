@@ -248,7 +248,8 @@ namespace Crevasse
     prm.add_parameter("Radius",
                       radius,
                       "Half the side of that square, or the larger radius of "
-                      "the fit, in units of length; 0: automatic.",
+                      "the fit where that gives K_I, in units of length; 0: "
+                      "automatic.",
                       not_negative);
     add_selection("Crack growth law", growth_law, prm);
     prm.add_parameter("Paris factor",

@@ -162,10 +162,10 @@ namespace Crevasse
       {StressIntensityMethod::interaction_integral, "interaction integral"},
       {StressIntensityMethod::williams_fit, "williams fit"}};
     static constexpr const char *meaning =
-      "How K_I is found: by an integral over a square around the tip, where "
-      "the stress is that of an elastic body, or by fitting Williams' series "
-      "to the stress around the tip. \"automatic\" takes the integral wherever "
-      "it is right.";
+      "How K_I is found: by an integral over a square around the tip, or by "
+      "fitting Williams' series to the stress around the tip. \"automatic\" "
+      "takes the integral, but the fit where the viscosity at the tip is "
+      "anisotropic or jumps.";
   };
 
   enum class GrowthLawType
