@@ -4,7 +4,6 @@
 #include <crevasse/crack_tip/auxiliary_field.h>
 
 #include <deal.II/base/numbers.h>
-#include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
 #include <complex>

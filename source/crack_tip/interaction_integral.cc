@@ -5,6 +5,7 @@
 #include <crevasse/crack_tip/interaction_integral.h>
 #include <crevasse/crack_tip/lip_integral.h>
 #include <crevasse/discretisation/cell_values.h>
+#include <crevasse/material/voigt_matrix.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -19,46 +20,42 @@ namespace Crevasse
 
   namespace
   {
-    /** The strain in the plane of a stress in the plane, and what a strain
-     * across the plane adds to it, as strain without stress does. */
-    struct InPlane
+    /** The strain in the plane: that of a stress there, and of a strain across
+     * the plane, as strain without stress has one. */
+    struct PlaneCompliance
     {
-      explicit InPlane(const VoigtMatrix<2> &K)
-        : twofold_mu(2. * K[3][3])
-        , nu(K[0][1] / (K[0][0] + K[0][1]))
-        , of_third(K[0][2] / (K[0][0] + K[0][1]))
+      explicit PlaneCompliance(const VoigtMatrix<2> &K)
+        : of_stress(inverse<2>(in_plane<2>(K)))
       {
-      }
-
-      explicit InPlane(const PlaneElasticity &elasticity)
-        : twofold_mu(2. * elasticity.shear_modulus())
-        , nu((3. - elasticity.kappa()) / 4.)
-        , of_third(0.)
-      {
-      }
-
-      VoigtVector<2>
-      strain(const VoigtVector<2> &s) const
-      {
-        VoigtVector<2> e;
-        e[0] = (s[0] - nu * (s[0] + s[1])) / twofold_mu;
-        e[1] = (s[1] - nu * (s[0] + s[1])) / twofold_mu;
-        e[3] = 2. * s[3] / twofold_mu;
-        return e;
+        VoigtVector<2> column;
+        for (const unsigned int c : {0, 1, 3})
+          column[c] = K[c][2];
+        of_third = of_stress * column;
       }
 
       VoigtVector<2>
       free_strain(const VoigtVector<2> &e) const
       {
-        VoigtVector<2> sum = e;
-        sum[0] += of_third * e[2];
-        sum[1] += of_third * e[2];
-        sum[2] = 0.;
-        return sum;
+        return e + e[2] * of_third;
       }
 
-      const double twofold_mu, nu, of_third;
+      VoigtMatrix<2> of_stress;
+      VoigtVector<2> of_third;
     };
+
+
+
+    VoigtVector<2>
+    strain_of(const PlaneElasticity &body, const VoigtVector<2> &s)
+    {
+      const double   twofold_mu = 2. * body.shear_modulus();
+      const double   nu         = (3. - body.kappa()) / 4.;
+      VoigtVector<2> e;
+      e[0] = (s[0] - nu * (s[0] + s[1])) / twofold_mu;
+      e[1] = (s[1] - nu * (s[0] + s[1])) / twofold_mu;
+      e[3] = 2. * s[3] / twofold_mu;
+      return e;
+    }
 
 
 
@@ -81,13 +78,13 @@ namespace Crevasse
       {
       }
 
-      /** @param is_rough whether the kernel grows in the cell like r^(−3/2),
-       * or jumps, as it does where a square ends. */
+      /** @param is_at_tip whether the kernel grows in the cell like r^(−3/2).
+       */
       const FEValues<2> &
       reinit(const Triangulation<2>::active_cell_iterator &cell,
-             const bool                                    is_rough)
+             const bool                                    is_at_tip)
       {
-        FEValues<2> &values = is_rough ? fine : usual;
+        FEValues<2> &values = is_at_tip ? fine : usual;
         values.reinit(cell);
         return values;
       }
@@ -102,18 +99,29 @@ namespace Crevasse
 
 
 
+    SquareWeight
+    weight_of(const TipRegion &region, const double size)
+    {
+      return {size, region.cuts_cells(size) ? 3 : 2};
+    }
+
+
+
     /** Of the squares whose τ viscous strain is multiplied by, each with its
      * factor. */
     std::vector<std::pair<SquareWeight, double>>
-    weights_of_creep(const InteractionIntegral::Squares &squares)
+    weights_of_creep(const TipRegion                    &region,
+                     const InteractionIntegral::Squares &squares)
     {
+      const double a = squares.varying_creep;
       if (squares.uniform_creep >= squares.size)
         return {};
       if (squares.uniform_creep > 0.)
-        return {{{squares.size}, 1.}, {{squares.uniform_creep}, -1.}};
-      return {{{squares.size}, 1.},
-              {{squares.varying_creep}, -2.},
-              {{2. * squares.varying_creep}, 1.}};
+        return {{weight_of(region, squares.size), 1.},
+                {weight_of(region, squares.uniform_creep), -1.}};
+      return {{weight_of(region, squares.size), 1.},
+              {weight_of(region, a), -2.},
+              {weight_of(region, 2. * a), 1.}};
     }
   } // namespace
 
@@ -127,7 +135,8 @@ namespace Crevasse
     : body(body)
     , points(points)
     , region(region)
-    , of_contact_forces(lip_integral(body, region.tip(), {squares.size}))
+    , of_contact_forces(
+        lip_integral(body, region.tip(), weight_of(region, squares.size)))
   {
     for (const LoadParameters::Force &force : loads.forces())
       for (unsigned int d = 0; force.in_volume && d < force.components->size();
@@ -144,24 +153,19 @@ namespace Crevasse
   InteractionIntegral::integrate_over_cells(const Squares &squares)
   {
     const std::vector<std::pair<SquareWeight, double>> of_creep =
-      weights_of_creep(squares);
-    const auto add = [&](Kernel         &kernel,
+      weights_of_creep(region, squares);
+    has_creep                = !of_creep.empty();
+    const SquareWeight whole = weight_of(region, squares.size);
+    const auto         add   = [&](Kernel         &kernel,
                          const Point<2> &point,
                          const double    share) {
       const auto field_of = [&](const SquareWeight &weight) {
         return AuxiliaryField(region.tip(), point, weight);
       };
-      kernel.field.add(share, field_of({squares.size}));
+      kernel.field.add(share, field_of(whole));
       for (const auto &[weight, factor] : of_creep)
         kernel.of_viscous_strain += share * factor * field_of(weight).of_strain;
     };
-    const auto ends_within = [&](const TipRegion::Interval &reach) {
-      bool ends = TipRegion::is_within(squares.size, reach);
-      for (const auto &of_weight : of_creep)
-        ends = ends || TipRegion::is_within(of_weight.first.radius, reach);
-      return ends;
-    };
-
     const Space<2> &space = body.space;
     KernelRules     rules(space);
     for (const auto &cell : owned_cells(space.mesh()))
@@ -180,8 +184,7 @@ namespace Crevasse
                 points.weight[kernel.point]);
         else
           {
-            const FEValues<2> &values =
-              rules.reinit(cell, reach.first == 0. || ends_within(reach));
+            const FEValues<2> &values = rules.reinit(cell, reach.first == 0.);
             for (const unsigned int q : values.quadrature_point_indices())
               {
                 Kernel here;
@@ -211,8 +214,7 @@ namespace Crevasse
         if (is_at_tip(kernel))
           area += points.weight[kernel.point];
       }
-    for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
-      sum[c] = Utilities::MPI::sum(sum[c], communicator);
+    sum  = Utilities::MPI::sum(sum, communicator);
     area = Utilities::MPI::sum(area, communicator);
     for (Kernel &kernel : kernels)
       if (is_at_tip(kernel))
@@ -263,34 +265,50 @@ namespace Crevasse
                              const MaterialState<2> &material,
                              const PlaneElasticity  &at_tip) const
   {
-    using Field         = QuadratureField<2>;
-    const double      k = material.stiffness_factor;
-    const InPlane     tip_law(at_tip);
-    const std::size_t n_branches =
-      sample.viscous_strain.size() > 0 ? material.fractions.size() : 0;
+    const double of_uniform = of_uniform_body(sample.state.stress,
+                                              sample.state.contact_forces,
+                                              at_tip.kappa());
+    const bool   creeps     = has_creep && sample.viscous_strain.size() > 0;
+    double       sum        = of_body_force(t, at_tip.kappa());
+    if (creeps || !material.stiffness->is_uniform() ||
+        material.thermal_strain != nullptr)
+      sum += of_variation(sample, material, at_tip, creeps);
+    return of_uniform - Utilities::MPI::sum(sum, body.space.communicator());
+  }
 
-    double of_strain = 0.;
+
+
+  double
+  InteractionIntegral::of_variation(const Sample           &sample,
+                                    const MaterialState<2> &material,
+                                    const PlaneElasticity  &at_tip,
+                                    const bool              creeps) const
+  {
+    using Field = QuadratureField<2>;
+    const auto laws =
+      transform(*material.stiffness,
+                body.points.n_local_points(),
+                [](const VoigtMatrix<2> &K) { return PlaneCompliance(K); });
+    const double      k          = material.stiffness_factor;
+    const std::size_t n_branches = creeps ? material.fractions.size() : 0;
+
+    double sum = 0.;
     for (const Kernel &kernel : kernels)
       {
-        const std::size_t    offset = kernel.point * Field::n_components;
-        const VoigtVector<2> s      = Field::get(sample.state.stress, offset);
-        const InPlane        law((*material.stiffness)[kernel.point]);
-        VoigtVector<2>       strain = (law.strain(s) - tip_law.strain(s)) / k;
+        const std::size_t      offset = kernel.point * Field::n_components;
+        const VoigtVector<2>   s      = Field::get(sample.state.stress, offset);
+        const PlaneCompliance &law    = laws[kernel.point];
+        VoigtVector<2> strain = (law.of_stress * s - strain_of(at_tip, s)) / k;
         if (material.thermal_strain != nullptr)
           strain += law.free_strain((*material.thermal_strain)[kernel.point]);
-        of_strain += kernel.field.of_strain * strain;
+        sum += kernel.field.of_strain * strain;
         for (unsigned int i = 0; i < n_branches; ++i)
-          of_strain += material.fractions[i] *
-                       (kernel.of_viscous_strain *
-                        law.free_strain(Field::get(sample.viscous_strain,
-                                                   offset * n_branches +
-                                                     i * Field::n_components)));
+          sum += material.fractions[i] *
+                 (kernel.of_viscous_strain *
+                  law.free_strain(
+                    Field::get(sample.viscous_strain,
+                               offset * n_branches + i * Field::n_components)));
       }
-    const double of_variation =
-      k * at_tip.modulus() * of_strain + of_body_force(t, at_tip.kappa());
-    return of_uniform_body(sample.state.stress,
-                           sample.state.contact_forces,
-                           at_tip.kappa()) -
-           Utilities::MPI::sum(of_variation, body.space.communicator());
+    return k * at_tip.modulus() * sum;
   }
 } // namespace Crevasse

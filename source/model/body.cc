@@ -240,7 +240,7 @@ namespace Crevasse
            const Temperature<2>           &temperature,
            const double                    t)
   {
-    // A smooth formula changes by less than this so close to the tip.
+    // So close to the tip a smooth formula changes by less than the jump.
     constexpr double              close = 1e-6, jump = 1e-3;
     const QGauss<2>               rule(4);
     const MappingQ1<2>            mapping;

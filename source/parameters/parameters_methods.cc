@@ -245,12 +245,13 @@ namespace Crevasse
                       "Whether crack_tip.csv has the stress intensity "
                       "factor K_I of each step.");
     add_selection("Method", method, prm);
-    prm.add_parameter("Radius",
-                      radius,
-                      "Half the side of that square, or the larger radius of "
-                      "the fit where that gives K_I, in units of length; 0: "
-                      "automatic.",
-                      not_negative);
+    prm.add_parameter(
+      "Radius",
+      radius,
+      "Half the side of that square at most, so that it cuts no "
+      "cell, or the larger radius of the fit where that gives "
+      "K_I, in units of length; 0: automatic.",
+      not_negative);
     add_selection("Crack growth law", growth_law, prm);
     prm.add_parameter("Paris factor",
                       paris_factor,

@@ -46,7 +46,11 @@ namespace Crevasse
   {
     const double           t        = steps.within_period(sample.instant);
     const MaterialState<2> material = analysis.body.material.at(t);
-    Values values{analysis.intensity.evaluate(t, sample, material), 0., 0., 0.};
+    const PlaneElasticity  at_tip   = analysis.intensity.elasticity(t);
+    Values values{analysis.intensity.evaluate(t, sample, material, at_tip),
+                  0.,
+                  0.,
+                  0.};
     if (has_singular_function)
       {
         const Space<2> &space = analysis.body.space;
@@ -60,9 +64,8 @@ namespace Crevasse
       }
     values.error =
       std::max(values.error, relative_error * std::abs(values.intensity));
-    values.release_rate =
-      values.intensity * values.intensity /
-      (material.stiffness_factor * analysis.intensity.elasticity(t).modulus());
+    values.release_rate = values.intensity * values.intensity /
+                          (material.stiffness_factor * at_tip.modulus());
     values.energy = analysis.energy.value(material,
                                           sample.state.stress,
                                           sample.viscous_strain);

@@ -20,11 +20,10 @@ namespace Crevasse
     instants_of_variation(const MaterialField<2> &material,
                           const StepList         &steps)
     {
-      constexpr unsigned int several  = 8;
-      std::vector<double>    instants = {0.};
+      std::vector<double> instants = {0.};
       if (material.stiffness_varies() || material.fluidity_varies())
-        for (unsigned int k = 1; k < several; ++k)
-          instants.push_back(k * steps.period() / several);
+        for (unsigned int k = 1; k < steps.n_steps(); ++k)
+          instants.push_back(steps.instant(k));
       return instants;
     }
   } // namespace
@@ -85,7 +84,8 @@ namespace Crevasse
                        .radius);
       }
     radii.creep = std::min(radii.creep, radii.stiffness);
-    if (Effects::first_on(body.effects.free_strains))
+    if (Effects::first_on(body.effects.free_strains) ||
+        Effects::first_on(body.effects.volume_forces))
       radii.creep = 0.;
     return radii;
   }
@@ -145,7 +145,7 @@ namespace Crevasse
                 << ", where the cells at the tip end; or 0.";
         throw SceneError(message.str());
       }
-    return wish;
+    return region.aligned_radius(wish);
   }
 
 
@@ -179,12 +179,10 @@ namespace Crevasse
     // The smaller disc, of half this radius, needs data.
     const double least =
       2. * WilliamsFit::least_radius(points, region, body.space.communicator());
-    const double of_series =
-      Effects::first_on(body.effects.volume_forces) ? 0. : uniform.creep;
     constexpr double part = 0.5;
-    return std::min(largest_radius(),
-                    std::max(
-                      {least, 2. * region.cell_radius(), part * of_series}));
+    return std::min(
+      largest_radius(),
+      std::max({least, 2. * region.cell_radius(), part * uniform.creep}));
   }
 
 
@@ -192,7 +190,8 @@ namespace Crevasse
   StressIntensity::Estimate
   StressIntensity::evaluate(const double            t,
                             const Sample           &sample,
-                            const MaterialState<2> &material) const
+                            const MaterialState<2> &material,
+                            const PlaneElasticity  &at_tip) const
   {
     const Vector &stress = sample.state.stress;
     const auto   &g      = sample.state.contact_forces;
@@ -205,7 +204,6 @@ namespace Crevasse
     const double       correction = std::abs(fit.correction(stress, g));
     if (!integrals)
       return {of_stress, of_stress, correction};
-    const PlaneElasticity at_tip = elasticity(t);
     const double large = integrals->first.value(t, sample, material, at_tip);
     const double small = integrals->second.value(t, sample, material, at_tip);
     return {large,

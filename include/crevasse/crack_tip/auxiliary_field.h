@@ -12,11 +12,14 @@
 
 namespace Crevasse
 {
-  /** The weight q = (1 − X²/R²)² (1 − Y²/R²)² of the interaction integral, the
+  /** The weight q = (1 − X²/R²)ⁿ (1 − Y²/R²)ⁿ of the interaction integral, the
    * product of a factor of X and one of Y. */
   struct SquareWeight
   {
-    const double radius; ///< R
+    double radius; ///< R
+    /** n = 2 where the square cuts no cell. 3 else: with 2 the second
+     * derivatives jump where it ends. */
+    int exponent;
 
     /** A factor and its first two derivatives; 0 outside of the square. */
     std::array<double, 3>
@@ -25,9 +28,11 @@ namespace Crevasse
       const double s = x / radius, rest = 1. - s * s;
       if (std::abs(s) >= 1.)
         return {};
-      return {{rest * rest,
-               -4. * s * rest / radius,
-               4. * (3. * s * s - 1.) / (radius * radius)}};
+      const double last = exponent == 2 ? 1. : rest; // rest^(n − 2)
+      return {{last * rest * rest,
+               -2. * exponent * s * last * rest / radius,
+               2. * exponent * last * ((2. * exponent - 1.) * s * s - 1.) /
+                 (radius * radius)}};
     }
   };
 

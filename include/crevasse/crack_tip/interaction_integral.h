@@ -16,11 +16,12 @@
 namespace Crevasse
 {
   /**
-   * The stress intensity factor K_I as a linear function of the stress, by the
-   * interaction integral (Yau, Wang, Corten, J. Appl. Mech. 47, 1980) of the
-   * half body above the crack, in the form of Betti's theorem. With the
-   * auxiliary field of K_I = 1, differentiated along the crack (σ^B ~ r^(−3/2),
-   * displacement u^B, stress function φ^B ~ √r), and a weight q,
+   * The stress intensity factor K_I as a linear function of the stress and of
+   * the strain without stress, by the interaction integral (Yau, Wang, Corten,
+   * J. Appl. Mech. 47, 1980) of the half body above the crack, in the form of
+   * Betti's theorem. With the auxiliary field of K_I = 1, differentiated along
+   * the crack (σ^B ~ r^(−3/2), displacement u^B, stress function φ^B ~ √r), and
+   * a weight q,
    *
    *     w = q u^B,     τ = curl curl (q φ^B) = q σ^B + τ′,
    *
@@ -41,8 +42,8 @@ namespace Crevasse
    * weight; around a tip where the creep varies, the error of doing so is
    * linear in the size a of this square, and 2 K_I(a) − K_I(2a) is taken.
    *
-   * The weight is q = (1 − X²/R²)² (1 − Y²/R²)² in the square |X| ≤ R, 0 ≤ Y ≤
-   * R. In each cell N and τ are projected to the polynomials through its
+   * The weight q is SquareWeight in the square |X| ≤ R, 0 ≤ Y ≤ R. In cells
+   * of the usual rule N and τ are projected to the polynomials through its
    * points, so that a polynomial stress is integrated exactly. By Betti's
    * theorem the error of K_I is the square of that of the energy norm's.
    */
@@ -53,7 +54,8 @@ namespace Crevasse
     struct Squares
     {
       double size; ///< R, at most TipRegion::largest_radius()
-      /** Where creep is no more the same everywhere. */
+      /** Where creep is no more the same everywhere; 0: it varies from the tip
+       * on; R or more: none of its strain enters. */
       double uniform_creep;
       /** a, where it varies around the tip or thermal strain makes it. */
       double varying_creep;
@@ -112,12 +114,20 @@ namespace Crevasse
     double
     of_body_force(const double t, const double kappa) const;
 
+    /** What moduli that vary, thermal strain and creep add, on this rank. */
+    double
+    of_variation(const Sample           &sample,
+                 const MaterialState<2> &material,
+                 const PlaneElasticity  &at_tip,
+                 const bool              creeps) const;
+
     const Body<2>                                   &body;
     const PointGeometry                             &points;
     const TipRegion                                 &region;
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<Kernel>                              kernels;
-    std::vector<double>                              of_contact_forces;
+    bool                has_creep = false; ///< whether viscous strain enters
+    std::vector<double> of_contact_forces;
   };
 } // namespace Crevasse
 

@@ -10,7 +10,6 @@
 #include <crevasse/discretisation/space.h>
 #include <crevasse/material/voigt.h>
 
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -93,14 +92,10 @@ namespace Crevasse
       return cells[cell];
     }
 
-    /** Whether a square of this size cuts a cell, but for rounding. */
-    static bool
-    is_within(const double size, const Interval &reach)
-    {
-      constexpr double rounding = 1e-10;
-      return reach.first < size * (1. - rounding) &&
-             size * (1. + rounding) < reach.second;
-    }
+    /** Whether the square of this size cuts a cell, but for rounding.
+     * Collective. */
+    bool
+    cuts_cells(const double size) const;
 
   private:
     void

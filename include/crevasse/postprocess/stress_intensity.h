@@ -42,19 +42,22 @@ namespace Crevasse
 
     StressIntensity(const StressIntensity &) = delete;
 
-    /** Collective. @param t within the period. @param material of that. */
+    /** Collective. @param t within the period. @param material of that.
+     * @param at_tip elasticity(t) */
     Estimate
     evaluate(const double            t,
              const Sample           &sample,
-             const MaterialState<2> &material) const;
+             const MaterialState<2> &material,
+             const PlaneElasticity  &at_tip) const;
 
-    /** "interaction integral" or "williams fit", and why the latter. */
+    /** "interaction integral" or "williams fit" */
     std::string
     method() const
     {
       return name_of(integrals ? StressIntensityMethod::interaction_integral
                                : StressIntensityMethod::williams_fit);
     }
+    /** Why it is the fit; empty: it is not. */
     const std::string &
     why_no_integral() const
     {
@@ -96,9 +99,9 @@ namespace Crevasse
     struct UniformRadii
     {
       double stiffness;
-      /** Where besides all points creep alike and no strain but theirs makes
-       * stress: there the stress is Williams' series whatever the rest of the
-       * body does. */
+      /** Where besides all points creep alike, and nothing but forces on the
+       * boundary and creep makes stress: there it is Williams' series whatever
+       * the rest of the body does. */
       double creep;
     };
 
