@@ -113,12 +113,12 @@ namespace Crevasse
     weights_of_creep(const TipRegion                    &region,
                      const InteractionIntegral::Squares &squares)
     {
-      const double a = squares.varying_creep;
-      if (squares.uniform_creep >= squares.size)
+      const double a = squares.creep;
+      if (a >= squares.size)
         return {};
-      if (squares.uniform_creep > 0.)
+      if (!squares.extrapolates)
         return {{weight_of(region, squares.size), 1.},
-                {weight_of(region, squares.uniform_creep), -1.}};
+                {weight_of(region, a), -1.}};
       return {{weight_of(region, squares.size), 1.},
               {weight_of(region, a), -2.},
               {weight_of(region, 2. * a), 1.}};
@@ -214,7 +214,8 @@ namespace Crevasse
         if (is_at_tip(kernel))
           area += points.weight[kernel.point];
       }
-    sum  = Utilities::MPI::sum(sum, communicator);
+    for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
+      sum[c] = Utilities::MPI::sum(sum[c], communicator);
     area = Utilities::MPI::sum(area, communicator);
     for (Kernel &kernel : kernels)
       if (is_at_tip(kernel))

@@ -176,7 +176,7 @@ namespace Crevasse
                           intensity.points,
                           intensity.region,
                           scene.loads,
-                          {size, size, size})
+                          {size, size, false})
         .of_uniform_body(stress, flow->contact_forces, viscous.kappa());
     return K * K / viscous.modulus();
   }

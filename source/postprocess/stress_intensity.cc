@@ -84,9 +84,6 @@ namespace Crevasse
                        .radius);
       }
     radii.creep = std::min(radii.creep, radii.stiffness);
-    if (Effects::first_on(body.effects.free_strains) ||
-        Effects::first_on(body.effects.volume_forces))
-      radii.creep = 0.;
     return radii;
   }
 
@@ -153,20 +150,49 @@ namespace Crevasse
   std::pair<InteractionIntegral, InteractionIntegral>
   StressIntensity::make_integrals() const
   {
-    const auto over_square = [&](const double size) {
-      // Two cells hold what the creep at the tip makes of the mesh.
-      return InteractionIntegral(
-        body,
-        points,
-        region,
-        scene.loads,
-        {size,
-         body.effects.viscosity.on ? uniform.creep : size,
-         std::min(0.25 * size, 2. * region.cell_radius())});
+    // Different numbers of cells at the tip, so that the difference of the two
+    // shows what these leave.
+    const auto over_square = [&](const double size, const unsigned int cells) {
+      return InteractionIntegral(body,
+                                 points,
+                                 region,
+                                 scene.loads,
+                                 {size,
+                                  creep_square(size, cells),
+                                  uniform.creep == 0.});
     };
-    return {over_square(square),
+    return {over_square(square, 4),
             over_square(std::max(region.aligned_radius(0.5 * square),
-                                 region.cell_radius()))};
+                                 region.cell_radius()),
+                        2)};
+  }
+
+
+
+  double
+  StressIntensity::creep_square(const double       size,
+                                const unsigned int cells) const
+  {
+    if (!body.effects.viscosity.on)
+      return size;
+    const double several = cells * region.cell_radius();
+    if (uniform.creep == 0.)
+      return region.aligned_radius(std::min(0.5 * size, several));
+    const double most = std::min(uniform.creep, size);
+    // The error is of the order a^(5/2).
+    constexpr double part = 0.25;
+    return is_disturbed() ? region.aligned_radius(
+                              std::min(most, std::max(part * size, several)))
+                          : most;
+  }
+
+
+
+  bool
+  StressIntensity::is_disturbed() const
+  {
+    return Effects::first_on(body.effects.free_strains) != nullptr ||
+           Effects::first_on(body.effects.volume_forces) != nullptr;
   }
 
 
@@ -180,9 +206,10 @@ namespace Crevasse
     const double least =
       2. * WilliamsFit::least_radius(points, region, body.space.communicator());
     constexpr double part = 0.5;
-    return std::min(
-      largest_radius(),
-      std::max({least, 2. * region.cell_radius(), part * uniform.creep}));
+    return std::min(largest_radius(),
+                    std::max({least,
+                              2. * region.cell_radius(),
+                              is_disturbed() ? 0. : part * uniform.creep}));
   }
 
 

@@ -54,11 +54,10 @@ namespace Crevasse
     struct Squares
     {
       double size; ///< R, at most TipRegion::largest_radius()
-      /** Where creep is no more the same everywhere; 0: it varies from the tip
-       * on; R or more: none of its strain enters. */
-      double uniform_creep;
-      /** a, where it varies around the tip or thermal strain makes it. */
-      double varying_creep;
+      /** a, within which viscous strain does not enter; R: nowhere does it. */
+      double creep;
+      /** Whether creep varies within it. */
+      bool extrapolates;
     };
 
     /** Collective. All arguments must outlive this object. */

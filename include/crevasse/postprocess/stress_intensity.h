@@ -99,9 +99,7 @@ namespace Crevasse
     struct UniformRadii
     {
       double stiffness;
-      /** Where besides all points creep alike, and nothing but forces on the
-       * boundary and creep makes stress: there it is Williams' series whatever
-       * the rest of the body does. */
+      /** Where besides all points creep alike. */
       double creep;
     };
 
@@ -123,6 +121,16 @@ namespace Crevasse
 
     Integrals
     make_integrals() const;
+
+    /** InteractionIntegral::Squares::creep, of as many cells or more. */
+    double
+    creep_square(const double size, const unsigned int cells) const;
+
+    /** Whether more than forces on the boundary and creep makes stress: else it
+     * is Williams' series where the body is uniform, and viscous strain is
+     * compatible there. */
+    bool
+    is_disturbed() const;
 
     double
     choose_fit_radius() const;
