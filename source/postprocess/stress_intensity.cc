@@ -161,10 +161,10 @@ namespace Crevasse
                                   creep_square(size, cells),
                                   uniform.creep == 0.});
     };
-    return {over_square(square, 4),
+    return {over_square(square, 2),
             over_square(std::max(region.aligned_radius(0.5 * square),
                                  region.cell_radius()),
-                        2)};
+                        3)};
   }
 
 
