@@ -64,6 +64,12 @@ namespace Crevasse
       }
     values.error =
       std::max(values.error, relative_error * std::abs(values.intensity));
+    // The fit may be far less accurate than the integral.
+    constexpr double most = 4.;
+    values.error =
+      std::max(values.error,
+               std::min(most * values.error,
+                        std::abs(values.intensity - values.of_stress)));
     values.release_rate = values.intensity * values.intensity /
                           (material.stiffness_factor * at_tip.modulus());
     values.energy = analysis.energy.value(material,

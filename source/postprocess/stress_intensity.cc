@@ -226,16 +226,12 @@ namespace Crevasse
     // Creep may have left a singular stress at a closed tip.
     if (open == 0. && !body.effects.viscosity.on)
       return {0., 0., 0.};
-    const WilliamsFit &fit        = fits.within(open);
-    const double       of_stress  = fit.value(stress, g);
-    const double       correction = std::abs(fit.correction(stress, g));
+    const WilliamsFit &fit       = fits.within(open);
+    const double       of_stress = fit.value(stress, g);
     if (!integrals)
-      return {of_stress, of_stress, correction};
+      return {of_stress, of_stress, std::abs(fit.correction(stress, g))};
     const double large = integrals->first.value(t, sample, material, at_tip);
     const double small = integrals->second.value(t, sample, material, at_tip);
-    return {large,
-            of_stress,
-            std::max(std::abs(large - small),
-                     std::abs(large - of_stress) - correction)};
+    return {large, of_stress, std::abs(large - small)};
   }
 } // namespace Crevasse

@@ -28,7 +28,8 @@ namespace Crevasse
    * coefficient of the singular function that opens the crack, of an elastic
    * body. K_I_error is the error there, or |K_I| times the relative error of
    * the elastic energy as StressEstimator has it in the cells around the tip,
-   * if that is larger. It is no bound.
+   * if that is larger; where integral and fit differ by more, up to four times
+   * this. It is no bound.
    */
   class CrackTipTable : public Observer
   {

@@ -27,9 +27,8 @@ namespace Crevasse
     struct Estimate
     {
       double intensity, of_stress;
-      /** The larger of the difference between the integrals over two squares
-       * and that between integral and fit, less what the fit to two discs
-       * differs by; without the integral, the latter. */
+      /** The difference between the integrals over two squares; without the
+       * integral, between the fits to two discs. */
       double error;
     };
 
