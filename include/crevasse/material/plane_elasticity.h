@@ -6,8 +6,6 @@
 
 #include <crevasse/material/voigt.h>
 
-#include <deal.II/base/tensor.h>
-
 #include <cmath>
 
 namespace Crevasse
@@ -74,26 +72,6 @@ namespace Crevasse
     modulus() const
     {
       return 8. * mu / (kappa() + 1.);
-    }
-
-    /** σ of a displacement gradient, and of a dilatation that may not be its
-     * trace (see VolumetricStrain::mean). */
-    dealii::Tensor<2, 2>
-    stress(const dealii::Tensor<2, 2> &gradient, const double dilatation) const
-    {
-      // What the dilatation exceeds the trace by is a third in each direction.
-      const double normal =
-        lambda * dilatation + 2. / 3. * mu * (dilatation - trace(gradient));
-      dealii::Tensor<2, 2> sigma = mu * (gradient + transpose(gradient));
-      sigma[0][0] += normal;
-      sigma[1][1] += normal;
-      return sigma;
-    }
-
-    dealii::Tensor<2, 2>
-    stress(const dealii::Tensor<2, 2> &gradient) const
-    {
-      return stress(gradient, trace(gradient));
     }
 
   private:
