@@ -15,13 +15,12 @@ namespace Crevasse
 
   namespace
   {
-    /** Where moduli that vary in time are looked at. */
+    /** Where moduli are looked at that may vary in time. */
     std::vector<double>
-    instants_of_variation(const MaterialField<2> &material,
-                          const StepList         &steps)
+    instants_of_variation(const bool varies, const StepList &steps)
     {
       std::vector<double> instants = {0.};
-      if (material.stiffness_varies() || material.fluidity_varies())
+      if (varies)
         for (unsigned int k = 1; k < steps.n_steps(); ++k)
           instants.push_back(steps.instant(k));
       return instants;
@@ -67,8 +66,12 @@ namespace Crevasse
   StressIntensity::find_uniform_radii(const StepList &steps) const
   {
     UniformRadii radii{region.largest_radius(), region.largest_radius()};
-    for (const double t : instants_of_variation(body.material, steps))
+    const bool   varies =
+      body.material.stiffness_varies() || body.material.fluidity_varies();
+    for (const double t : instants_of_variation(varies, steps))
       {
+        if (radii.stiffness == 0.)
+          break;
         const MaterialState<2> material = body.material.at(t);
         radii.stiffness =
           std::min(radii.stiffness,
@@ -97,7 +100,8 @@ namespace Crevasse
     const std::string setting = "[Crack tip] Method = " + name_of(wish);
     if (wish == Method::williams_fit)
       return setting;
-    for (const double t : instants_of_variation(body.material, steps))
+    for (const double t :
+         instants_of_variation(body.material.fluidity_varies(), steps))
       for (const auto &branch : body.law.branches())
         {
           const auto limit = limit_at(region.tip(),
@@ -109,9 +113,8 @@ namespace Crevasse
                          PlaneElasticity::like_stiffness(*limit)))
             continue;
           const std::string why =
-            "the viscosity at the crack tip is not "
-            "isotropic in the plane and the same on all "
-            "sides";
+            "the viscosity at the crack tip is not isotropic in the plane and "
+            "the same on all sides";
           if (wish == Method::interaction_integral)
             throw SceneError(setting + ": " + why +
                              ", so that the field there is not known. Set it "

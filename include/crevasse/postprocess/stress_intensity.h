@@ -56,6 +56,7 @@ namespace Crevasse
       return name_of(integrals ? StressIntensityMethod::interaction_integral
                                : StressIntensityMethod::williams_fit);
     }
+
     /** Why it is the fit; empty: it is not. */
     const std::string &
     why_no_integral() const
