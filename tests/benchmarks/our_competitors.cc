@@ -21,7 +21,7 @@ namespace
   {
   public:
     using MakeLinear =
-      std::function<std::unique_ptr<LinearSolver>(const SparseMatrix &,
+      std::function<std::unique_ptr<LinearSolver>(const SignoriniProblem &,
                                                   const std::vector<Vector> &,
                                                   const unsigned int)>;
     using MakeContact =
@@ -43,7 +43,7 @@ namespace
             const unsigned int         degree) override
     {
       contact.reset();
-      linear  = make_linear(problem.matrix(), modes, degree);
+      linear  = make_linear(problem, modes, degree);
       contact = make_contact(problem, linear.get());
     }
 
@@ -68,16 +68,17 @@ void
 add_our_competitors(Competitors &competitors)
 {
   const Ours::MakeLinear cholesky =
-    [](const SparseMatrix &matrix, const auto &, const unsigned int) {
-      return std::make_unique<Cholesky>(matrix);
+    [](const SignoriniProblem &problem, const auto &, const unsigned int) {
+      return std::make_unique<Cholesky>(problem.matrix(),
+                                        problem.all_bounded_dofs());
     };
-  const Ours::MakeLinear amg = [](const SparseMatrix        &matrix,
+  const Ours::MakeLinear amg = [](const SignoriniProblem    &problem,
                                   const std::vector<Vector> &modes,
                                   const unsigned int         degree) {
-    return std::make_unique<AmgCg>(matrix, modes, 2, degree > 1);
+    return std::make_unique<AmgCg>(problem.matrix(), modes, 2, degree > 1);
   };
   const Ours::MakeLinear none =
-    [](const SparseMatrix &, const auto &, const unsigned int) {
+    [](const SignoriniProblem &, const auto &, const unsigned int) {
       return std::unique_ptr<LinearSolver>();
     };
   const Ours::MakeContact active_set = [](const SignoriniProblem &problem,
@@ -89,7 +90,8 @@ add_our_competitors(Competitors &competitors)
     "condensed active set, CHOLMOD",
     cholesky,
     [](const SignoriniProblem &problem, LinearSolver *linear) {
-      return std::make_unique<CondensedActiveSet>(problem, *linear, tolerance);
+      return std::make_unique<CondensedActiveSet>(
+        problem, dynamic_cast<DirectSolver &>(*linear), tolerance);
     }));
   competitors.push_back(
     std::make_unique<Ours>("active set, CHOLMOD", cholesky, active_set));

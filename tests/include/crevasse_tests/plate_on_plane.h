@@ -21,18 +21,20 @@ class PlateOnPlane : public ContactBody<dim>
 {
 public:
   /** @param n numbers of cells along the lip, a multiple of 5.
-   * @param hanging_nodes whether cells at half of the lip are refined. */
+   * @param hanging_nodes whether cells at half of the lip are refined.
+   * @param n_across cells across; 0: square ones. */
   PlateOnPlane(const MPI_Comm     communicator,
                const unsigned int n,
                const unsigned int degree,
-               const bool         hanging_nodes = false)
-    : ContactBody<dim>(mesh(communicator, n, hanging_nodes),
-                       degree,
-                       roles(),
-                       {},
-                       Crevasse::VolumetricStrain::full,
-                       dim == 2 ? "0; 10*cos(5*pi*x)"
-                                : "0; (10 + 30*z)*cos(5*pi*x); 0")
+               const bool         hanging_nodes = false,
+               const unsigned int n_across      = 0)
+    : ContactBody<dim>(
+        mesh(communicator, n, hanging_nodes, n_across == 0 ? n / 5 : n_across),
+        degree,
+        roles(),
+        {},
+        Crevasse::VolumetricStrain::full,
+        dim == 2 ? "0; 10*cos(5*pi*x)" : "0; (10 + 30*z)*cos(5*pi*x); 0")
   {
     const auto K = Crevasse::isotropic_stiffness<dim>(13000., 0.2, dim == 2);
     Crevasse::assemble_stiffness(
@@ -58,10 +60,11 @@ private:
   static std::shared_ptr<const Crevasse::Mesh<dim>>
   mesh(const MPI_Comm     communicator,
        const unsigned int n,
-       const bool         hanging_nodes)
+       const bool         hanging_nodes,
+       const unsigned int n_across)
   {
     auto mesh = std::make_shared<Crevasse::Mesh<dim>>(communicator);
-    std::vector<unsigned int> subdivisions(dim, n / 5);
+    std::vector<unsigned int> subdivisions(dim, n_across);
     subdivisions[0] = n;
     dealii::Point<dim> corner;
     for (unsigned int d = 0; d < dim; ++d)
