@@ -60,14 +60,8 @@ namespace Crevasse
     const Vector &b =
       stiffness_factor == 1. ? right_hand_side : scaled_right_hand_side;
 
-    std::size_t n_new     = iterate(b, solution);
-    Certificate certified = certify(b, solution);
-    if (!accepts(certified) && can_refine() && !refines)
-      {
-        refines = true; // from now on: the matrix will not get better
-        n_new += iterate(b, solution);
-        certified = certify(b, solution);
-      }
+    const std::size_t n_new     = iterate(b, solution);
+    const Certificate certified = certify(b, solution);
     if (!accepts(certified))
       fail(certified, n_new);
     scales_of_solutions = scales;
@@ -173,28 +167,15 @@ namespace Crevasse
   {
     archive.common(scales);
     archive.common(scales_of_solutions);
-    archive.common(refines);
     archive.on_bounds(forces);
     std::vector<bool> set = first_set();
     archive.on_bounds(set);
-    // Computed once more they might differ in the last digit.
-    std::vector<dealii::Vector<double>> *known = known_columns();
-    std::vector<std::vector<double>>     columns;
-    if (known != nullptr)
-      for (const dealii::Vector<double> &column : *known)
-        columns.emplace_back(column.begin(), column.end());
-    archive.common(columns);
-    if (!archive.is_loading())
-      return;
     // Ranks without bounds take part in it.
-    if (dealii::Utilities::MPI::max(set.empty() ? 0 : 1,
+    if (archive.is_loading() &&
+        dealii::Utilities::MPI::max(set.empty() ? 0 : 1,
                                     archive.communicator()) == 1)
       start_from(set);
-    if (known != nullptr && archive.has_same_ranks() &&
-        columns.size() == known->size())
-      for (std::size_t i = 0; i < columns.size(); ++i)
-        (*known)[i] =
-          dealii::Vector<double>(columns[i].begin(), columns[i].end());
+    serialize_factors(archive);
   }
 
 

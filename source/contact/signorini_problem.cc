@@ -15,10 +15,11 @@ namespace Crevasse
                                      const UnilateralBounds &bounds)
     : stiffness(stiffness)
     , bounds(bounds)
-    , n_all_bounds(
-        Utilities::MPI::sum(types::global_dof_index(bounds.dofs.size()),
-                            stiffness.get_mpi_communicator()))
   {
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(stiffness.get_mpi_communicator(),
+                                    bounds.dofs))
+      all_dofs.insert(all_dofs.end(), of_rank.begin(), of_rank.end());
     for (const auto i : diagonal().locally_owned_elements())
       if (!(diagonal()(i) > 0.))
         throw NumericalError(

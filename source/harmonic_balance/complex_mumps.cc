@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/harmonic_balance/complex_mumps.h>
@@ -48,6 +47,7 @@ namespace Crevasse
     : MumpsInstance<Complex>(
         real.get_mpi_communicator(),
         real.local_size(),
+        condensed,
         "a complex stiffness",
         "Lower [Linear solver] Memory for instants, use more ranks, or use "
         "[Periodic state] Method = march, which needs no complex factors.",
@@ -64,30 +64,17 @@ namespace Crevasse
     for (std::size_t k = 0; k < sum.values.size(); ++k)
       sum.values[k].imag(B.values[k]);
 
-    std::vector<int>     positions;
-    std::vector<Complex> complement; // on rank 0
+    std::vector<int> positions;
     if (ordering != nullptr)
       {
         positions    = *ordering;
         icntl(7)     = 1; // an ordering that is given
         data.perm_in = positions.data();
       }
-    for (const auto unknown : condensed)
-      last_unknowns.push_back(unknown + 1);
-    if (!last_unknowns.empty())
-      {
-        icntl(19)          = 1; // Schur complement on rank 0
-        data.size_schur    = last_unknowns.size();
-        data.listvar_schur = last_unknowns.data();
-        if (is_root())
-          complement.resize(last_unknowns.size() * last_unknowns.size());
-        data.schur = for_mumps(complement);
-      }
     factorise(sum);
     data.perm_in = nullptr;
-    data.schur   = nullptr;
-    if (!last_unknowns.empty())
-      invert(complement);
+    if (!condensed.empty())
+      invert();
     if (ordering == nullptr)
       ordering = is_root() ? std::make_shared<Ordering>(data.sym_perm,
                                                         data.sym_perm + data.n)
@@ -98,36 +85,26 @@ namespace Crevasse
 
 
   void
-  ComplexMumps::invert(const std::vector<Complex> &complement)
+  ComplexMumps::invert()
   {
-    const std::size_t n = last_unknowns.size();
+    try
+      {
+        schur_complement.compute_lu_factorization();
+        schur_complement.invert();
+      }
+    catch (const ExceptionBase &)
+      {
+        throw NumericalError(
+          "The compliance of the lip under a harmonic is singular: check "
+          "the moduli of [Material] for extreme contrasts.");
+      }
+    const std::size_t n = schur_complement.m();
     compliance.reinit(n, n);
-    collectively(communicator, [&]() {
-      if (!is_root())
-        return;
-      LAPACKFullMatrix<Complex> matrix(n, n);
-      for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j)
-          // MUMPS writes one triangle of a symmetric one.
-          matrix(i, j) = complement[std::max(i, j) * n + std::min(i, j)];
-      try
-        {
-          matrix.compute_lu_factorization();
-          matrix.invert();
-        }
-      catch (const ExceptionBase &)
-        {
-          throw NumericalError(
-            "The compliance of the lip under a harmonic is singular: check "
-            "the moduli of [Material] for extreme contrasts.");
-        }
-      for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j)
-          compliance(i, j) = 0.5 * (matrix(i, j) + matrix(j, i));
-    });
-    const int error = MPI_Bcast(
-      &compliance(0, 0), n * n, MPI_CXX_DOUBLE_COMPLEX, 0, communicator);
-    AssertThrowMPI(error);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        compliance(i, j) =
+          0.5 * (schur_complement(i, j) + schur_complement(j, i));
+    schur_complement.reinit(0);
   }
 
 
@@ -162,28 +139,6 @@ namespace Crevasse
 
 
   void
-  ComplexMumps::solve_on_root(std::vector<Complex> &on_root)
-  {
-    using Base           = MumpsInstance<Complex>;
-    const unsigned int n = last_unknowns.size();
-    if (n == 0)
-      return Base::solve(on_root);
-    dealii::Vector<Complex> right(n), solution(n);
-    std::vector<Complex>    reduced(n);
-    data.lredrhs = n;
-    data.redrhs  = for_mumps(reduced);
-    icntl(26)    = 1; // as far as the Schur complement
-    Base::solve(on_root, 1, "a condensation");
-    std::copy(reduced.begin(), reduced.end(), right.begin());
-    compliance.vmult(solution, right);
-    std::copy(solution.begin(), solution.end(), reduced.begin());
-    icntl(26) = 2; // and back
-    Base::solve(on_root);
-  }
-
-
-
-  void
   ComplexMumps::solve(Vector &real, Vector &imaginary)
   {
     const std::size_t    n = real.locally_owned_size();
@@ -191,7 +146,10 @@ namespace Crevasse
     for (std::size_t i = 0; i < n; ++i)
       local[i] = {real.local_element(i), imaginary.local_element(i)};
     std::vector<Complex> all = gather(local.data());
-    solve_on_root(all);
+    MumpsInstance<Complex>::solve(all, 1, [&](dealii::Vector<Complex> &on_lip) {
+      const dealii::Vector<Complex> right = on_lip;
+      compliance.vmult(on_lip, right);
+    });
     scatter(all, local.data());
     for (std::size_t i = 0; i < n; ++i)
       {

@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <map>
 
 namespace Crevasse
 {
@@ -103,6 +104,41 @@ namespace Crevasse
   FullMatrix<double>
   LipPart::compliance(LinearSolver &linear_solver, const Vector &model) const
   {
+    const auto *const  factor = dynamic_cast<DirectSolver *>(&linear_solver);
+    FullMatrix<double> matrix = factor != nullptr && !factor->lip.empty()
+                                  ? from_factor(*factor)
+                                  : from_columns(linear_solver, model);
+    matrix.symmetrize();
+    return matrix;
+  }
+
+
+
+  FullMatrix<double>
+  LipPart::from_factor(const DirectSolver &factor) const
+  {
+    LAPACKFullMatrix<double> inverse(factor.lip_stiffness());
+    inverse.set_property(LAPACKSupport::symmetric);
+    inverse.compute_cholesky_factorization();
+    inverse.invert();
+    std::map<types::global_dof_index, unsigned int> place;
+    for (unsigned int i = 0; i < factor.lip.size(); ++i)
+      place[factor.lip[i]] = i;
+    const unsigned int n = n_nodes();
+    FullMatrix<double> matrix(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        matrix(i, j) =
+          nodes.sign[i] * nodes.sign[j] *
+          inverse(place.at(nodes.dofs[i]), place.at(nodes.dofs[j]));
+    return matrix;
+  }
+
+
+
+  FullMatrix<double>
+  LipPart::from_columns(LinearSolver &linear_solver, const Vector &model) const
+  {
     // A dense block of right-hand sides is what limits the memory.
     constexpr unsigned int block_size    = 32;
     constexpr double       residual_norm = 1e-12; // of unit forces
@@ -127,7 +163,6 @@ namespace Crevasse
               matrix(i, begin + k) = column(i);
           }
       }
-    matrix.symmetrize();
     return matrix;
   }
 } // namespace Crevasse

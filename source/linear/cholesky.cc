@@ -4,11 +4,14 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/linear/matrix_operator.h>
+#include <crevasse/linear/supernodal_factor.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cholmod.h>
+#include <map>
+#include <optional>
 #include <utility>
 
 namespace Crevasse
@@ -21,12 +24,12 @@ namespace Crevasse
     {
       cholmod_start(&common);
       common.print = 0; // errors become exceptions
+      // What SupernodalFactor reads.
+      common.supernodal = CHOLMOD_SUPERNODAL;
     }
 
     ~Factor()
     {
-      for (cholmod_dense **vectors : {&solution, &work_1, &work_2})
-        cholmod_free_dense(vectors, &common);
       cholmod_free_factor(&L, &common);
       cholmod_finish(&common);
     }
@@ -44,14 +47,114 @@ namespace Crevasse
                                 : "."));
     }
 
-    cholmod_common  common;
-    cholmod_factor *L = nullptr;
+    /** Orders and analyses @p A, with @p lip last. */
+    void
+    analyse(cholmod_sparse &A, const std::vector<int> &lip);
 
-    // Kept from solve to solve, so that a solve allocates nothing.
-    cholmod_dense *solution = nullptr;
-    cholmod_dense *work_1   = nullptr;
-    cholmod_dense *work_2   = nullptr;
+    /** Analyses with this order, and keeps it if it is the first or leaves less
+     * fill. */
+    void
+    try_order(cholmod_sparse         &A,
+              const std::vector<int> &candidate,
+              const int               n_lip);
+
+    /** Factorises. */
+    void
+    factorise(cholmod_sparse &A, const Factor &analysis);
+
+    /** Which unknown is where in the factor. */
+    const int *
+    order() const
+    {
+      return static_cast<const int *>(L->Perm);
+    }
+
+    cholmod_common  common;
+    cholmod_factor *L         = nullptr;
+    double          n_entries = 0., n_operations = 0.; ///< of an analysis
+
+    std::optional<SupernodalFactor> substitution;
+    std::vector<int>                lip_places; ///< in the factor
+    LipVector                       on_lip;
+    std::vector<double>             work; ///< in the factor's order
   };
+
+
+
+  void
+  Cholesky::Factor::try_order(cholmod_sparse         &A,
+                              const std::vector<int> &candidate,
+                              const int               n_lip)
+  {
+    const std::vector<int> lip(candidate.end() - n_lip, candidate.end());
+    common.nmethods           = 1;
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    cholmod_factor *analysed  = nullptr;
+    // Sorted by the tree of the factor, supernodes are larger; the lip of one
+    // of several parts of a body need not be last then.
+    for (const bool sorted : {true, false})
+      {
+        common.postorder = sorted;
+        cholmod_free_factor(&analysed, &common);
+        analysed = cholmod_analyze_p(
+          &A, const_cast<int *>(candidate.data()), nullptr, 0, &common);
+        require_success();
+        const int *const end = static_cast<int *>(analysed->Perm) + A.nrow;
+        if (std::is_permutation(end - n_lip, end, lip.begin()))
+          break;
+      }
+    if (L == nullptr || common.lnz < n_entries)
+      {
+        std::swap(L, analysed);
+        n_entries    = common.lnz;
+        n_operations = common.fl;
+      }
+    cholmod_free_factor(&analysed, &common);
+  }
+
+
+
+  void
+  Cholesky::Factor::analyse(cholmod_sparse &A, const std::vector<int> &lip)
+  {
+    const int        n = A.nrow;
+    std::vector<int> is_lip(n, 0), candidate(n);
+    for (const int i : lip)
+      is_lip[i] = 1;
+    // As CHOLMOD chooses: minimum degree is the quickest to find; nested
+    // dissection leaves a smaller factor on large matrices (measured:
+    // doc/contact_solvers.md), and where minimum degree leaves much to do.
+    constexpr int    large    = 30000;
+    constexpr double much     = 500.; // operations for an entry of the factor
+    constexpr double few_fill = 5.;   // entries for one of the matrix
+    if (n <= large)
+      {
+        // CAMD wants some unknowns of the first kind.
+        if (lip.size() == A.nrow)
+          candidate = lip;
+        else
+          cholmod_camd(
+            &A, nullptr, 0, is_lip.data(), candidate.data(), &common);
+        require_success();
+        try_order(A, candidate, lip.size());
+        if (n_operations < much * n_entries ||
+            n_entries < few_fill * common.anz)
+          return;
+      }
+    std::vector<int> parents(n), members(n);
+    cholmod_nested_dissection(&A,
+                              nullptr,
+                              0,
+                              candidate.data(),
+                              parents.data(),
+                              members.data(),
+                              &common);
+    require_success();
+    std::stable_partition(candidate.begin(), candidate.end(), [&](const int i) {
+      return is_lip[i] == 0;
+    });
+    try_order(A, candidate, lip.size());
+  }
 
 
 
@@ -67,8 +170,10 @@ namespace Crevasse
 
 
   Cholesky::Cholesky(const Matrix                 &matrix,
+                     const Indices                &lip,
                      std::shared_ptr<const Factor> same_pattern)
-    : pattern(std::move(same_pattern))
+    : DirectSolver(lip)
+    , pattern(std::move(same_pattern))
     , factor(std::make_unique<Factor>())
   {
     require_one_process(matrix.get_mpi_communicator());
@@ -89,29 +194,53 @@ namespace Crevasse
     if (pattern == nullptr)
       {
         auto analysis = std::make_shared<Factor>();
-        // CHOLMOD's own choice, approximate minimum degree, is the quickest to
-        // find; on larger matrices nested dissection leaves a smaller factor
-        // (measured: doc/contact_solvers.md).
-        constexpr int large = 300000;
-        if (rows.n > large)
-          {
-            analysis->common.nmethods           = 1;
-            analysis->common.method[0].ordering = CHOLMOD_NESDIS;
-          }
-        analysis->L = cholmod_analyze(&A, &analysis->common);
-        analysis->require_success();
+        analysis->analyse(A, {lip.begin(), lip.end()});
         pattern = analysis;
       }
-    factor->L = cholmod_copy_factor(pattern->L, &factor->common);
-    factor->require_success();
-    cholmod_factorize(&A, factor->L, &factor->common);
-    factor->require_success();
-    if (factor->common.status == CHOLMOD_NOT_POSDEF)
+    factor->factorise(A, *pattern);
+    condense();
+  }
+
+
+
+  void
+  Cholesky::Factor::factorise(cholmod_sparse &A, const Factor &analysis)
+  {
+    L = cholmod_copy_factor(analysis.L, &common);
+    require_success();
+    cholmod_factorize(&A, L, &common);
+    require_success();
+    if (common.status == CHOLMOD_NOT_POSDEF)
       throw NumericalError(
         "CHOLMOD: the stiffness is not positive definite (pivot " +
-        std::to_string(factor->L->minor) + " of " + std::to_string(matrix.m()) +
+        std::to_string(L->minor) + " of " + std::to_string(A.nrow) +
         "). Check the moduli of [Material], the supports of [Boundary], and "
         "the mesh for inverted cells or parts that hang together by nothing.");
+    substitution.emplace(*L);
+    work.resize(A.nrow);
+  }
+
+
+
+  void
+  Cholesky::condense()
+  {
+    const int                n = factor->work.size(), begin = n - lip.size();
+    std::map<int, int>       place_of;
+    LAPACKFullMatrix<double> rows(lip.size(), lip.size());
+    for (int i = begin; i < n; ++i)
+      place_of[factor->order()[i]] = i;
+    const FullMatrix<double> triangle = factor->substitution->last_block(begin);
+    for (unsigned int i = 0; i < lip.size(); ++i)
+      {
+        factor->lip_places.push_back(place_of.at(lip[i]));
+        for (unsigned int j = 0; j < lip.size(); ++j)
+          rows(i, j) = triangle(factor->lip_places[i] - begin, j);
+      }
+    factor->on_lip.reinit(lip.size());
+    schur_complement.reinit(lip.size());
+    if (!lip.empty())
+      rows.mTmult(schur_complement, rows);
   }
 
 
@@ -123,7 +252,7 @@ namespace Crevasse
   std::size_t
   Cholesky::memory_consumption() const
   {
-    return factor->common.memory_inuse;
+    return factor->common.memory_inuse + schur_complement.memory_consumption();
   }
 
 
@@ -131,9 +260,8 @@ namespace Crevasse
   std::string
   Cholesky::description() const
   {
-    return std::string("sparse Cholesky (CHOLMOD), ") +
-           (factor->L->is_super != 0 ? "supernodal" : "simplicial") + ", " +
-           std::to_string(std::size_t(pattern->common.lnz)) +
+    return "sparse Cholesky (CHOLMOD), " +
+           std::to_string(std::size_t(pattern->n_entries)) +
            " entries in the factor";
   }
 
@@ -144,26 +272,40 @@ namespace Crevasse
                        const double      *right_hand_sides,
                        const unsigned int n_columns)
   {
-    const std::size_t n = factor->L->n;
-    cholmod_dense     b{};
-    b.nrow = b.d = n;
-    b.ncol       = n_columns;
-    b.nzmax      = n * n_columns;
-    b.x          = const_cast<double *>(right_hand_sides); // only read
-    b.xtype      = CHOLMOD_REAL;
-    b.dtype      = CHOLMOD_DOUBLE;
-    cholmod_solve2(CHOLMOD_A,
-                   factor->L,
-                   &b,
-                   nullptr,
-                   &factor->solution,
-                   nullptr,
-                   &factor->work_1,
-                   &factor->work_2,
-                   &factor->common);
-    factor->require_success();
-    std::copy_n(static_cast<const double *>(factor->solution->x),
-                n * n_columns,
-                solutions);
+    const int  n     = factor->work.size();
+    double    *y     = factor->work.data();
+    const int *order = factor->order();
+    for (unsigned int k = 0; k < n_columns; ++k)
+      {
+        for (int i = 0; i < n; ++i)
+          y[i] = right_hand_sides[std::size_t(k) * n + order[i]];
+        factor->substitution->forward(y, n);
+        factor->substitution->backward(y, n);
+        for (int i = 0; i < n; ++i)
+          solutions[std::size_t(k) * n + order[i]] = y[i];
+      }
+  }
+
+
+
+  void
+  Cholesky::back_solve_with_lip(double           *solution,
+                                const double     *right_hand_side,
+                                const LipProblem &lip_problem)
+  {
+    const int  n = factor->work.size(), begin = n - lip.size();
+    double    *y     = factor->work.data();
+    const int *order = factor->order();
+    for (int i = 0; i < n; ++i)
+      y[i] = right_hand_side[order[i]];
+    factor->substitution->forward(y, begin);
+    for (unsigned int i = 0; i < lip.size(); ++i)
+      factor->on_lip(i) = y[factor->lip_places[i]];
+    lip_problem(factor->on_lip);
+    for (unsigned int i = 0; i < lip.size(); ++i)
+      y[factor->lip_places[i]] = factor->on_lip(i);
+    factor->substitution->backward(y, begin);
+    for (int i = 0; i < n; ++i)
+      solution[order[i]] = y[i];
   }
 } // namespace Crevasse

@@ -7,6 +7,25 @@
 
 namespace Crevasse
 {
+  void
+  DirectSolver::solve_with_lip(Vector           &solution,
+                               const Vector     &right_hand_side,
+                               const LipProblem &lip_problem)
+  {
+    const dealii::Timer timer;
+    double              on_lip = 0.;
+    back_solve_with_lip(solution.begin(),
+                        right_hand_side.begin(),
+                        [&](LipVector &values) {
+                          const dealii::Timer timer_of_lip;
+                          lip_problem(values);
+                          on_lip = timer_of_lip.wall_time();
+                        });
+    count(1, timer.wall_time() - on_lip);
+  }
+
+
+
   unsigned int
   DirectSolver::apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
                                      const double)

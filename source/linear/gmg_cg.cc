@@ -39,6 +39,7 @@ namespace Crevasse
                            .type,
                          of.space(0),
                          coarsest_matrix,
+                         {},
                          no_analysis);
     for (unsigned int l = 0; l < n_levels; ++l)
       {

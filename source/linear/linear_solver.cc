@@ -12,8 +12,7 @@ namespace Crevasse
   {
     const dealii::Timer timer;
     iterations += apply_inverse(solution, right_hand_side, residual_norm);
-    wall_time += timer.wall_time();
-    ++solves;
+    count(1, timer.wall_time());
   }
 
 
@@ -24,8 +23,7 @@ namespace Crevasse
   {
     const dealii::Timer timer;
     iterations += apply_inverse_to_all(right_hand_sides, residual_norm);
-    wall_time += timer.wall_time();
-    solves += right_hand_sides.size();
+    count(right_hand_sides.size(), timer.wall_time());
   }
 
 

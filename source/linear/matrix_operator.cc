@@ -35,12 +35,15 @@ namespace Crevasse
   {
     std::vector<Indices> coupled(rows.size());
     for (std::size_t k = 0; k < rows.size(); ++k)
-      for (auto entry = sparse_matrix.begin(rows[k]);
-           entry != sparse_matrix.end(rows[k]);
-           ++entry)
-        if (entry->column() != rows[k] && entry->value() != 0. &&
-            std::binary_search(columns.begin(), columns.end(), entry->column()))
-          coupled[k].push_back(entry->column());
+      {
+        const auto end = sparse_matrix.end(rows[k]); // it copies a row
+        for (auto entry = sparse_matrix.begin(rows[k]); entry != end; ++entry)
+          if (entry->column() != rows[k] && entry->value() != 0. &&
+              std::binary_search(columns.begin(),
+                                 columns.end(),
+                                 entry->column()))
+            coupled[k].push_back(entry->column());
+      }
     return coupled;
   }
 

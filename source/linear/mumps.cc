@@ -6,22 +6,35 @@
 
 namespace Crevasse
 {
-  Mumps::Mumps(const Matrix &matrix)
-    : factor(matrix.get_mpi_communicator(),
+  Mumps::Mumps(const Matrix &matrix, const Indices &lip)
+    : DirectSolver(lip)
+    , factor(matrix.get_mpi_communicator(),
              matrix.local_size(),
+             lip,
              "the stiffness",
              "Use more ranks or [Linear solver] Type = amg.",
              "Check the moduli of [Material] and the supports of [Boundary].")
   {
     UpperTriangle<double> triangle = upper_triangle(matrix);
     factor.factorise(triangle);
+    schur_complement = std::move(factor.schur_complement);
     // Without pivoting each pivot has its sign by Sylvester's law.
-    if (const int n_negative = factor.data.infog[11]; n_negative != 0)
+    bool is_positive = factor.data.infog[11] == 0;
+    lip_factor       = schur_complement;
+    lip_factor.set_property(dealii::LAPACKSupport::symmetric);
+    try
+      {
+        if (is_positive && !lip.empty())
+          lip_factor.compute_cholesky_factorization();
+      }
+    catch (const dealii::ExceptionBase &)
+      {
+        is_positive = false;
+      }
+    if (!is_positive)
       throw NumericalError(
-        "MUMPS: the stiffness is not positive definite (" +
-        std::to_string(n_negative) +
-        " negative pivots). Check the moduli of [Material] and the supports "
-        "of [Boundary].");
+        "MUMPS: the stiffness is not positive definite. Check the moduli of "
+        "[Material] and the supports of [Boundary].");
   }
 
 
@@ -32,7 +45,21 @@ namespace Crevasse
                     const unsigned int n_columns)
   {
     std::vector<double> on_root = factor.gather(right_hand_sides, n_columns);
-    factor.solve(on_root, n_columns);
+    factor.solve(on_root, n_columns, [&](LipVector &on_lip) {
+      lip_factor.solve(on_lip);
+    });
     factor.scatter(on_root, solutions, n_columns);
+  }
+
+
+
+  void
+  Mumps::back_solve_with_lip(double           *solution,
+                             const double     *right_hand_side,
+                             const LipProblem &lip_problem)
+  {
+    std::vector<double> on_root = factor.gather(right_hand_side);
+    factor.solve(on_root, 1, lip_problem);
+    factor.scatter(on_root, solution);
   }
 } // namespace Crevasse

@@ -73,18 +73,22 @@ namespace Crevasse
   template <typename Number>
   MumpsInstance<Number>::MumpsInstance(const MPI_Comm     communicator,
                                        const int          n_local,
+                                       const Indices     &last,
                                        const std::string &matrix_name,
                                        const std::string &if_memory_is_short,
                                        const std::string &otherwise)
     : communicator(communicator)
     , n_ranks(dealii::Utilities::MPI::n_mpi_processes(communicator))
     , n_local(n_local)
+    , last(last.begin(), last.end())
     , matrix_name(matrix_name)
     , if_memory_is_short(if_memory_is_short)
     , otherwise(otherwise)
     , counts(dealii::Utilities::MPI::gather(communicator, n_local))
     , starts(counts.size(), 0)
   {
+    for (int &unknown : this->last)
+      ++unknown;
     for (unsigned int rank = 1; rank < counts.size(); ++rank)
       starts[rank] = starts[rank - 1] + counts[rank - 1];
 
@@ -138,6 +142,7 @@ namespace Crevasse
     data.irn_loc = triangle.rows.data();
     data.jcn_loc = triangle.columns.data();
     data.a_loc   = for_mumps(triangle.values);
+    ask_for_schur_complement();
     call(data, 1);
     require("the analysis");
     // MUMPS predicts the memory; where it falls short, it wants more.
@@ -156,6 +161,46 @@ namespace Crevasse
     // What is no longer there is not looked for either.
     data.irn_loc = data.jcn_loc = nullptr;
     data.a_loc                  = nullptr;
+    share_schur_complement();
+  }
+
+
+
+  template <typename Number>
+  void
+  MumpsInstance<Number>::ask_for_schur_complement()
+  {
+    if (last.empty())
+      return;
+    schur_complement.reinit(last.size());
+    icntl(19)          = 1; // on rank 0
+    data.size_schur    = last.size();
+    data.listvar_schur = last.data();
+    data.schur =
+      reinterpret_cast<decltype(data.schur)>(&schur_complement(0, 0));
+  }
+
+
+
+  template <typename Number>
+  void
+  MumpsInstance<Number>::share_schur_complement()
+  {
+    data.schur = nullptr;
+    if (last.empty())
+      return;
+    // MUMPS writes one triangle of a symmetric one.
+    const std::size_t n = last.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        schur_complement(i, j) = schur_complement(j, i);
+    const int error =
+      MPI_Bcast(&schur_complement(0, 0),
+                n * n,
+                dealii::Utilities::MPI::mpi_type_id_for_type<Number>,
+                0,
+                communicator);
+    AssertThrowMPI(error);
   }
 
 
@@ -164,13 +209,41 @@ namespace Crevasse
   void
   MumpsInstance<Number>::solve(std::vector<Number> &on_root,
                                const unsigned int   n_columns,
-                               const char          *what)
+                               const Problem       &problem)
   {
     data.nrhs = n_columns;
     data.lrhs = data.n;
     data.rhs  = for_mumps(on_root);
+    if (last.empty())
+      {
+        call(data, 3);
+        require("a back-solve");
+        return;
+      }
+    const std::size_t   n = last.size();
+    std::vector<Number> reduced(n * n_columns);
+    data.lredrhs = n;
+    data.redrhs  = for_mumps(reduced);
+    icntl(26)    = 1; // as far as P
     call(data, 3);
-    require(what);
+    require("a condensation");
+    const int error =
+      MPI_Bcast(reduced.data(),
+                reduced.size(),
+                dealii::Utilities::MPI::mpi_type_id_for_type<Number>,
+                0,
+                communicator);
+    AssertThrowMPI(error);
+    dealii::Vector<Number> on_last(n);
+    for (auto column = reduced.begin(); column != reduced.end(); column += n)
+      {
+        std::copy_n(column, n, on_last.begin());
+        problem(on_last);
+        std::copy_n(on_last.begin(), n, column);
+      }
+    icntl(26) = 2; // and back
+    call(data, 3);
+    require("a back-solve");
   }
 
 

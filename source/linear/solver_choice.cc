@@ -38,6 +38,7 @@ namespace Crevasse
   make_matrix_solver(const LinearSolverType                   type,
                      const Space<dim>                        &space,
                      const LinearSolver::Matrix              &matrix,
+                     const DirectSolver::Indices             &lip,
                      std::shared_ptr<const Cholesky::Factor> &analysis)
   {
     if (type == LinearSolverType::amg)
@@ -46,8 +47,8 @@ namespace Crevasse
                                      dim,
                                      space.finite_element().degree > 1);
     if (type == LinearSolverType::mumps)
-      return std::make_unique<Mumps>(matrix);
-    auto cholesky = std::make_unique<Cholesky>(matrix, analysis);
+      return std::make_unique<Mumps>(matrix, lip);
+    auto cholesky = std::make_unique<Cholesky>(matrix, lip, analysis);
     analysis      = cholesky->analysis();
     return cholesky;
   }
@@ -80,10 +81,12 @@ namespace Crevasse
   make_matrix_solver(const LinearSolverType,
                      const Space<2> &,
                      const LinearSolver::Matrix &,
+                     const DirectSolver::Indices &,
                      std::shared_ptr<const Cholesky::Factor> &);
   template std::unique_ptr<LinearSolver>
   make_matrix_solver(const LinearSolverType,
                      const Space<3> &,
                      const LinearSolver::Matrix &,
+                     const DirectSolver::Indices &,
                      std::shared_ptr<const Cholesky::Factor> &);
 } // namespace Crevasse

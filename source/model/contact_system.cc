@@ -3,6 +3,7 @@
 
 #include <crevasse/contact/active_set.h>
 #include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/contact/no_contact.h>
 #include <crevasse/contact/projected_sor.h>
 #include <crevasse/linear/gmg_cg.h>
 #include <crevasse/linear/matrix_operator.h>
@@ -70,8 +71,11 @@ namespace Crevasse
   {
     const ContactParameters &parameters = settings.contact;
     const SignoriniProblem  &problem    = *signorini_problem;
-    switch (problem.n_bounds() > 0 ? settings.contact_choice.type
-                                   : ContactSolverType::condensed_active_set)
+    if (problem.n_bounds() == 0)
+      return std::make_unique<NoContact>(problem,
+                                         linear_solver(),
+                                         parameters.tolerance);
+    switch (settings.contact_choice.type)
       {
         case ContactSolverType::projected_sor:
           return std::make_unique<ProjectedSor>(problem,
@@ -86,9 +90,10 @@ namespace Crevasse
                                              settings.linear_solver.tolerance,
                                              parameters.maximum_iterations);
         case ContactSolverType::condensed_active_set:
-          return std::make_unique<CondensedActiveSet>(problem,
-                                                      linear_solver(),
-                                                      parameters.tolerance);
+          return std::make_unique<CondensedActiveSet>(
+            problem,
+            dynamic_cast<DirectSolver &>(linear_solver()), // see choose_contact
+            parameters.tolerance);
         case ContactSolverType::automatic:
           break; // chosen before
       }
@@ -110,7 +115,15 @@ namespace Crevasse
                                  is_multigrid ? "multigrid set-up"
                                                   : "factorisation");
         ++(is_multigrid ? setups.multigrid_setups : setups.factorisations);
-        open_solver = make_matrix_solver(type, space, matrix, analysis);
+        const bool condenses = settings.contact_choice.type ==
+                               ContactSolverType::condensed_active_set;
+        open_solver =
+          make_matrix_solver(type,
+                             space,
+                             matrix,
+                             condenses ? signorini_problem->all_bounded_dofs()
+                                       : DirectSolver::Indices(),
+                             analysis);
       }
     return *open_solver;
   }

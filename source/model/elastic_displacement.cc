@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/contact/no_contact.h>
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/time/evolution.h>
@@ -38,9 +38,9 @@ namespace Crevasse
       {
         ContactSystem<dim>    &system = systems.system_at(0.);
         const SignoriniProblem unconstrained(system.problem().stiffness, none);
-        CondensedActiveSet     solver(unconstrained,
-                                  system.linear_solver(),
-                                  scene.contact.tolerance);
+        NoContact              solver(unconstrained,
+                         system.linear_solver(),
+                         scene.contact.tolerance);
         return solution(solver, loads);
       }
 

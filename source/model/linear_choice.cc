@@ -132,6 +132,11 @@ namespace Crevasse
                    const std::size_t        n_bounds)
     {
       using Type = ContactSolverType;
+      if (parameters.solver == Type::condensed_active_set && n_bounds > 0 &&
+          traits(linear_solver).is_multigrid)
+        throw SceneError(
+          "[Contact] Solver = condensed active set needs a factor. Set [Linear "
+          "solver] Type = cholesky or mumps, or Solver = active set.");
       if (parameters.solver != Type::automatic)
         return {parameters.solver,
                 "[Contact] Solver = " + name_of(parameters.solver)};
@@ -142,8 +147,7 @@ namespace Crevasse
       const std::string     n           = std::to_string(largest_lip);
       if (traits(linear_solver).is_multigrid)
         return {Type::active_set,
-                "automatic: without a factor there are no cheap "
-                "columns of the compliance"};
+                "automatic: without a factor nothing can be condensed"};
       if (n_bounds > largest_lip)
         return {Type::active_set,
                 "automatic: the lip has more than " + n + " nodes"};

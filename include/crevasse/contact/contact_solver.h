@@ -145,13 +145,10 @@ namespace Crevasse
       return {};
     }
 
-    /** Columns of a compliance that were computed already, for each bound of
-     * all ranks; null: the method has none. */
-    virtual std::vector<dealii::Vector<double>> *
-    known_columns()
-    {
-      return nullptr;
-    }
+    /** Shows what else rounds the next solution, if the method keeps it. */
+    virtual void
+    serialize_factors(StateArchive &)
+    {}
 
     /** What the method knows about a failure, for its message: sentences that
      * begin with a space. */
@@ -159,21 +156,6 @@ namespace Crevasse
     failure_notes() const
     {
       return "";
-    }
-
-    /** Whether iterate() could do better if asks_for_refinement(). */
-    virtual bool
-    can_refine() const
-    {
-      return false;
-    }
-
-    /** Whether a certificate has shown that the rounding of direct solvers is
-     * too large on this matrix, so that solutions must be refined. */
-    bool
-    asks_for_refinement() const
-    {
-      return refines;
     }
 
     /** The tolerance of forces, or what rounding leaves of it. */
@@ -235,7 +217,6 @@ namespace Crevasse
     Vector              scaled_right_hand_side; ///< empty until one is scaled
     Vector              residual;
     std::vector<double> forces;
-    bool                refines = false;
     Certificate         maxima;
     double              largest_error = 0.;
     std::size_t         solves        = 0;

@@ -83,11 +83,18 @@ namespace Crevasse
     dealii::types::global_dof_index
     n_bounds() const
     {
-      return n_all_bounds;
+      return all_dofs.size();
+    }
+
+    /** The unknowns of all ranks that have bounds, rank by rank. */
+    const LinearOperator::Indices &
+    all_bounded_dofs() const
+    {
+      return all_dofs;
     }
 
   private:
-    dealii::types::global_dof_index n_all_bounds;
+    LinearOperator::Indices all_dofs;
   };
 } // namespace Crevasse
 

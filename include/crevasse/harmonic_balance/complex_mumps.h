@@ -65,20 +65,14 @@ namespace Crevasse
   private:
     using Complex = std::complex<double>;
 
-    /** Makes the compliance of the Schur complement, for all ranks. */
+    /** Makes the compliance of the Schur complement. */
     void
-    invert(const std::vector<Complex> &complement);
-
-    /** Solves for the right-hand side that rank 0 has. */
-    void
-    solve_on_root(std::vector<Complex> &on_root);
+    invert();
 
     /** @throw NumericalError if the factor does not solve the system with the
      * solution 1. */
     void
     check(const Matrix &real, const Matrix &imaginary);
-
-    std::vector<int> last_unknowns; ///< P, counted from 1
   };
 } // namespace Crevasse
 

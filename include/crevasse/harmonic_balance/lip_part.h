@@ -5,7 +5,7 @@
 #define crevasse_harmonic_balance_lip_part_h
 
 #include <crevasse/contact/signorini_problem.h>
-#include <crevasse/linear/linear_solver.h>
+#include <crevasse/linear/direct_solver.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -59,6 +59,14 @@ namespace Crevasse
     UnilateralBounds nodes; ///< of all ranks
 
   private:
+    /** From the Schur complement, if the factor has one. */
+    dealii::FullMatrix<double>
+    from_factor(const DirectSolver &factor) const;
+
+    /** By a solve for each node. */
+    dealii::FullMatrix<double>
+    from_columns(LinearSolver &linear_solver, const Vector &model) const;
+
     const MPI_Comm            communicator;
     const std::size_t         n_bounds; ///< locally owned ones
     unsigned int              first = 0;

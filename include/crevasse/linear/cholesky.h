@@ -20,10 +20,12 @@ namespace Crevasse
 
     /** Factorises.
      *
-     * @param same_pattern the analysis of a matrix with the same pattern, or
-     * null. @throw NumericalError if the matrix is not positive definite;
-     * SceneError on several ranks. */
+     * @param lip see DirectSolver.
+     * @param same_pattern the analysis of a matrix with the same pattern and
+     * lip, or null. @throw NumericalError if the matrix is not positive
+     * definite; SceneError on several ranks. */
     explicit Cholesky(const Matrix                 &matrix,
+                      const Indices                &lip          = {},
                       std::shared_ptr<const Factor> same_pattern = nullptr);
     ~Cholesky() override;
 
@@ -51,7 +53,16 @@ namespace Crevasse
                const double      *right_hand_sides,
                const unsigned int n_columns) override;
 
+    void
+    back_solve_with_lip(double           *solution,
+                        const double     *right_hand_side,
+                        const LipProblem &lip_problem) override;
+
   private:
+    /** Takes the lip's part of the factor for Σ. */
+    void
+    condense();
+
     std::shared_ptr<const Factor> pattern;
     std::unique_ptr<Factor>       factor;
   };

@@ -6,13 +6,56 @@
 
 #include <crevasse/linear/linear_solver.h>
 
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <functional>
+#include <vector>
+
 namespace Crevasse
 {
-  /** What all solvers by a factorisation have in common: a solve is exact and
-   * costs a back-solve, which derived classes do for a block of columns. */
+  /**
+   * What all solvers by a factorisation have in common: a solve is exact and
+   * costs a back-solve. The unknowns of the lip are eliminated last, so that
+   * with the other ones, I, eliminated, the problem is one on the lip alone,
+   *
+   *     Σ q_L = c,      Σ = A_LL − A_LI A_II⁻¹ A_IL,
+   *                     c = b_L − A_LI A_II⁻¹ b_I,
+   *
+   * which may be solved there under whatever constraints hold on the lip,
+   * between the forward and the backward substitution.
+   */
   class DirectSolver : public LinearSolver
   {
   public:
+    using Indices   = std::vector<dealii::types::global_dof_index>;
+    using LipVector = dealii::Vector<double>;
+
+    /** Overwrites c by q_L. */
+    using LipProblem = std::function<void(LipVector &on_lip)>;
+
+    /** @param lip the unknowns of the lip, of all ranks, the same on each. */
+    explicit DirectSolver(const Indices &lip)
+      : lip(lip)
+    {
+    }
+
+    /** A q = b, but for what @p lip_problem does on the lip, whose unknowns
+     * come in the order in which the constructor got them. With several ranks
+     * each solves the problem on the lip. It counts as one solve; the time of
+     * the problem on the lip is not included. Collective. */
+    void
+    solve_with_lip(Vector           &solution,
+                   const Vector     &right_hand_side,
+                   const LipProblem &lip_problem);
+
+    /** Σ, on all ranks. */
+    const dealii::LAPACKFullMatrix<double> &
+    lip_stiffness() const
+    {
+      return schur_complement;
+    }
+
     bool
     is_direct() const override
     {
@@ -24,6 +67,8 @@ namespace Crevasse
     {
       back_solve(solution.begin(), right_hand_side.begin(), 1);
     }
+
+    const Indices lip;
 
   protected:
     unsigned int
@@ -45,6 +90,14 @@ namespace Crevasse
     back_solve(double            *solutions,
                const double      *right_hand_sides,
                const unsigned int n_columns) = 0;
+
+    /** As above, for the locally owned entries. */
+    virtual void
+    back_solve_with_lip(double           *solution,
+                        const double     *right_hand_side,
+                        const LipProblem &lip_problem) = 0;
+
+    dealii::LAPACKFullMatrix<double> schur_complement; ///< Σ
   };
 } // namespace Crevasse
 

@@ -110,6 +110,13 @@ namespace Crevasse
     apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
                          const double         residual_norm);
 
+    void
+    count(const std::size_t n_solves, const double seconds)
+    {
+      solves += n_solves;
+      wall_time += seconds;
+    }
+
   private:
     std::size_t solves     = 0;
     std::size_t iterations = 0;

@@ -17,12 +17,13 @@ namespace Crevasse
   public:
     /** Factorises. @throw NumericalError if MUMPS fails, or the matrix is not
      * positive definite. */
-    explicit Mumps(const Matrix &matrix);
+    explicit Mumps(const Matrix &matrix, const Indices &lip = {});
 
     std::size_t
     memory_consumption() const override
     {
-      return factor.memory_consumption();
+      return factor.memory_consumption() + lip_factor.memory_consumption() +
+             schur_complement.memory_consumption();
     }
 
     std::string
@@ -38,8 +39,14 @@ namespace Crevasse
                const double      *right_hand_sides,
                const unsigned int n_columns) override;
 
+    void
+    back_solve_with_lip(double           *solution,
+                        const double     *right_hand_side,
+                        const LipProblem &lip_problem) override;
+
   private:
-    MumpsInstance<double> factor;
+    MumpsInstance<double>            factor;
+    dealii::LAPACKFullMatrix<double> lip_factor; ///< of Σ
   };
 } // namespace Crevasse
 

@@ -4,11 +4,15 @@
 #ifndef crevasse_linear_mumps_instance_h
 #define crevasse_linear_mumps_instance_h
 
+#include <deal.II/base/types.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <complex>
 #include <cstddef>
 #include <dmumps_c.h>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -39,12 +43,20 @@ namespace Crevasse
    * complex, of which each rank has some rows, without pivoting. Right-hand
    * sides are gathered on the first rank, from which MUMPS takes them.
    *
+   * Some unknowns, P, may be eliminated last, outside of MUMPS: the matrix is
+   * condensed onto them, and so is each right-hand side.
+   *
    * MUMPS works by communication: whatever is called here is collective.
    */
   template <typename Number>
   class MumpsInstance
   {
   public:
+    using Indices = std::vector<dealii::types::global_dof_index>;
+
+    /** Overwrites the right-hand side on P by the solution there. */
+    using Problem = std::function<void(dealii::Vector<Number> &on_last)>;
+
     using Data = std::conditional_t<std::is_same<Number, double>::value,
                                     DMUMPS_STRUC_C,
                                     ZMUMPS_STRUC_C>;
@@ -54,12 +66,14 @@ namespace Crevasse
      *
      * @param n_local rows of this rank, which follow on those of the ranks
      * before.
+     * @param last P, of all ranks, the same on each.
      * @param matrix_name for messages: "the stiffness".
      * @param if_memory_is_short what to try then.
      * @param otherwise what to try if it fails for another reason.
      */
     MumpsInstance(const MPI_Comm     communicator,
                   const int          n_local,
+                  const Indices     &last,
                   const std::string &matrix_name,
                   const std::string &if_memory_is_short,
                   const std::string &otherwise);
@@ -90,11 +104,18 @@ namespace Crevasse
     factorise(UpperTriangle<Number> &triangle);
 
     /** Solves in place for columns that lie one after the other on the first
-     * rank. @throw NumericalError */
+     * rank.
+     *
+     * @param problem on P, called on all ranks for each column; not used if P
+     * is empty. @throw NumericalError */
     void
     solve(std::vector<Number> &on_root,
-          const unsigned int   n_columns = 1,
-          const char          *what      = "a back-solve");
+          const unsigned int   n_columns,
+          const Problem       &problem);
+
+    /** Of P, on all ranks: the inverse of what A⁻¹ has in the rows and columns
+     * of P. */
+    dealii::LAPACKFullMatrix<Number> schur_complement;
 
     /** The first rank gets all entries of columns of which the ranks have their
      * parts, and nothing the others. */
@@ -132,7 +153,16 @@ namespace Crevasse
     void
     require(const char *what) const;
 
+    /** Tells MUMPS to leave P, and where to put the Schur complement. */
+    void
+    ask_for_schur_complement();
+
+    /** Gives what the first rank has of it to all. */
+    void
+    share_schur_complement();
+
     const int         n_local;
+    std::vector<int>  last; ///< P, counted from 1
     const std::string matrix_name, if_memory_is_short, otherwise;
     std::vector<int>  counts, starts; ///< of all ranks; the first knows them
     std::size_t       bytes = 0;

@@ -46,13 +46,15 @@ namespace Crevasse
 
   /** Makes a solver of that type for a matrix.
    *
-   * @param analysis of a matrix with the same pattern for Cholesky, or null:
-   * then that of this one. */
+   * @param lip for a DirectSolver.
+   * @param analysis of a matrix with the same pattern and lip for Cholesky, or
+   * null: then that of this one. */
   template <int dim>
   std::unique_ptr<LinearSolver>
   make_matrix_solver(const LinearSolverType                   type,
                      const Space<dim>                        &space,
                      const LinearSolver::Matrix              &matrix,
+                     const DirectSolver::Indices             &lip,
                      std::shared_ptr<const Cholesky::Factor> &analysis);
 
   /** What the scene asks for or, if that is "automatic", what is fastest by

@@ -6,7 +6,7 @@
 // F(t) s is that stress at every quadrature point, on distorted cells and with
 // hanging nodes, and the viscous strain is the scheme's own quadrature of F.
 
-#include <crevasse/contact/condensed_active_set.h>
+#include <crevasse/contact/no_contact.h>
 #include <crevasse/discretisation/algorithmic_moduli.h>
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/material_field.h>
@@ -169,7 +169,7 @@ namespace
     const UnilateralBounds none;
     const SignoriniProblem problem(matrix, none);
     Cholesky               cholesky(matrix);
-    CondensedActiveSet     solver(problem, cholesky, 1e-12);
+    NoContact              solver(problem, cholesky, 1e-12);
     ConstantInstant<dim>   instants(state, solver);
     Evolution<dim>         evolution(strain_operator, points, loads, instants);
 

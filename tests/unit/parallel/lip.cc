@@ -157,7 +157,7 @@ namespace
 
     const UnilateralBounds bounds = unilateral_bounds(lip, space);
     const SignoriniProblem problem(matrix, bounds);
-    Mumps                  mumps(matrix);
+    Mumps                  mumps(matrix, problem.all_bounded_dofs());
     CondensedActiveSet     solver(problem, mumps, 1e-12);
     State                  state;
     solver.solve(b, q, state.contact_forces);

@@ -87,14 +87,14 @@ namespace
                                         hanging_nodes);
     const SignoriniProblem  problem_alone(plate_alone.matrix,
                                          plate_alone.bounds);
-    Cholesky                cholesky(plate_alone.matrix);
-    CondensedActiveSet      alone(problem_alone, cholesky, tolerance);
-    const auto              reference =
+    Cholesky cholesky(plate_alone.matrix, problem_alone.all_bounded_dofs());
+    CondensedActiveSet alone(problem_alone, cholesky, tolerance);
+    const auto         reference =
       by_place(plate_alone, solve(alone, plate_alone.loads(), force_alone));
 
     const PlateOnPlane<dim> plate(MPI_COMM_WORLD, n, degree, hanging_nodes);
     const SignoriniProblem  problem(plate.matrix, plate.bounds);
-    Mumps                   mumps(plate.matrix);
+    Mumps                   mumps(plate.matrix, problem.all_bounded_dofs());
     AmgCg amg(plate.matrix, rigid_modes(plate.space), dim, degree > 1);
     CondensedActiveSet condensed(problem, mumps, tolerance);
     ActiveSet          with_mumps(problem, mumps, tolerance, 1e-3, 100);
@@ -152,7 +152,7 @@ namespace
   factors_left_by_exceptions()
   {
     const auto begin = [](int &number) {
-      const MumpsInstance<double> instance(MPI_COMM_WORLD, 1, "", "", "");
+      const MumpsInstance<double> instance(MPI_COMM_WORLD, 1, {}, "", "", "");
       number = instance.data.instance_number;
       throw NumericalError("on all ranks");
     };
