@@ -10,6 +10,7 @@
 #include <crevasse/base/expression.h>
 #include <crevasse/base/log.h>
 #include <crevasse/base/problems.h>
+#include <crevasse/base/single_process.h>
 #include <crevasse/base/stop_request.h>
 #include <crevasse/base/text.h>
 #include <crevasse/base/text_file.h>
@@ -319,6 +320,7 @@ namespace
     if (!command.print_format.empty())
       return show_parameters(command);
 
+    set_up_single_process();
     // PETSc, with which deal.II may start, takes options for its own and tells
     // at the end which it has not used: it gets the name of the program alone.
     int                                      only_name = 1;

@@ -5,8 +5,7 @@ set(ENV{OMP_NUM_THREADS} 1)
 set(ENV{OMPI_MCA_rmaps_base_oversubscribe} 1)
 set(ENV{PRTE_MCA_rmaps_default_mapping_policy} :oversubscribe) # Open MPI 5
 set(ENV{OMPI_MCA_mpi_yield_when_idle} 1)
-# All are on one machine, which need not have a network; looking for one, and a
-# daemon for a single process, take longer than most runs.
-set(ENV{OMPI_MCA_ess_singleton_isolated} 1)
+# All are on one machine, which need not have a network; looking for one takes
+# longer than most runs.
 set(ENV{OMPI_MCA_pml} ob1)
 set(ENV{OMPI_MCA_btl} self,vader)

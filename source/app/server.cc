@@ -56,9 +56,6 @@ namespace Crevasse
         }
       for (const auto &name : request.value("unset", Json::array()))
         unsetenv(name.get<std::string>().c_str());
-      const Json variables = request.value("set", Json::object());
-      for (const auto &[name, value] : variables.items())
-        setenv(name.c_str(), value.get<std::string>().c_str(), 1);
       alarm(request.value("seconds", 0u)); // SIGALRM ends the run
 
       std::vector<std::string> words = {"crevasse"};

@@ -17,7 +17,6 @@ import resource
 import shutil
 import subprocess
 import sys
-import tempfile
 
 from mpi_environment import ENVIRONMENT
 
@@ -28,7 +27,6 @@ sys.path.insert(0, str(SOURCE / "source/python"))
 from crevasse.program import Server  # noqa: E402: where it is, is known now
 
 SECONDS = [0.]  # CPU time, of the server's runs
-SESSIONS = tempfile.TemporaryDirectory(prefix="crevasse_")
 
 # The tier: the preset "full" sets this.
 FULL = os.environ.get("CREVASSE_TESTS") == "full"
@@ -68,9 +66,8 @@ class Results:
 
 @functools.cache
 def server():
-    """The server of this test, which ends with it. Open MPI removes a directory that
-    other tests may just be using, unless each has its own."""
-    return Server(PROGRAM, dict(ENVIRONMENT, OMPI_MCA_orte_tmpdir_base=SESSIONS.name))
+    """The server of this test, which ends with it."""
+    return Server(PROGRAM, ENVIRONMENT)
 
 
 @atexit.register

@@ -3,13 +3,14 @@ gives the same run."""
 
 import fcntl
 import json
+import os
 import pathlib
 import re
 import shutil
 import subprocess
 import time
 
-from crevasse_run import PROGRAM, SOURCE, check, execute, run, server, start
+from crevasse_run import PROGRAM, SOURCE, check, execute, run, server, start, tier
 
 SCENE = """\
 set Title = A = b, c
@@ -380,7 +381,7 @@ def test_server():
     log = place / "results/long/log.txt"
     while not log.exists() and long.status is None:
         time.sleep(0.01)
-    short = server().start(("--version",), set={"LANG": "C"}, unset=["HOME"])
+    short = server().start(("--version",), unset=["HOME"])
     server().wait(short)
     check(short.status == 0 and "crevasse" in short.output and long.status is None,
           f"beside a long run: {short.status} {short.output}{short.error}")
@@ -394,6 +395,31 @@ def test_server():
         ("served/long.prm", "--set", "Periodic state/Maximum periods=100000"), seconds=1)
     server().wait(killed)
     check(killed.status == -14, f"has had its second: {killed.status}")
+
+
+def test_many_starts():
+    """Of processes without mpirun, all at once. They need no directory of Open MPI's,
+    over which they would quarrel, nor its daemon; but what the user sets counts."""
+    scene = write_scene("many.prm")
+    own = {name: value for name, value in os.environ.items()
+           if not re.match("OMPI_MCA|OMPI_COMM|PMIX_", name)}
+    own.update(TMPDIR=str(scene.resolve()), OPAL_BINDIR="/nowhere")
+
+    def begin(number, **more):
+        return subprocess.Popen(
+            [PROGRAM, scene, "--quiet", "--output", f"results/many_{number}", "--force",
+             "--set", "Output/Checkpoint every=1"],
+            env={**own, **more}, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE,
+            stdout=subprocess.DEVNULL)
+    for process in [begin(number) for number in range(tier(10, 200))]:
+        error = process.communicate(timeout=300)[1]
+        check(process.returncode == 0 and not error,
+              f"at once: {process.returncode} {error}")
+    for name in ("ess_singleton_isolated=0", "orte_create_session_dirs=1"):
+        name, value = name.split("=")
+        process = begin("other", **{"OMPI_MCA_" + name: value})
+        error = process.communicate(timeout=300)[1]
+        check(process.returncode != 0 and error, f"{name} is overridden")
 
 
 def test_round_trips():
@@ -469,4 +495,5 @@ test_print_parameters()
 test_print_scene()
 test_scripts()
 test_server()
+test_many_starts()
 test_round_trips()

@@ -20,9 +20,9 @@ namespace Crevasse
    *   {"id": 1, "arguments": ["a.prm"], "output": FILE, "error": FILE}
    * with the files for standard output and error; optional are "directory",
    * "seconds" after which the run is killed, and the variables of the
-   * environment to "set" and to "unset". Runs of several requests go on at the
-   * same time. Lines of standard output tell of each run its process, to which
-   * signals may be sent, and its end,
+   * environment to "unset". Runs of several requests go on at the same time.
+   * Lines of standard output tell of each run its process, to which signals may
+   * be sent, and its end,
    *   {"id": 1, "process": 4711}
    *   {"id": 1, "status": 0, "cpu": 0.05}
    * where a status below zero is minus the number of the signal that ended it.

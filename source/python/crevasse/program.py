@@ -22,8 +22,6 @@ from crevasse.command import CommandError
 # variables.
 OF_MPIRUN = re.compile(r"PMIX_|ORTE_|OMPI_(COMM|UNIVERSE|APP|FIRST|NUM|FILE|ARGV|"
                        r"COMMAND)|OMPI_MCA_(orte|ess|pmix|shmem|initial|mpi_)")
-ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1",
-         "OMPI_MCA_btl": "self"}
 WARNING = re.compile(r"^crevasse: warning: .*\n?", re.M)
 # Of the summary; the counters have names of their own.
 COSTS = {"unknowns": ("unknowns",), "periods": ("periods",),
@@ -78,7 +76,7 @@ class Server:
         self.calls, self.n_calls, self.rest = {}, 0, b""
 
     def start(self, words, **options):
-        """A run with these words; options are "directory", "seconds", "set", "unset".
+        """A run with these words; options are "directory", "seconds", "unset".
         """
         call = Call()
         self.n_calls += 1
@@ -122,8 +120,7 @@ class Program:
 
     def start(self, *words):
         self.stop.check()
-        return self.server.start(words, unset=self.of_mpirun, set={
-            name: value for name, value in ALONE.items() if name not in os.environ})
+        return self.server.start(words, unset=self.of_mpirun)
 
     def finish(self, call):
         while call.status is None:

@@ -4,6 +4,8 @@
 #ifndef crevasse_tests_tests_h
 #define crevasse_tests_tests_h
 
+#include <crevasse/base/single_process.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -67,6 +69,7 @@ run_tests(int                                                    argc,
           char                                                 **argv,
           const std::vector<std::pair<std::string, void (*)()>> &tests)
 {
+  Crevasse::set_up_single_process();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   std::ostringstream                       nowhere;
   const auto                               standard_output = std::cout.rdbuf();
