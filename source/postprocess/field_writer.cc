@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/problems.h>
+#include <crevasse/base/collectively.h>
 #include <crevasse/base/state_archive.h>
-#include <crevasse/grid/curved_edges.h>
+#include <crevasse/base/text_file.h>
 #include <crevasse/postprocess/field_writer.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/lapack_support.h>
 #include <deal.II/lac/lapack_templates.h>
-#include <deal.II/numerics/data_out.h>
-#include <deal.II/numerics/data_postprocessor.h>
 
-#include <fstream>
 #include <sstream>
 
 namespace Crevasse
@@ -53,71 +50,44 @@ namespace Crevasse
 
 
 
-    /** What is derived from the recovered stress, node by node: principal
-     * stresses in the plane (space) of the mesh, the largest first, each with
-     * its unit vector, and J₂ = ½ s′:s′ with the deviator s′ of the
-     * three-dimensional stress. */
+    /** What is derived from the recovered stress: principal stresses in the
+     * plane (space) of the mesh, the largest first, each with its unit vector,
+     * and J₂ = ½ s′:s′ with the deviator s′ of the three-dimensional stress. */
     template <int dim>
-    class StressInvariants : public DataPostprocessor<dim>
+    void
+    add_invariants(const FieldGrid<dim>                &grid,
+                   const std::vector<VoigtVector<dim>> &stresses,
+                   std::vector<PointArray>             &arrays)
     {
-    public:
-      std::vector<std::string>
-      get_names() const override
-      {
-        std::vector<std::string> names;
-        for (unsigned int d = 1; d <= dim; ++d)
-          {
-            names.push_back("principal_stress_" + std::to_string(d));
-            names.insert(names.end(),
-                         dim,
-                         "principal_direction_" + std::to_string(d));
-          }
-        names.push_back("second_deviator_invariant");
-        return names;
-      }
-
-      std::vector<DataComponentInterpretation::DataComponentInterpretation>
-      get_data_component_interpretation() const override
-      {
-        using namespace DataComponentInterpretation;
-        std::vector<DataComponentInterpretation::DataComponentInterpretation>
-          all(1 + dim * (1 + dim), component_is_part_of_vector);
-        for (unsigned int d = 0; d <= dim; ++d)
-          all[d * (1 + dim)] = component_is_scalar;
-        return all;
-      }
-
-      UpdateFlags
-      get_needed_update_flags() const override
-      {
-        return update_values;
-      }
-
-      void
-      evaluate_vector_field(
-        const DataPostprocessorInputs::Vector<dim> &inputs,
-        std::vector<dealii::Vector<double>>        &results) const override
-      {
-        for (unsigned int q = 0; q < results.size(); ++q)
-          {
-            VoigtVector<dim> components;
-            for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
-              components[c] = inputs.solution_values[q](c);
-            const SymmetricTensor<2, 3> stress = stress_tensor<dim>(components);
-            const SymmetricTensor<2, 3> s      = deviator(stress);
-            const auto [values, vectors] = principal_stresses<dim>(stress);
-            unsigned int next            = 0;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                const unsigned int ascending = dim - 1 - d;
-                results[q](next++)           = values[ascending];
-                for (unsigned int c = 0; c < dim; ++c)
-                  results[q](next++) = vectors[ascending * dim + c];
-              }
-            results[q](next) = 0.5 * (s * s);
-          }
-      }
-    };
+      using Values = std::vector<float>;
+      std::array<Values, dim> principal, direction;
+      principal.fill(Values(grid.n_points()));
+      direction.fill(Values(3 * grid.n_points()));
+      for (std::size_t p = 0; p < grid.n_points(); ++p)
+        {
+          const auto [values, vectors] =
+            principal_stresses<dim>(stress_tensor<dim>(stresses[p]));
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const unsigned int ascending = dim - 1 - d;
+              principal[d][p]              = values[ascending];
+              for (unsigned int c = 0; c < dim; ++c)
+                direction[d][3 * p + c] = vectors[ascending * dim + c];
+            }
+        }
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const std::string number = std::to_string(d + 1);
+          arrays.push_back({"principal_stress_" + number, 1, principal[d]});
+          arrays.push_back({"principal_direction_" + number, 3, direction[d]});
+        }
+      arrays.push_back(
+        grid.scalar("second_deviator_invariant", [&](const std::size_t p) {
+          const SymmetricTensor<2, 3> s =
+            deviator(stress_tensor<dim>(stresses[p]));
+          return 0.5 * (s * s);
+        }));
+    }
   } // namespace
 
 
@@ -134,9 +104,8 @@ namespace Crevasse
       at_dofs(lip.nodes()[k].dof) = contact_forces[k] / lip.nodes()[k].weight;
     lip.spread_to_held_nodes(at_dofs);
 
-    Vector               pressure(recovery.dof_handler().locally_owned_dofs(),
-                    space.communicator());
-    const FESystem<dim> &fe = space.finite_element();
+    Vector               pressure = make_vector(recovery.dof_handler());
+    const FESystem<dim> &fe       = space.finite_element();
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<types::global_dof_index> nodes(dofs.size() / dim);
     for (const auto &cell : owned_cells(recovery.dof_handler()))
@@ -149,6 +118,7 @@ namespace Crevasse
               at_dofs(dofs[i]) != 0. && pressure.in_local_range(node))
             pressure(node) = at_dofs(dofs[i]);
       }
+    pressure.update_ghost_values();
     return pressure;
   }
 
@@ -198,24 +168,41 @@ namespace Crevasse
   void
   FieldWriter<dim>::summarise(Summary &)
   {
+    const MPI_Comm       communicator = space.communicator();
+    const unsigned int   rank = Utilities::MPI::this_mpi_process(communicator);
+    const FieldGrid<dim> grid(space, recovery);
+    const VtuGrid        file = grid.file();
     std::vector<std::pair<double, std::string>> records;
-    for (const auto &snapshot : snapshots)
+    for (const auto &entry : snapshots)
       {
-        const unsigned int number = records.size();
-        write(snapshot.second, number);
-        records.emplace_back(snapshot.second.time,
-                             "solution_" + Utilities::int_to_string(number, 4) +
-                               ".pvtu");
+        const Snapshot   &snapshot = entry.second;
+        const std::string name =
+          "solution_" + Utilities::int_to_string(records.size(), 4);
+        const auto arrays = arrays_of(snapshot, grid);
+        collectively(communicator, [&]() {
+          const auto piece = [&name](const unsigned int of_rank) {
+            return name + '.' + std::to_string(of_rank) + ".vtu";
+          };
+          file.write(directory + '/' + piece(rank), snapshot.time, arrays);
+          if (rank > 0)
+            return;
+          std::vector<std::string> pieces;
+          for (unsigned int of_rank = 0;
+               of_rank < Utilities::MPI::n_mpi_processes(communicator);
+               ++of_rank)
+            pieces.push_back(piece(of_rank));
+          write_pvtu(directory + '/' + name + ".pvtu", pieces, arrays);
+        });
+        records.emplace_back(snapshot.time, name + ".pvtu");
       }
     const std::string file_name = directory + "/solution.pvd";
-    if (Utilities::MPI::this_mpi_process(space.communicator()) == 0)
-      {
-        std::ostringstream text;
-        DataOutBase::write_pvd_record(text, records);
-        std::ofstream file(file_name);
-        if (!(file << text.str() << std::flush))
-          throw FileError("Cannot write " + file_name + ".");
-      }
+    collectively(communicator, [&]() {
+      if (rank > 0)
+        return;
+      std::ostringstream text;
+      DataOutBase::write_pvd_record(text, records);
+      write_atomically(text.str(), file_name);
+    });
     log.line("  fields of " + std::to_string(records.size()) +
              (records.size() == 1 ? " instant in " : " instants in ") +
              file_name);
@@ -224,36 +211,24 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  FieldWriter<dim>::write(const Snapshot    &snapshot,
-                          const unsigned int number) const
+  std::vector<PointArray>
+  FieldWriter<dim>::arrays_of(const Snapshot       &snapshot,
+                              const FieldGrid<dim> &grid) const
   {
-    const unsigned int degree = space.finite_element().degree;
-    DoFHandler<dim>    cell_dofs(space.mesh());
-    cell_dofs.distribute_dofs(
-      FESystem<dim>(FE_DGQ<dim>(degree), n_stress_components<dim>));
-    DataOut<dim>          data_out;
-    DataOutBase::VtkFlags flags;
-    flags.time                     = snapshot.time;
-    flags.write_higher_order_cells = false;
-    data_out.set_flags(flags);
-
-    const auto add_components = [&](const Vector      &components,
+    std::vector<PointArray> arrays;
+    const auto              add_components = [&](const auto        &values,
                                     const std::string &name) {
-      std::vector<std::string> names;
       for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
-        names.push_back(name + '_' + voigt_name<dim>(c));
-      data_out.add_data_vector(cell_dofs, components, names);
+        arrays.push_back(
+          grid.scalar(name + '_' + voigt_name<dim>(c),
+                      [&](const std::size_t p) { return values[p][c]; }));
     };
 
-    // DataOut copies these values, and those of ghosts from their owners.
-    data_out.add_data_vector(
-      space.dof_handler(),
-      space.nodal_values(snapshot.state.displacement),
-      std::vector<std::string>(dim, "displacement"),
-      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-        dim, DataComponentInterpretation::component_is_part_of_vector));
-    const Vector stress = recovery.recover(snapshot.state.stress, cell_dofs);
+    arrays.push_back(
+      grid.nodal("displacement",
+                 space.dof_handler(),
+                 space.nodal_values(snapshot.state.displacement)));
+    const auto stress = grid.recovered(snapshot.state.stress);
     add_components(stress, "stress");
     const unsigned int n_branches = // 0 in an elastic body
       snapshot.viscous_strain.size() / snapshot.state.stress.size();
@@ -266,33 +241,18 @@ namespace Crevasse
             // From engineering shears to components of a tensor.
             (k % n < 3 ? 1. : 0.5) * snapshot.viscous_strain.local_element(
                                        (k / n * n_branches + i) * n + k % n);
-        add_components(recovery.recover(branch, cell_dofs),
+        add_components(grid.recovered(branch),
                        n_branches == 1
                          ? "viscous_strain"
                          : "viscous_strain_branch_" + std::to_string(i + 1));
       }
-    const StressInvariants<dim> invariants;
-    data_out.add_data_vector(cell_dofs, stress, invariants);
-    data_out.add_data_vector(
-      recovery.dof_handler(),
-      contact_pressure(space, recovery, lip, snapshot.state.contact_forces),
-      "contact_pressure");
+    add_invariants(grid, stress, arrays);
 
-    data_out.build_patches(space.mapping(),
-                           degree,
-                           has_curved_edges(space.mesh())
-                             ? DataOut<dim>::curved_inner_cells
-                             : DataOut<dim>::curved_boundary);
-    try
-      {
-        data_out.write_vtu_with_pvtu_record(
-          directory + '/', "solution", number, space.communicator(), 4);
-      }
-    catch (const ExceptionBase &)
-      {
-        throw FileError("Cannot write the fields in " + directory +
-                        ": is the disk full?");
-      }
+    arrays.push_back(grid.nodal(
+      "contact_pressure",
+      recovery.dof_handler(),
+      contact_pressure(space, recovery, lip, snapshot.state.contact_forces)));
+    return arrays;
   }
 
 

@@ -66,6 +66,7 @@ mesh = fields_of("closed", ["Loads/Traction=0; -10"])
 x, y = mesh.points[:, 0], mesh.points[:, 1]
 on_lip = (y < 1e-6) & (x > 0.499)
 check(on_lip.any(), "no lip")
+check(len(mesh.points) == 9 * 5, "cells share their points")
 difference(mesh.point_data["contact_pressure"], 10. * on_lip, "pressure")
 
 
@@ -107,6 +108,8 @@ for degree, height, settings in ((1, 0.5, []), (2, 0.5, []), (1, 0.25, TIP),
                                  f"Output/Probes=between: 0.5, {height}; end: 1, "
                                  f"{height}; above: 0.5, 0.75"])
     mesh = meshio.read(results.directory / "solution_0000.0.vtu")
+    n = 4 * degree + 1
+    check(settings or len(mesh.points) == n * (n + 1), "points are shared in a bar")
     y, stress = mesh.points[:, 1], mesh.point_data["stress_11"].ravel()
     for value, place in ((1, y < height - 1e-3), (10, y > height + 1e-3)):
         difference(stress[place], numpy.full(place.sum(), value), "s_11 of a bar")

@@ -236,7 +236,7 @@ def test_names():
 
 
 def test_parts():
-    """Files that deal.II wrote for two processes, one of them without cells:
+    """Files of the program for two processes, one of them without cells:
     a stress, named theta."""
     fields = run(BODY, "fields", [
         "Output/Fields=vtu", "Output/Field times=150, 450"]).directory
@@ -244,7 +244,7 @@ def test_parts():
         path.write_text(path.read_text().replace('"stress_11"', '"theta"'))
     theirs = meshio.read(fields / "solution_0000.0.vtu")
     theta = theirs.point_data["theta"].ravel()
-    print(f"deal.II's file: theta from {theta.min():.3g} to {theta.max():.3g}")
+    print(f"theta from {theta.min():.3g} to {theta.max():.3g}")
     check(numpy.ptp(theta) > 0.1, "the field varies")
     write("ours.vtu", (theirs.points, theirs.cells_dict["quad"]), "quad", theta)
     one = with_temperature(BODY, "ours", convert("ours.vtu"))

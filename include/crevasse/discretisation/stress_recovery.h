@@ -10,12 +10,13 @@
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/partitioner.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,8 @@ namespace Crevasse
 
       dealii::IndexSet relevant;
       dealii::DoFTools::extract_locally_relevant_dofs(nodal_dofs, relevant);
+      layout = std::make_shared<dealii::Utilities::MPI::Partitioner>(
+        nodal_dofs.locally_owned_dofs(), relevant, space.communicator());
       hanging_nodes.reinit(relevant);
       dealii::DoFTools::make_hanging_node_constraints(nodal_dofs,
                                                       hanging_nodes);
@@ -85,40 +88,33 @@ namespace Crevasse
       return n_materials > 1;
     }
 
-    /** The components at the nodes of each cell, with ghost values set.
-     * Collective.
-     * @param cell_dofs of FE_DGQ elements with the nodes of the displacement,
-     * one for each component. */
-    Vector
-    recover(const Vector &field, const dealii::DoFHandler<dim> &cell_dofs) const
+    /** Calls f(cell of dof_handler(), number of a node of it, value there) for
+     * the nodes of this rank's cells, in the order of dof_handler()'s element.
+     * Collective. */
+    template <typename Function>
+    void
+    recover(const Vector &field, const Function &f) const
     {
-      const auto lexicographic =
-        dealii::FETools::hierarchic_to_lexicographic_numbering<dim>(
-          nodal_dofs.get_fe().degree);
-      const auto &fe        = cell_dofs.get_fe();
-      Vector      recovered = make_vector(cell_dofs);
-      std::vector<dealii::types::global_dof_index> of_cell(
-        fe.n_dofs_per_cell());
       for (unsigned int material = 0; material < n_materials; ++material)
         {
           const Vector              weights = inverse_count(material);
           const std::vector<Vector> nodal   = means(field, material, weights);
           for_each_cell_of(
             material, [&](const auto &cell, const auto &indices) {
-              same_cell(cell->id(), cell_dofs)->get_dof_indices(of_cell);
               for (unsigned int i = 0; i < indices.size(); ++i)
-                for_each_master(
-                  indices[i],
-                  weights,
-                  [&](const auto dof, const double factor) {
-                    for (unsigned int c = 0; c < n_components; ++c)
-                      recovered(of_cell[fe.component_to_system_index(
-                        c, lexicographic[i])]) += factor * nodal[c](dof);
-                  });
+                {
+                  VoigtVector<dim> value;
+                  for_each_master(indices[i],
+                                  weights,
+                                  [&](const auto dof, const double factor) {
+                                    for (unsigned int c = 0; c < n_components;
+                                         ++c)
+                                      value[c] += factor * nodal[c](dof);
+                                  });
+                  f(cell, i, value);
+                }
             });
         }
-      recovered.update_ghost_values();
-      return recovered;
     }
 
     /**
@@ -142,7 +138,7 @@ namespace Crevasse
       // The transpose of recover(), applied to the shape functions at the
       // point.
       const Vector weights_of_cells = inverse_count(material);
-      Vector       at_nodes         = make_vector(nodal_dofs);
+      Vector       at_nodes(layout);
       for (const auto &[dof, weight] : nodal_weights)
         for_each_master(dof,
                         weights_of_cells,
@@ -156,6 +152,10 @@ namespace Crevasse
 
       PointWeights weights;
       for_each_cell_of(material, [&](const auto &cell, const auto &indices) {
+        if (std::all_of(indices.begin(), indices.end(), [&](const auto i) {
+              return at_nodes(i) == 0.;
+            }))
+          return;
         const auto &extrapolation = extrapolations[space.rule(cell)];
         for (unsigned int q = 0; q < extrapolation.n(); ++q)
           {
@@ -207,7 +207,7 @@ namespace Crevasse
     Vector
     inverse_count(const unsigned int material) const
     {
-      Vector inverse = make_vector(nodal_dofs);
+      Vector inverse(layout);
       for_each_cell_of(material, [&](const auto &, const auto &indices) {
         for (const auto i : indices)
           inverse(i) += 1.;
@@ -226,16 +226,20 @@ namespace Crevasse
           const unsigned int material,
           const Vector      &weights) const
     {
-      std::vector<Vector> nodal(n_components, make_vector(nodal_dofs));
+      std::vector<Vector> nodal(n_components, Vector(layout));
       for_each_cell_of(material, [&](const auto &cell, const auto &indices) {
         const auto       &extrapolation = extrapolations[space.rule(cell)];
         const std::size_t offset        = points.offset(cell);
         for (unsigned int i = 0; i < extrapolation.m(); ++i)
-          for (unsigned int q = 0; q < extrapolation.n(); ++q)
-            for (unsigned int c = 0; c < n_components; ++c)
-              nodal[c](indices[i]) +=
+          {
+            VoigtVector<dim> value;
+            for (unsigned int q = 0; q < extrapolation.n(); ++q)
+              value +=
                 extrapolation(i, q) *
-                field.local_element(offset + q * n_components + c);
+                QuadratureField<dim>::get(field, offset + q * n_components);
+            for (unsigned int c = 0; c < n_components; ++c)
+              nodal[c](indices[i]) += value[c];
+          }
       });
       for (Vector &component : nodal)
         {
@@ -265,12 +269,13 @@ namespace Crevasse
         f(dof, 1.);
     }
 
-    const Space<dim>                 &space;
-    const QuadratureField<dim>       &points;
-    const std::vector<unsigned int>   materials;
-    unsigned int                      n_materials;
-    dealii::DoFHandler<dim>           nodal_dofs;
-    dealii::AffineConstraints<double> hanging_nodes;
+    const Space<dim>                                          &space;
+    const QuadratureField<dim>                                &points;
+    const std::vector<unsigned int>                            materials;
+    unsigned int                                               n_materials;
+    dealii::DoFHandler<dim>                                    nodal_dofs;
+    dealii::AffineConstraints<double>                          hanging_nodes;
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> layout;
 
     /** From the values at the points of a cell to those at its nodes, for each
      * rule. */

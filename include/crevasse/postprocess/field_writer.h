@@ -7,6 +7,7 @@
 #include <crevasse/base/log.h>
 #include <crevasse/discretisation/stress_recovery.h>
 #include <crevasse/model/body.h>
+#include <crevasse/postprocess/field_grid.h>
 #include <crevasse/time/observer.h>
 
 #include <map>
@@ -73,8 +74,8 @@ namespace Crevasse
       Vector viscous_strain;
     };
 
-    void
-    write(const Snapshot &snapshot, const unsigned int number) const;
+    std::vector<PointArray>
+    arrays_of(const Snapshot &snapshot, const FieldGrid<dim> &grid) const;
 
     const Space<dim>           &space;
     const StressRecovery<dim>  &recovery;

@@ -14,8 +14,8 @@ from crevasse.results import ResultsError, read_xml
 
 
 class Fields:
-    """Nodal fields on a conforming set of nodes: the program writes every cell
-    with points of its own, here those at the same place become one."""
+    """Nodal fields on a conforming set of nodes: the program writes a point for each
+    process and material at a node, here those at the same place become one."""
 
     def __init__(self, path):
         self.path = path
