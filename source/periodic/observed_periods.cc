@@ -49,10 +49,15 @@ namespace Crevasse
     archive.common(solves);
     double seconds = seconds_before + timer.wall_time();
     archive.common(seconds);
-    history.serialize(archive);
+    bool replays = replay_from.size() > 0;
+    archive.common(replays);
+    if (replays)
+      archive.at_points(replay_from);
+    else
+      history.serialize(archive);
+    archive.at_points(r_before);
     if (defect != nullptr)
       {
-        archive.at_points(r_before);
         archive.nodal(u_before);
         archive.common(lip_opens);
         archive.common(so_far.return_defect);
@@ -83,7 +88,7 @@ namespace Crevasse
   void
   ObservedPeriods<dim>::begin_period(const Vector &r)
   {
-    if (defect != nullptr)
+    if (has_memory())
       r_before = r;
     timer.restart();
     seconds_before = 0.;
@@ -97,6 +102,9 @@ namespace Crevasse
   void
   ObservedPeriods<dim>::stop_before(Vector &r)
   {
+    if (has_memory() && integration.step_control.repeats_steps() &&
+        !integration.integrator->properties.controls_steps)
+      replay_from = r_before;
     begin_period(r);
     unsigned int             first = 0;
     const SerializationScope here(checkpointer(), [&](StateArchive &archive) {
@@ -144,6 +152,8 @@ namespace Crevasse
           if (k == 0 || !has_memory() ||
               !integration.integrator->properties.controls_steps)
             checkpointer()->between_steps(so_far.periods, k);
+          if (replay_from.size() > 0)
+            replay();
           advance_step(k, r);
         }
       catch (const NumericalError &error)
@@ -160,7 +170,25 @@ namespace Crevasse
 
   template <int dim>
   void
-  ObservedPeriods<dim>::advance_step(const unsigned int k, Vector &r)
+  ObservedPeriods<dim>::replay()
+  {
+    const std::size_t solves = n_solves();
+    Vector            r;
+    r.swap(replay_from);
+    for (unsigned int k = 0; k < integration.steps.n_steps(); ++k)
+      advance_step(k, r, false);
+    history.take_change();
+    solves_before += n_solves() - solves;
+    timer.restart();
+  }
+
+
+
+  template <int dim>
+  void
+  ObservedPeriods<dim>::advance_step(const unsigned int k,
+                                     Vector            &r,
+                                     const bool         is_shown)
   {
     auto &[evolution, integrator, step_control, steps, _] = integration;
     if (k == 0 && has_memory())
@@ -182,13 +210,14 @@ namespace Crevasse
 
     const State &state = evolution.state();
     history.record(t, state.stress);
-    if (defect != nullptr && k == 0)
+    if (defect != nullptr && k == 0 && is_shown)
       {
         lip_opens = u_before.size() > 0 &&
                     defect->lip_opens(u_before, state.displacement);
         u_before = state.displacement;
       }
-    show(sample(k, r));
+    if (is_shown)
+      show(sample(k, r));
     if (has_memory())
       step_control.advance({*integrator, evolution, steps, k, r, rate});
   }

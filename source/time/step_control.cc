@@ -145,6 +145,12 @@ namespace Crevasse
           steps.divide(k, t + length);
       }
 
+      bool
+      repeats_steps() const override
+      {
+        return false;
+      }
+
       IntegratorStatistics
       statistics() const override
       {

@@ -274,6 +274,14 @@ def test_out_of_periods():
         check(code == 3 and times_resumed(directory) == 1,
               f"{method}, resumed: {code} {error}")
         check_same_bytes(whole, Results(directory), f"{method}, more periods")
+    sizes = []
+    for steps in (20, 40):
+        directory = fresh("steps")
+        execute(directory, COMMON + periods(1) + [
+            "Periodic state/Tolerance=1e-12", f"Time integration/Steps per period={steps}",
+            "Output/Fields=none"])
+        sizes.append(sum(path.stat().st_size for path in newest(directory).iterdir()))
+    check(sizes[1] < 1.05 * sizes[0], f"bytes with 20 and 40 steps: {sizes}")
 
 
 def test_begun_anew():

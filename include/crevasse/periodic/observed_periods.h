@@ -128,7 +128,8 @@ namespace Crevasse
     }
 
     /** Instead of compute(): another period is not allowed, but others may go
-     * on from here. */
+     * on from here. Unless steps are adaptive they compute the last period once
+     * more, so that its stresses need not be kept. */
     void
     stop_before(Vector &r);
 
@@ -171,9 +172,15 @@ namespace Crevasse
     void
     advance(Vector &r);
 
-    /** From the beginning of step @p k to the next one. */
+    /** From the beginning of step @p k to the next one.
+     *
+     * @param is_shown to the observers. */
     void
-    advance_step(const unsigned int k, Vector &r);
+    advance_step(const unsigned int k, Vector &r, const bool is_shown = true);
+
+    /** Computes the last period of a resumed run again, for its stresses. */
+    void
+    replay();
 
     /** What observers see where step @p k begins, or at the very end. */
     Sample
@@ -194,7 +201,10 @@ namespace Crevasse
     PeriodReport   last; ///< not reported yet
     Vector         rate; ///< at the beginning of a step
 
-    // About the return of the strain, if it is known to.
+    /** Where the last period began, if a checkpoint has this instead of the
+     * stresses of all its steps. */
+    Vector replay_from;
+
     Vector r_before, u_before; ///< at the beginning of the period
     bool   ignores_drift = false;
     bool   lip_opens     = false; ///< and stands open

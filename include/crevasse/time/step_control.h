@@ -57,6 +57,13 @@ namespace Crevasse
                                step.r});
     }
 
+    /** Whether a period that is computed again has the same steps. */
+    virtual bool
+    repeats_steps() const
+    {
+      return true;
+    }
+
     virtual IntegratorStatistics
     statistics() const
     {
