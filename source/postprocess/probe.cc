@@ -176,9 +176,9 @@ namespace Crevasse
                 }
             }
         weights.compress(VectorOperation::add);
-        for (const auto dof : weights.locally_owned_elements())
-          if (weights(dof) != 0.)
-            displacement_weights[d].emplace_back(dof, weights(dof));
+        for (unsigned int i = 0; i < weights.locally_owned_size(); ++i)
+          if (weights.local_element(i) != 0.)
+            displacement_weights[d].emplace_back(i, weights.local_element(i));
       }
   }
 
@@ -252,7 +252,7 @@ namespace Crevasse
     Tensor<1, dim> value;
     for (unsigned int d = 0; d < dim; ++d)
       for (const auto &[dof, weight] : displacement_weights[d])
-        value[d] += weight * displacement(dof);
+        value[d] += weight * displacement.local_element(dof);
     return Utilities::MPI::sum(value, communicator);
   }
 

@@ -106,9 +106,8 @@ namespace Crevasse
     const ContactBoundary<dim>       &lip;
     std::optional<dealii::Point<dim>> side;
 
-    /** Of the dofs and lip nodes that this rank owns. */
-    std::array<std::vector<std::pair<dealii::types::global_dof_index, double>>,
-               dim>
+    /** Of this rank's unknowns, by their local index, and lip nodes. */
+    std::array<std::vector<std::pair<unsigned int, double>>, dim>
                                                  displacement_weights;
     typename StressRecovery<dim>::PointWeights   stress_weights;
     std::vector<std::pair<unsigned int, double>> pressure_weights;
