@@ -247,26 +247,44 @@ namespace Crevasse
 
   template <int dim>
   Tensor<1, dim>
-  ProbeEvaluator<dim>::displacement(const Vector &displacement) const
+  ProbeEvaluator<dim>::local_displacement(const Vector &displacement) const
   {
     Tensor<1, dim> value;
     for (unsigned int d = 0; d < dim; ++d)
-      for (const auto &[dof, weight] : displacement_weights[d])
-        value[d] += weight * displacement.local_element(dof);
-    return Utilities::MPI::sum(value, communicator);
+      for (const auto &[i, weight] : displacement_weights[d])
+        value[d] += weight * displacement.local_element(i);
+    return value;
   }
 
 
 
   template <int dim>
-  std::array<double, 2>
-  ProbeEvaluator<dim>::opening_and_pressure(const State &state) const
+  double
+  ProbeEvaluator<dim>::local_pressure(
+    const std::vector<double> &contact_forces) const
   {
     double pressure = 0.;
     for (const auto &[k, weight] : pressure_weights)
-      pressure += weight * state.contact_forces[k];
-    return {{displacement(state.displacement) * normal - gap,
-             Utilities::MPI::sum(pressure, communicator)}};
+      pressure += weight * contact_forces[k];
+    return pressure;
+  }
+
+
+
+  template <int dim>
+  typename ProbeEvaluator<dim>::Values
+  ProbeEvaluator<dim>::local_values(const Sample &sample) const
+  {
+    Tensor<1, dim> u = local_displacement(sample.state.displacement);
+    if (sample.secular_flow != nullptr)
+      u += sample.time * local_displacement(sample.secular_flow->velocity);
+    Values values;
+    std::copy(u.begin_raw(), u.end_raw(), values.begin());
+    const VoigtVector<dim> stress =
+      StressRecovery<dim>::evaluate(sample.state.stress, stress_weights);
+    std::copy(stress.begin_raw(), stress.end_raw(), values.begin() + dim);
+    values.back() = local_pressure(sample.state.contact_forces);
+    return values;
   }
 
 
@@ -289,26 +307,18 @@ namespace Crevasse
 
   template <int dim>
   std::vector<double>
-  ProbeEvaluator<dim>::row(const Sample &sample) const
+  ProbeEvaluator<dim>::row(const double time, const Values &values) const
   {
-    Tensor<1, dim> u                = displacement(sample.state.displacement);
-    const auto     s                = stress(sample.state.stress);
-    auto           opening_pressure = opening_and_pressure(sample.state);
-    if (sample.secular_flow != nullptr)
-      {
-        const Tensor<1, dim> drift =
-          sample.time * displacement(sample.secular_flow->velocity);
-        u += drift;
-        opening_pressure[0] += drift * normal;
-      }
-    std::vector<double> values = {sample.time};
-    values.insert(values.end(), u.begin_raw(), u.end_raw());
-    values.insert(values.end(), s.begin_raw(), s.end_raw());
+    std::vector<double> row = {time};
+    row.insert(row.end(), values.begin(), values.end() - 1);
     if (is_on_lip)
-      values.insert(values.end(),
-                    opening_pressure.begin(),
-                    opening_pressure.end());
-    return values;
+      {
+        double opening = 0.;
+        for (unsigned int d = 0; d < dim; ++d)
+          opening += values[d] * normal[d];
+        row.insert(row.end(), {opening - gap, values.back()});
+      }
+    return row;
   }
 
 

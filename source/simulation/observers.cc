@@ -7,6 +7,7 @@
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/lip_state.h>
+#include <crevasse/postprocess/probe_tables.h>
 #include <crevasse/postprocess/stress_writer.h>
 #include <crevasse/simulation/elastic_comparison.h>
 #include <crevasse/simulation/observers.h>
@@ -336,11 +337,15 @@ namespace Crevasse
     };
     Tables tables(work);
 
-    const auto extremes = add(std::make_unique<Extremes<dim>>(work));
+    const auto            extremes = add(std::make_unique<Extremes<dim>>(work));
+    std::vector<CsvTable> of_probes;
     for (const ProbeEvaluator<dim> &probe : setup.probes)
-      add(std::make_unique<SampleTable>(
-        tables.table("probe_" + probe.name() + ".csv", probe.columns()),
-        [&probe](const Sample &sample) { return probe.row(sample); }));
+      of_probes.push_back(
+        tables.table("probe_" + probe.name() + ".csv", probe.columns()));
+    if (!of_probes.empty())
+      add(std::make_unique<ProbeTables<dim>>(setup.probes,
+                                             std::move(of_probes),
+                                             body.space.communicator()));
     if (body.effects.contact.on)
       add(std::make_unique<SampleTable>(
         tables.table("contact.csv",

@@ -10,6 +10,8 @@
 #include <crevasse/parameters/probe_list.h>
 #include <crevasse/time/observer.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -22,7 +24,7 @@ namespace Crevasse
    * Displacement, recovered stress and, on the lip, opening and pressure at one
    * point, as weighted sums found once: following a point through time costs
    * next to nothing. Each rank sums over what it owns, so that no ghost values
-   * are read, and the sums over the ranks are the values on each of them.
+   * are read, and the sums over the ranks are the values.
    *
    * A point is on the lip if one of the cells around it has a lip face there.
    */
@@ -57,27 +59,39 @@ namespace Crevasse
       return side;
     }
 
+    /** Collective. */
     dealii::Tensor<1, dim>
-    displacement(const Vector &displacement) const;
-
-    VoigtVector<dim>
-    stress(const Vector &stress) const
+    displacement(const Vector &displacement) const
     {
-      return recovery.evaluate(stress, stress_weights);
+      return dealii::Utilities::MPI::sum(local_displacement(displacement),
+                                         communicator);
     }
 
-    /** Opening u_N − gap and contact pressure, interpolated from the nodes of
-     * the lip; both 0 off the lip. */
-    std::array<double, 2>
-    opening_and_pressure(const State &state) const;
+    /** On the lip, interpolated from its nodes; 0 off it. Collective. */
+    double
+    pressure(const std::vector<double> &contact_forces) const
+    {
+      return dealii::Utilities::MPI::sum(local_pressure(contact_forces),
+                                         communicator);
+    }
+
+    /** Displacement with the flow that is split off, stress, and the pressure
+     * on the lip. */
+    using Values = std::array<double, dim + n_stress_components<dim> + 1>;
+
+    /** This rank's part of them. */
+    Values
+    local_values(const Sample &sample) const;
 
     /** The columns of probe_<name>.csv. */
     std::vector<std::string>
     columns() const;
 
-    /** What they hold: with the flow that is split off. Collective. */
+    /** What they hold: with the opening u_N − gap on the lip.
+     *
+     * @param values summed over the ranks. */
     std::vector<double>
-    row(const Sample &sample) const;
+    row(const double time, const Values &values) const;
 
   private:
     /** A point in one of the cells around it. */
@@ -88,6 +102,11 @@ namespace Crevasse
       bool                                                   found = false;
       unsigned int lip_face = dealii::numbers::invalid_unsigned_int;
     };
+
+    dealii::Tensor<1, dim>
+    local_displacement(const Vector &displacement) const;
+    double
+    local_pressure(const std::vector<double> &contact_forces) const;
 
     /** One rank finds it. */
     Place

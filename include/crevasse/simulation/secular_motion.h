@@ -213,7 +213,7 @@ namespace Crevasse
       for (const auto &probe : setup.probes)
         {
           auto        &entry    = secular["per_probe"][probe.name()];
-          const double pressure = probe.opening_and_pressure(mean)[1];
+          const double pressure = probe.pressure(mean.contact_forces);
           entry["beta"] = components(probe.displacement(mean.displacement));
           if (probe.on_lip())
             entry["mean_pressure"] = pressure;

@@ -22,6 +22,7 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <crevasse_tests/distorted_cube.h>
+#include <crevasse_tests/probe_row.h>
 #include <crevasse_tests/tests.h>
 
 using namespace Crevasse;
@@ -108,12 +109,12 @@ namespace
         const auto probes =
           make_probes(parse_probes(place), space, recovery, lip);
         const auto &probe  = probes.front();
-        const auto  u      = probe.displacement(state.displacement);
-        const auto  values = probe.opening_and_pressure(state);
-        std::cout << name << ", " << place
-                  << (probe.on_lip() ? " on the lip" : "") << ": u_1 " << u[0]
-                  << ", opening " << values[0] << ", pressure " << values[1]
-                  << std::endl;
+        const auto  row    = probe_row(probe, space, points, state);
+        const bool  on_lip = probe.on_lip();
+        std::cout << name << ", " << place << (on_lip ? " on the lip" : "")
+                  << ": u_1 " << row[1] << ", opening "
+                  << (on_lip ? row[row.size() - 2] : 0.) << ", pressure "
+                  << (on_lip ? row.back() : 0.) << std::endl;
       }
   }
 
@@ -191,7 +192,8 @@ namespace
                   recovery,
                   lip);
     check_below(name + ": pressure at a probe, relative",
-                std::abs(probe[0].opening_and_pressure(state)[1] / 10. - 1.),
+                std::abs(
+                  probe_row(probe[0], space, points, state).back() / 10. - 1.),
                 1e-8);
   }
 
