@@ -22,6 +22,7 @@ namespace Crevasse
                           on_lip = timer_of_lip.wall_time();
                         });
     count(1, timer.wall_time() - on_lip);
+    lip_time += on_lip;
   }
 
 

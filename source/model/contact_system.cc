@@ -157,6 +157,7 @@ namespace Crevasse
     all.certified         = contact->n_solves();
     all.certificate       = contact->worst_certificate();
     all.accuracy          = contact->accuracy();
+    all.certificate_time  = contact->certificate_seconds();
     if (problem().n_bounds() > 0)
       {
         all.vi_solves     = contact->n_solves();
@@ -169,6 +170,9 @@ namespace Crevasse
         all.linear_iterations += open_solver->n_iterations();
         all.back_solves     = open_solver->n_solves();
         all.back_solve_time = open_solver->seconds();
+        if (const auto *factor =
+              dynamic_cast<DirectSolver *>(open_solver.get()))
+          all.lip_time = factor->lip_seconds();
       }
     return all;
   }

@@ -31,6 +31,8 @@ namespace Crevasse
     back_solves += other.back_solves;
     back_solve_time += other.back_solve_time;
     vi_time += other.vi_time;
+    lip_time += other.lip_time;
+    certificate_time += other.certificate_time;
     certified += other.certified;
     certificate.merge(other.certificate);
     accuracy = std::max(accuracy, other.accuracy);
@@ -48,6 +50,12 @@ namespace Crevasse
                               {"complementarity", certificate.complementarity},
                               {"residual", certificate.residual},
                               {"accuracy", accuracy}};
+    for (const auto &[name, seconds] :
+         {std::pair<const char *, double>{"linear solves", back_solve_time},
+          {"contact on the lip", lip_time},
+          {"certificates", certificate_time}})
+      if (seconds > 0.)
+        summary["seconds"][name] = seconds;
     if (vi_solves > 0)
       summary["seconds"]["vi_mean"] = vi_time / vi_solves;
     if (back_solves > 0)

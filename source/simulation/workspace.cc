@@ -50,6 +50,7 @@ namespace Crevasse
     for (const auto &[name, seconds] :
          phases.get_summary_data(TimerOutput::total_wall_time))
       so_far.seconds[name] += seconds;
+    so_far.seconds["strain sweeps"] += evolution.sweep_seconds();
     so_far.seconds["total"] += timer.wall_time();
     return so_far;
   }

@@ -10,7 +10,11 @@
 #include <crevasse/time/secular_flow.h>
 #include <crevasse/time/step_list.h>
 
+#include <deal.II/base/timer.h>
+
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace Crevasse
 {
@@ -59,6 +63,30 @@ namespace Crevasse
     const Vector             &r;
     const unsigned int        n_branches;
   };
+
+
+
+  namespace
+  {
+    /** Adds the time of its life. */
+    class Stopwatch
+    {
+    public:
+      explicit Stopwatch(double &sum)
+        : sum(sum)
+      {
+      }
+
+      ~Stopwatch()
+      {
+        sum += timer.wall_time();
+      }
+
+    private:
+      double       &sum;
+      dealii::Timer timer;
+    };
+  } // namespace
 
 
 
@@ -112,6 +140,7 @@ namespace Crevasse
     const auto                &K        = *material.stiffness;
     const double               k        = material.stiffness_factor;
     const InelasticStrain<dim> inelastic(material, r);
+    std::optional<Stopwatch>   watch(std::in_place, sweep_time);
     loads.evaluate(t, loading);
     if (r.size() > 0 && material.is_plain())
       strain_operator.add_transpose(loading,
@@ -123,6 +152,7 @@ namespace Crevasse
       strain_operator.add_transpose(loading, [&](const std::size_t offset) {
         return k * (K[offset / Field::n_components] * inelastic(offset));
       });
+    watch.reset();
     solve(instant.contact_solver, k);
   }
 
@@ -166,6 +196,7 @@ namespace Crevasse
                                material.stiffness_factor;
     const VoigtMatrix<dim> H = (*material.fluidity[0])[0] / //
                                material.viscosity_factor;
+    const Stopwatch watch(sweep_time);
     strain_operator.for_each_strain(last.displacement,
                                     [&](const std::size_t       offset,
                                         const VoigtVector<dim> &strain) {
@@ -189,6 +220,7 @@ namespace Crevasse
     const MaterialState<dim> &material = inelastic.material;
     const double              k        = material.stiffness_factor;
     const double              factor   = k / material.viscosity_factor;
+    const Stopwatch           watch(sweep_time);
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {
@@ -242,6 +274,7 @@ namespace Crevasse
     const double                  k       = instant.material.stiffness_factor;
     const InelasticStrain<dim>    inelastic(instant.material, known);
 
+    std::optional<Stopwatch> watch(std::in_place, sweep_time);
     loads.evaluate(t, loading);
     strain_operator.add_transpose(loading, [&](const std::size_t offset) {
       const std::size_t point  = offset / inelastic.n;
@@ -251,6 +284,7 @@ namespace Crevasse
                   known_strain(known, inelastic.place(offset, i), c);
       return k * stress;
     });
+    watch.reset();
     solve(*instant.contact_solver, k);
     implicit_rates(instant, known, c, rate);
   }
@@ -328,6 +362,7 @@ namespace Crevasse
     const Vector               none;
     const InelasticStrain<dim> inelastic(material, none);
     solve_explicitly(t, instant, none);
+    const Stopwatch watch(sweep_time);
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {

@@ -127,6 +127,13 @@ namespace Crevasse
       return wall_time;
     }
 
+    /** Wall time of the certificates. */
+    double
+    certificate_seconds() const
+    {
+      return certificate_time;
+    }
+
     /** For the log and the summary: which method, with which settings. */
     virtual std::string
     description() const = 0;
@@ -148,7 +155,8 @@ namespace Crevasse
     /** Shows what else rounds the next solution, if the method keeps it. */
     virtual void
     serialize_factors(StateArchive &)
-    {}
+    {
+    }
 
     /** What the method knows about a failure, for its message: sentences that
      * begin with a space. */
@@ -218,10 +226,11 @@ namespace Crevasse
     Vector              residual;
     std::vector<double> forces;
     Certificate         maxima;
-    double              largest_error = 0.;
-    std::size_t         solves        = 0;
-    std::size_t         iterations    = 0;
-    double              wall_time     = 0.;
+    double              largest_error    = 0.;
+    std::size_t         solves           = 0;
+    std::size_t         iterations       = 0;
+    double              wall_time        = 0.;
+    double              certificate_time = 0.;
   };
 } // namespace Crevasse
 

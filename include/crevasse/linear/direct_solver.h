@@ -68,6 +68,13 @@ namespace Crevasse
       back_solve(solution.begin(), right_hand_side.begin(), 1);
     }
 
+    /** Wall time of all problems on the lip. */
+    double
+    lip_seconds() const
+    {
+      return lip_time;
+    }
+
     const Indices lip;
 
   protected:
@@ -98,6 +105,9 @@ namespace Crevasse
                         const LipProblem &lip_problem) = 0;
 
     dealii::LAPACKFullMatrix<double> schur_complement; ///< Σ
+
+  private:
+    double lip_time = 0.;
   };
 } // namespace Crevasse
 

@@ -144,6 +144,13 @@ namespace Crevasse
       return loading;
     }
 
+    /** Wall time of loads, stresses and rates: of all but contact. */
+    double
+    sweep_seconds() const
+    {
+      return sweep_time;
+    }
+
     std::size_t
     n_rate_evaluations() const
     {
@@ -223,6 +230,7 @@ namespace Crevasse
     State       last;
     Vector      loading;
     std::size_t rate_evaluations = 0;
+    double      sweep_time       = 0.;
   };
 } // namespace Crevasse
 

@@ -15,7 +15,11 @@ from crevasse.results import number
 from crevasse.run import Run
 
 PARTS_OF_PHASES = {"harmonics": "harmonic balance",
-                   "periodic contact": "harmonic balance"}
+                   "periodic contact": "harmonic balance",
+                   "linear solves": "time stepping",
+                   "contact on the lip": "time stepping",
+                   "certificates": "time stepping",
+                   "strain sweeps": "time stepping"}
 
 
 def page(directory):
