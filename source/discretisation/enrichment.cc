@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/discretisation/cell_loops.h>
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/enrichment.h>
 
@@ -16,7 +17,7 @@ namespace Crevasse
     , weights(points.n_local_points())
     , local_values(space.finite_element().n_dofs_per_cell())
   {
-    space.matrix_free()->initialize_dof_vector(nodal);
+    space.cell_loops()->initialize(nodal);
     const FESystem<2> &fe = space.finite_element();
     for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
       components.push_back(fe.system_to_component_index(i).first);
@@ -71,7 +72,6 @@ namespace Crevasse
       nodal.local_element(i) = displacement.local_element(i);
     for (unsigned int k = 0; k < strains.size(); ++k)
       coefficients[k] = displacement(space.singular_unknown(k));
-    nodal.update_ghost_values();
   }
 
 

@@ -4,6 +4,7 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
+#include <crevasse/discretisation/cell_loops.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/grid/curved_edges.h>
@@ -258,31 +259,12 @@ namespace Crevasse
 
 
   template <int dim>
-  std::shared_ptr<const MatrixFree<dim, double>>
-  Space<dim>::matrix_free() const
+  std::shared_ptr<const CellLoops<dim>>
+  Space<dim>::cell_loops() const
   {
-    if (cell_loops == nullptr)
-      {
-        typename MatrixFree<dim, double>::AdditionalData data;
-        data.mapping_update_flags = update_gradients | update_JxW_values;
-        data.tasks_parallel_scheme =
-          MatrixFree<dim, double>::AdditionalData::none;
-        if (shapes != nullptr)
-          {
-            data.cell_vectorization_categories_strict = true;
-            for (const auto &cell : triangulation->active_cell_iterators())
-              data.cell_vectorization_category.push_back(
-                cell->is_locally_owned() && rule(cell) != 0 ? 1 : 0);
-          }
-        auto loops = std::make_shared<MatrixFree<dim, double>>();
-        loops->reinit(cell_mapping,
-                      dofs,
-                      affine_constraints,
-                      QGauss<1>(fe.degree + (shapes == nullptr ? 1 : 2)),
-                      data);
-        cell_loops = std::move(loops);
-      }
-    return cell_loops;
+    if (loops == nullptr)
+      loops = std::make_shared<const CellLoops<dim>>(*this);
+    return loops;
   }
 
 

@@ -11,24 +11,16 @@ namespace Crevasse
   StrainOperator<dim>::StrainOperator(const Space<dim>           &space,
                                       const QuadratureField<dim> &points)
     : space(space)
-    , degree(space.finite_element().degree)
     , n_cell_points(space.quadratures()[0].size())
-    , mean_volume(space.volumetric_strain() == VolumetricStrain::mean)
-    , matrix_free(space.matrix_free())
+    , loops(space.cell_loops())
+    , kernels(loops->template kernels<double>())
   {
-    Assert(degree == 1 || degree == 2, ExcNotImplemented());
-
     if constexpr (dim == 2)
       if (space.singular_shapes() != nullptr)
         enrichment = std::make_unique<Enrichment>(space, points);
-
-    batch_offsets.resize(matrix_free->n_cell_batches());
-    for (unsigned int batch = 0; batch < batch_offsets.size(); ++batch)
-      for (unsigned int lane = 0;
-           lane < matrix_free->n_active_entries_per_cell_batch(batch);
-           ++lane)
-        batch_offsets[batch][lane] =
-          points.offset(matrix_free->get_cell_iterator(batch, lane));
+    loops->for_each_cell([&](const auto &cell, const unsigned int) {
+      offsets.push_back(points.offset(cell));
+    });
   }
 
 
@@ -40,7 +32,7 @@ namespace Crevasse
     if (enrichment != nullptr)
       displacement = space.ghosted_vector();
     else
-      matrix_free->initialize_dof_vector(displacement);
+      loops->initialize(displacement);
   }
 
 

@@ -16,7 +16,7 @@ namespace Crevasse
 
   template <int dim>
   GmgCg<dim>::GmgCg(std::shared_ptr<const MultigridLevels<dim>> levels,
-                    StiffnessOperator<dim>                     &finest,
+                    const StiffnessOperator<dim>               &finest,
                     const PointValues<VoigtMatrix<dim>>        &stiffness)
     : shared_levels(std::move(levels))
     , finest(finest)
@@ -41,21 +41,30 @@ namespace Crevasse
                          coarsest_matrix,
                          {},
                          no_analysis);
+    for (Vector *vector : {&coarsest_defect, &coarsest_solution})
+      of.space(0).cell_loops()->initialize(*vector);
+
+    // Single precision ends at 1e±38: numbers near 1 do not depend on units.
+    double largest = 0.;
+    for (const VoigtMatrix<dim> &K : stiffness.distinct())
+      largest = std::max(largest, K[0][0]);
+    const double unit_of_K =
+      Utilities::MPI::max(largest, finest.get_mpi_communicator());
+    unit =
+      unit_of_K * std::pow(of.space(0).cell_loops()->length_unit(), dim - 2);
+
     for (unsigned int l = 0; l < n_levels; ++l)
       {
         Level &level = levels_of_cycle[l];
-        for (Vector *vector : {&level.defect, &level.solution, &level.residual})
-          of.space(l).matrix_free()->initialize_dof_vector(*vector);
+        for (auto *vector : {&level.defect, &level.solution, &level.residual})
+          of.space(l).cell_loops()->initialize(*vector);
         if (l == 0)
           continue;
-        level.A = &finest;
-        if (l + 1 < n_levels)
-          {
-            level.own =
-              std::make_unique<Operator>(of.space(l), of.points(l), values[l]);
-            level.A = level.own.get();
-            level.A->hold(&level.held);
-          }
+        level.A =
+          std::make_unique<Operator>(of.space(l),
+                                     of.points(l),
+                                     l + 1 < n_levels ? values[l] : stiffness,
+                                     unit_of_K);
         set_up_smoother(level);
       }
   }
@@ -70,11 +79,11 @@ namespace Crevasse
     // degree 4 there are a quarter fewer iterations, but each costs two thirds
     // more (doc/scaling.md).
     typename decltype(level.smoother)::AdditionalData settings(2, 10., 12);
-    settings.preconditioner = std::make_shared<DiagonalMatrix<Vector>>();
-    Vector &inverse         = settings.preconditioner->get_vector();
+    settings.preconditioner = std::make_shared<DiagonalMatrix<LevelVector>>();
+    LevelVector &inverse    = settings.preconditioner->get_vector();
     inverse                 = level.A->diagonal();
-    for (double &entry : inverse)
-      entry = 1. / entry;
+    for (LevelReal &entry : inverse)
+      entry = 1 / entry;
     level.smoother.initialize(*level.A, settings);
     // Now, not when the first vector comes.
     level.smoother.estimate_eigenvalues(inverse);
@@ -100,9 +109,23 @@ namespace Crevasse
     for (unsigned int level = shared_levels->n_levels(); level-- > 0;)
       {
         levels_of_cycle[level].held = rows;
-        if (level > 0)
-          rows = shared_levels->transfer(level).at_same_nodes(rows);
+        if (level == 0)
+          break;
+        levels_of_cycle[level].A->hold(rows);
+        rows = shared_levels->transfer(level).at_same_nodes(rows);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  GmgCg<dim>::solve_coarsest(Vector &solution, const Vector &defect)
+  {
+    solution = 0.;
+    coarsest_solver->precondition(solution, defect);
+    for (const unsigned int row : levels_of_cycle[0].held)
+      solution.local_element(row) = 0.;
   }
 
 
@@ -112,15 +135,16 @@ namespace Crevasse
   GmgCg<dim>::cycle(const unsigned int l)
   {
     Level     &level         = levels_of_cycle[l];
-    const auto set_held_zero = [](const Level &of, Vector &vector) {
+    const auto set_held_zero = [](const Level &of, LevelVector &vector) {
       for (const unsigned int row : of.held)
         vector.local_element(row) = 0.;
     };
     if (l == 0)
       {
-        level.solution = 0.;
-        coarsest_solver->precondition(level.solution, level.defect);
-        set_held_zero(level, level.solution);
+        coarsest_defect.copy_locally_owned_data_from(level.defect);
+        solve_coarsest(coarsest_solution, coarsest_defect);
+        coarsest_solution *= unit;
+        level.solution.copy_locally_owned_data_from(coarsest_solution);
         return;
       }
     const LevelTransfer<dim> &transfer = shared_levels->transfer(l);
@@ -143,15 +167,23 @@ namespace Crevasse
   void
   GmgCg<dim>::precondition(Vector &solution, const Vector &right_hand_side)
   {
+    if (levels_of_cycle.size() == 1)
+      {
+        solve_coarsest(solution, right_hand_side);
+        return;
+      }
+    const double size = right_hand_side.linfty_norm();
+    if (size == 0.)
+      {
+        solution = 0.;
+        return;
+      }
     Level &level = levels_of_cycle.back();
-    level.defect.copy_locally_owned_data_from(right_hand_side);
-    // Not for those who need all of A, whether an exception ends this or not.
-    const auto release = [](Operator *A) { A->hold(nullptr); };
-    const std::unique_ptr<Operator, decltype(release)> holding(&finest,
-                                                               release);
-    finest.hold(&level.held);
+    for (std::size_t i = 0; i < level.defect.locally_owned_size(); ++i)
+      level.defect.local_element(i) = right_hand_side.local_element(i) / size;
     cycle(levels_of_cycle.size() - 1);
-    solution.copy_locally_owned_data_from(level.solution);
+    for (std::size_t i = 0; i < level.solution.locally_owned_size(); ++i)
+      solution.local_element(i) = size / unit * level.solution.local_element(i);
   }
 
 
@@ -167,7 +199,7 @@ namespace Crevasse
     for (const Level &level : levels_of_cycle)
       bytes += (3 + (level.A != nullptr ? n_smoother_vectors : 0)) *
                  level.defect.memory_consumption() +
-               (level.own != nullptr ? level.own->memory_consumption() : 0);
+               (level.A != nullptr ? level.A->memory_consumption() : 0);
     return bytes;
   }
 

@@ -3,8 +3,6 @@
 
 #include <crevasse/linear/level_transfer.h>
 
-#include <deal.II/matrix_free/fe_evaluation.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,10 +12,6 @@ namespace Crevasse
 
   namespace
   {
-    /** The degree is known when the program runs. */
-    template <int dim>
-    using CellValuesOf = FEEvaluation<dim, -1, 0, dim, double>;
-
     using Cells = std::vector<types::global_cell_index>;
   } // namespace
 
@@ -29,11 +23,11 @@ namespace Crevasse
                                     const CoarserMesh<dim> &mesh)
     : coarser(coarser)
     , finer(finer)
-    , loops(coarser.matrix_free())
-    , constrained(finer.matrix_free()->get_constrained_dofs())
+    , loops(coarser.cell_loops())
+    , finer_loops(finer.cell_loops())
   {
     make_rows();
-    distribute_unknowns(mesh);
+    distribute_nodes(mesh);
   }
 
 
@@ -42,29 +36,30 @@ namespace Crevasse
   void
   LevelTransfer<dim>::make_rows()
   {
-    const FESystem<dim>      &fe = coarser.finite_element();
-    const unsigned int        n  = fe.n_dofs_per_cell();
-    std::vector<unsigned int> place(n);
-    const auto &numbering = loops->get_shape_info().lexicographic_numbering;
-    for (unsigned int i = 0; i < n; ++i)
-      place[numbering[i]] = i;
+    const FESystem<dim> &fe    = coarser.finite_element();
+    const auto          &place = loops->places();
+    first_dofs.resize(loops->n_nodes_per_cell());
+    for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
+      if (place[i] % dim == 0)
+        first_dofs[place[i] / dim] = i;
 
     for (unsigned int child = 0;
          child < GeometryInfo<dim>::max_children_per_cell;
          ++child)
       {
         const FullMatrix<double> &P = fe.get_prolongation_matrix(child);
-        for (unsigned int i = 0; i < n; ++i)
+        for (const unsigned int i : first_dofs)
           {
-            for (unsigned int j = 0; j < n; ++j)
-              if (std::abs(P(i, j)) > 1e-12)
-                rows.entries.emplace_back(place[j], P(i, j));
+            for (unsigned int node = 0; node < first_dofs.size(); ++node)
+              if (const double weight = P(i, first_dofs[node]);
+                  std::abs(weight) > 1e-12)
+                rows.entries.emplace_back(node, weight);
             rows.starts.push_back(rows.entries.size());
           }
       }
-    for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int node = 0; node < first_dofs.size(); ++node)
       {
-        rows.entries.emplace_back(place[i], 1.);
+        rows.entries.emplace_back(node, 1.);
         rows.starts.push_back(rows.entries.size());
       }
   }
@@ -72,33 +67,38 @@ namespace Crevasse
 
 
   template <int dim>
-  std::vector<typename LevelTransfer<dim>::Dofs>
-  LevelTransfer<dim>::unknowns_of(const Cells &cells) const
+  std::vector<types::global_dof_index>
+  LevelTransfer<dim>::nodes_of(const Cells &cells) const
   {
-    const unsigned int n     = finer.finite_element().n_dofs_per_cell();
-    const IndexSet     owned = finer.mesh()
+    const IndexSet owned = finer.mesh()
                              .global_active_cell_index_partitioner()
                              .lock()
                              ->locally_owned_range();
-    std::vector<Dofs> of_own(owned.n_elements(), Dofs(n));
-    for (const auto &cell : finer.dof_handler().active_cell_iterators())
-      if (cell->is_locally_owned())
-        cell->get_dof_indices(
-          of_own[owned.index_within_set(cell->global_active_cell_index())]);
+    const unsigned int n_nodes = first_dofs.size();
+    Dofs               of_own(owned.n_elements() * n_nodes);
+    Dofs               dofs(finer.finite_element().n_dofs_per_cell());
+    for (const auto &cell : owned_cells(finer.dof_handler()))
+      {
+        cell->get_dof_indices(dofs);
+        const std::size_t k =
+          owned.index_within_set(cell->global_active_cell_index());
+        for (unsigned int node = 0; node < n_nodes; ++node)
+          of_own[k * n_nodes + node] = dofs[first_dofs[node]];
+      }
 
     Cells ascending(cells);
     std::sort(ascending.begin(), ascending.end());
     IndexSet needed(owned.size());
     needed.add_indices(ascending.begin(), ascending.end());
-    Vector            of_cells(owned, needed, finer.communicator());
-    std::vector<Dofs> found(cells.size(), Dofs(n));
-    for (unsigned int i = 0; i < n; ++i)
+    Crevasse::Vector of_cells(owned, needed, finer.communicator());
+    Dofs             found(cells.size() * n_nodes);
+    for (unsigned int node = 0; node < n_nodes; ++node)
       {
-        for (std::size_t k = 0; k < of_own.size(); ++k)
-          of_cells.local_element(k) = of_own[k][i];
+        for (std::size_t k = 0; k < of_cells.locally_owned_size(); ++k)
+          of_cells.local_element(k) = of_own[k * n_nodes + node];
         of_cells.update_ghost_values();
         for (std::size_t k = 0; k < cells.size(); ++k)
-          found[k][i] = of_cells(cells[k]);
+          found[k * n_nodes + node] = of_cells(cells[k]);
         of_cells.zero_out_ghost_values();
       }
     return found;
@@ -107,42 +107,23 @@ namespace Crevasse
 
 
   template <int dim>
-  template <typename Function>
   void
-  LevelTransfer<dim>::for_each_cell(const Function &f) const
+  LevelTransfer<dim>::distribute_nodes(const CoarserMesh<dim> &mesh)
   {
-    for (unsigned int batch = 0; batch < loops->n_cell_batches(); ++batch)
-      for (unsigned int lane = 0;
-           lane < loops->n_active_entries_per_cell_batch(batch);
-           ++lane)
-        f(batch, lane, batch * Number::size() + lane);
-  }
-
-
-
-  template <int dim>
-  void
-  LevelTransfer<dim>::distribute_unknowns(const CoarserMesh<dim> &mesh)
-  {
-    const auto children_of = [&](const unsigned int batch,
-                                 const unsigned int lane) -> const Cells & {
-      return mesh
-        .children[loops->get_cell_iterator(batch, lane)->active_cell_index()];
-    };
-    Cells all;
-    for_each_cell([&](const unsigned int batch,
-                      const unsigned int lane,
-                      const std::size_t) {
-      const Cells &children = children_of(batch, lane);
+    std::vector<std::size_t> n_children; // of the cells of the loops
+    Cells                    all;
+    loops->for_each_cell([&](const auto &cell, const unsigned int) {
+      const Cells &children = mesh.children[cell->active_cell_index()];
+      n_children.push_back(children.size());
       all.insert(all.end(), children.begin(), children.end());
     });
-    const std::vector<Dofs> dofs = unknowns_of(all);
+    const Dofs dofs = nodes_of(all);
 
     Dofs needed;
-    for (const Dofs &of_cell : dofs)
-      for (const auto dof : of_cell)
-        if (!finer.locally_owned_unknowns().is_element(dof))
-          needed.push_back(dof);
+    for (const auto dof : dofs)
+      if (!finer.locally_owned_unknowns().is_element(dof))
+        for (unsigned int c = 0; c < dim; ++c)
+          needed.push_back(dof + c);
     std::sort(needed.begin(), needed.end());
     IndexSet ghosts(finer.n_unknowns());
     ghosts.add_indices(needed.begin(), needed.end());
@@ -151,41 +132,46 @@ namespace Crevasse
     std::vector<bool> is_done(partitioner.locally_owned_size() +
                               partitioner.n_ghost_indices());
 
-    const unsigned int n        = finer.finite_element().n_dofs_per_cell();
-    std::size_t        position = 0;
-    starts.assign(loops->n_cell_batches() * Number::size() + 1, 0);
-    for_each_cell([&](const unsigned int batch,
-                      const unsigned int lane,
-                      const std::size_t  index) {
-      const std::size_t n_children = children_of(batch, lane).size();
-      for (std::size_t c = 0; c < n_children; ++c, ++position)
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            const unsigned int unknown =
-              partitioner.global_to_local(dofs[position][i]);
-            if (is_done[unknown])
-              continue;
-            is_done[unknown] = true;
-            unknowns.push_back(unknown);
-            // After the rows of the children there are those of the cell.
-            row_of_unknown.push_back(
-              (n_children == 1 ? GeometryInfo<dim>::max_children_per_cell : c) *
-                n +
-              i);
-          }
-      starts[index + 1] = unknowns.size();
-    });
-    for (std::size_t k = 1; k < starts.size(); ++k) // empty lanes
-      starts[k] = std::max(starts[k], starts[k - 1]);
+    const unsigned int n_nodes = first_dofs.size();
+    auto               dof     = dofs.begin();
+    for (const std::size_t n : n_children)
+      {
+        for (std::size_t child = 0; child < n; ++child)
+          for (unsigned int node = 0; node < n_nodes; ++node, ++dof)
+            {
+              const unsigned int index = partitioner.global_to_local(*dof);
+              if (is_done[index])
+                continue;
+              is_done[index] = true;
+              first_indices.push_back(index);
+              // After the rows of the children there are those of the cell.
+              row_of_node.push_back(
+                (n == 1 ? GeometryInfo<dim>::max_children_per_cell : child) *
+                  n_nodes +
+                node);
+            }
+        starts.push_back(first_indices.size());
+      }
 
-    for (const unsigned int unknown : unknowns)
-      work.local_element(unknown) = 1.;
+    for (const unsigned int index : first_indices)
+      work.local_element(index) = 1.;
     work.compress(VectorOperation::add);
     work.update_ghost_values();
-    for (const unsigned int unknown : unknowns)
-      if (work.local_element(unknown) > 1.5)
-        shared.emplace_back(unknown, 1. / work.local_element(unknown));
+    for (const unsigned int index : first_indices)
+      if (work.local_element(index) > 1.5)
+        shared.emplace_back(index, 1. / work.local_element(index));
     work.zero_out_ghost_values();
+  }
+
+
+
+  template <int dim>
+  void
+  LevelTransfer<dim>::weight_shared_nodes() const
+  {
+    for (const auto &[index, weight] : shared)
+      for (unsigned int c = 0; c < dim; ++c)
+        work.local_element(index + c) *= weight;
   }
 
 
@@ -195,32 +181,36 @@ namespace Crevasse
   LevelTransfer<dim>::prolongate_and_add(Vector       &of_finer,
                                          const Vector &of_coarser) const
   {
-    of_coarser.update_ghost_values();
-    work = 0.;
-    CellValuesOf<dim> values(*loops);
-    for_each_cell([&](const unsigned int batch,
-                      const unsigned int lane,
-                      const std::size_t  index) {
-      if (lane == 0)
+    using Value = std::array<LevelReal, dim>;
+    work        = 0.;
+    {
+      const typename CellLoops<dim>::template ResolvedValues<LevelReal>
+                             resolved(*loops, of_coarser);
+      const LevelReal *const from = of_coarser.begin();
+      LevelReal *const       to   = work.begin();
+      std::vector<Value>     values(loops->n_nodes_per_cell());
+      for (unsigned int cell = 0; cell < loops->n_cells(); ++cell)
         {
-          values.reinit(batch);
-          values.read_dof_values(of_coarser);
+          const unsigned int *const first = loops->first_indices(cell);
+          for (unsigned int node = 0; node < values.size(); ++node)
+            for (unsigned int c = 0; c < dim; ++c)
+              values[node][c] = from[first[node] + c];
+          for (std::size_t k = starts[cell]; k < starts[cell + 1]; ++k)
+            {
+              Value              sum{};
+              const unsigned int row = row_of_node[k];
+              for (auto e = rows.starts[row]; e < rows.starts[row + 1]; ++e)
+                for (unsigned int c = 0; c < dim; ++c)
+                  sum[c] +=
+                    rows.entries[e].second * values[rows.entries[e].first][c];
+              for (unsigned int c = 0; c < dim; ++c)
+                to[first_indices[k] + c] = sum[c];
+            }
         }
-      for (std::size_t k = starts[index]; k < starts[index + 1]; ++k)
-        {
-          double             sum = 0.;
-          const unsigned int row = row_of_unknown[k];
-          for (auto e = rows.starts[row]; e < rows.starts[row + 1]; ++e)
-            sum += rows.entries[e].second *
-                   values.begin_dof_values()[rows.entries[e].first][lane];
-          work.local_element(unknowns[k]) = sum;
-        }
-    });
-    of_coarser.zero_out_ghost_values();
-    for (const auto &[unknown, weight] : shared)
-      work.local_element(unknown) *= weight;
+    }
+    weight_shared_nodes();
     work.compress(VectorOperation::add);
-    for (const unsigned int unknown : constrained)
+    for (const unsigned int unknown : finer_loops->constrained())
       work.local_element(unknown) = 0.;
     for (std::size_t i = 0; i < of_finer.locally_owned_size(); ++i)
       of_finer.local_element(i) += work.local_element(i);
@@ -233,35 +223,35 @@ namespace Crevasse
   LevelTransfer<dim>::restrict_and_add(Vector       &of_coarser,
                                        const Vector &of_finer) const
   {
+    using Value = std::array<LevelReal, dim>;
     work.copy_locally_owned_data_from(of_finer);
-    for (const unsigned int unknown : constrained)
+    for (const unsigned int unknown : finer_loops->constrained())
       work.local_element(unknown) = 0.;
     work.update_ghost_values();
-    for (const auto &[unknown, weight] : shared)
-      work.local_element(unknown) *= weight;
+    weight_shared_nodes();
 
-    CellValuesOf<dim>  values(*loops);
-    const unsigned int n = values.dofs_per_cell;
-    for_each_cell([&](const unsigned int batch,
-                      const unsigned int lane,
-                      const std::size_t  index) {
-      if (lane == 0)
-        {
-          values.reinit(batch);
-          std::fill_n(values.begin_dof_values(), n, Number(0.));
-        }
-      for (std::size_t k = starts[index]; k < starts[index + 1]; ++k)
-        {
-          const double       value = work.local_element(unknowns[k]);
-          const unsigned int row   = row_of_unknown[k];
-          for (auto e = rows.starts[row]; e < rows.starts[row + 1]; ++e)
-            values.begin_dof_values()[rows.entries[e].first][lane] +=
-              rows.entries[e].second * value;
-        }
-      if (lane + 1 == loops->n_active_entries_per_cell_batch(batch))
-        values.distribute_local_to_global(of_coarser);
-    });
-    of_coarser.compress(VectorOperation::add);
+    of_coarser.zero_out_ghost_values();
+    const LevelReal *const from = work.begin();
+    LevelReal *const       to   = of_coarser.begin();
+    std::vector<Value>     values(loops->n_nodes_per_cell());
+    for (unsigned int cell = 0; cell < loops->n_cells(); ++cell)
+      {
+        std::fill(values.begin(), values.end(), Value{});
+        for (std::size_t k = starts[cell]; k < starts[cell + 1]; ++k)
+          {
+            const LevelReal *const value = from + first_indices[k];
+            const unsigned int     row   = row_of_node[k];
+            for (auto e = rows.starts[row]; e < rows.starts[row + 1]; ++e)
+              for (unsigned int c = 0; c < dim; ++c)
+                values[rows.entries[e].first][c] +=
+                  rows.entries[e].second * value[c];
+          }
+        const unsigned int *const first = loops->first_indices(cell);
+        for (unsigned int node = 0; node < values.size(); ++node)
+          for (unsigned int c = 0; c < dim; ++c)
+            to[first[node] + c] += values[node][c];
+      }
+    loops->distribute(of_coarser);
     work.zero_out_ghost_values();
   }
 
@@ -277,23 +267,20 @@ namespace Crevasse
       work.local_element(unknown) = 1.;
     work.update_ghost_values();
 
-    const auto &numbering = loops->get_shape_info().lexicographic_numbering;
-    Vector      found     = coarser.ghosted_vector();
-    Dofs        dofs(coarser.finite_element().n_dofs_per_cell());
-    for_each_cell([&](const unsigned int batch,
-                      const unsigned int lane,
-                      const std::size_t  index) {
-      for (std::size_t k = starts[index]; k < starts[index + 1]; ++k)
-        if (work.local_element(unknowns[k]) == 1.)
-          {
-            const unsigned int begin = rows.starts[row_of_unknown[k]];
-            const unsigned int end   = rows.starts[row_of_unknown[k] + 1];
-            if (end != begin + 1)
-              continue; // between nodes of the coarser mesh
-            loops->get_cell_iterator(batch, lane)->get_dof_indices(dofs);
-            found(dofs[numbering[rows.entries[begin].first]]) += 1.;
-          }
-    });
+    Vector found;
+    loops->initialize(found);
+    for (unsigned int cell = 0; cell < loops->n_cells(); ++cell)
+      for (std::size_t k = starts[cell]; k < starts[cell + 1]; ++k)
+        {
+          const unsigned int row = row_of_node[k];
+          if (rows.starts[row + 1] != rows.starts[row] + 1)
+            continue; // between nodes of the coarser mesh
+          const unsigned int first =
+            loops->first_indices(cell)[rows.entries[rows.starts[row]].first];
+          for (unsigned int c = 0; c < dim; ++c)
+            found.local_element(first + c) +=
+              work.local_element(first_indices[k] + c);
+        }
     found.compress(VectorOperation::add);
     work.zero_out_ghost_values();
 
@@ -311,10 +298,9 @@ namespace Crevasse
   LevelTransfer<dim>::memory_consumption() const
   {
     return starts.size() * sizeof(std::size_t) +
-           unknowns.size() * (sizeof(unsigned int) + sizeof(std::uint16_t)) +
-           shared.size() * sizeof(shared[0]) +
-           constrained.size() * sizeof(unsigned int) +
-           work.memory_consumption();
+           first_indices.size() *
+             (sizeof(unsigned int) + sizeof(std::uint16_t)) +
+           shared.size() * sizeof(shared[0]) + work.memory_consumption();
   }
 
 

@@ -89,7 +89,7 @@ namespace Crevasse
       bytes += space->mesh().memory_consumption() +
                space->dof_handler().memory_consumption() +
                space->constraints().memory_consumption() +
-               space->matrix_free()->memory_consumption();
+               space->cell_loops()->memory_consumption();
     for (const auto &transfer : transfers)
       bytes += transfer->memory_consumption();
     return bytes;

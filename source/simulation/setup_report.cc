@@ -67,12 +67,12 @@ namespace Crevasse
                                         body.space.finite_element().degree,
                                         n_ranks) /
                    n_ranks;
-      // Without a matrix, K of each point.
+      // Without a matrix, K of each point in double and in single precision.
       constexpr int n = n_stress_components<dim>;
       if (type == LinearSolverType::gmg &&
           body.material.at(0.).stiffness->is_individual())
         one +=
-          0.5 * n * (n + 1) * sizeof(double) * body.points.n_local_points();
+          0.75 * n * (n + 1) * sizeof(double) * body.points.n_local_points();
       if (!body.material.stiffness_varies())
         return one;
       constexpr double mebibyte = 1024. * 1024.;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/stopwatch.h>
 #include <crevasse/contact/contact_solver.h>
 #include <crevasse/discretisation/algorithmic_moduli.h>
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/time/evolution.h>
+#include <crevasse/time/inelastic_strain.h>
 #include <crevasse/time/instant_provider.h>
 #include <crevasse/time/secular_flow.h>
 #include <crevasse/time/step_list.h>
-
-#include <deal.II/base/timer.h>
 
 #include <algorithm>
 #include <optional>
@@ -18,78 +18,6 @@
 
 namespace Crevasse
 {
-  /** The strains of a material that are not elastic, at one point. */
-  template <int dim>
-  class InelasticStrain
-  {
-  public:
-    using Field                     = QuadratureField<dim>;
-    static constexpr unsigned int n = Field::n_components;
-
-    /** @param r empty: there is no viscous strain. */
-    InelasticStrain(const MaterialState<dim> &material, const Vector &r)
-      : material(material)
-      , r(r)
-      , n_branches(r.size() == 0 ? 0 : material.fluidity.size())
-    {
-    }
-
-    std::size_t
-    place(const std::size_t offset, const unsigned int i) const
-    {
-      return offset * n_branches + i * n;
-    }
-
-    /** χθ */
-    VoigtVector<dim>
-    thermal(const std::size_t offset) const
-    {
-      return material.thermal_strain == nullptr
-               ? VoigtVector<dim>()
-               : (*material.thermal_strain)[offset / n];
-    }
-
-    /** Σ wᵢ rᵢ + χθ */
-    VoigtVector<dim>
-    operator()(const std::size_t offset) const
-    {
-      VoigtVector<dim> strain = thermal(offset);
-      for (unsigned int i = 0; i < n_branches; ++i)
-        strain += material.fractions[i] * Field::get(r, place(offset, i));
-      return strain;
-    }
-
-    const MaterialState<dim> &material;
-    const Vector             &r;
-    const unsigned int        n_branches;
-  };
-
-
-
-  namespace
-  {
-    /** Adds the time of its life. */
-    class Stopwatch
-    {
-    public:
-      explicit Stopwatch(double &sum)
-        : sum(sum)
-      {
-      }
-
-      ~Stopwatch()
-      {
-        sum += timer.wall_time();
-      }
-
-    private:
-      double       &sum;
-      dealii::Timer timer;
-    };
-  } // namespace
-
-
-
   template <int dim>
   Evolution<dim>::Evolution(const StrainOperator<dim>  &strain_operator,
                             const QuadratureField<dim> &points,

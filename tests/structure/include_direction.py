@@ -5,7 +5,7 @@ import pathlib
 import re
 import sys
 
-ORDER = ["base", "temperature", "parameters", "material", "grid",
+ORDER = ["base", "kernels", "temperature", "parameters", "material", "grid",
          "discretisation", "linear", "contact", "time", "model", "checkpoint",
          "harmonic_balance", "periodic", "crack_tip", "postprocess",
          "simulation", "app"]

@@ -16,7 +16,7 @@ namespace Crevasse
   /**
    * What singular functions add to the strain operator: their strains at all
    * points, stored, and the cells near the tip, whose many points are none of
-   * MatrixFree's and whose shape functions are stored.
+   * CellLoops and whose shape functions are stored.
    *
    * It keeps the nodal part and the coefficients of the displacement that is
    * read, or those of the force that is gathered.
@@ -87,7 +87,7 @@ namespace Crevasse
     std::vector<std::vector<VoigtVector<2>>> strains; ///< of φ_k, by point
     std::vector<double>                      weights; ///< of the points
 
-    Vector                nodal; ///< with the layout of MatrixFree's vectors
+    Vector                nodal; ///< with the layout of CellLoops' vectors
     std::array<double, 3> coefficients;
     std::vector<double>   local_values;
   };
@@ -99,6 +99,7 @@ namespace Crevasse
   Enrichment::for_each_special_strain(const Function &f)
   {
     const unsigned int n = components.size();
+    nodal.update_ghost_values();
     for (const SpecialCell &cell : special_cells)
       {
         space.constraints().get_dof_values(nodal,

@@ -18,7 +18,6 @@
 #include <deal.II/hp/q_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/matrix_free/matrix_free.h>
 
 #include <cstdint>
 #include <memory>
@@ -31,6 +30,9 @@ namespace Crevasse
 
   template <int dim>
   using Mesh = dealii::parallel::distributed::Triangulation<dim>;
+
+  template <int dim>
+  class CellLoops;
 
   /** The active cells of this rank, of a mesh or of its dofs. */
   template <typename MeshOrDofs>
@@ -226,12 +228,10 @@ namespace Crevasse
       return face_rule;
     }
 
-    /** For loops over the cells, with gradients of displacements at the points
-     * of the rule; made when it is first asked for, and shared. Cells with
-     * another rule than the first have the category 1 and batches of their own,
-     * to be passed over. Collective. */
-    std::shared_ptr<const dealii::MatrixFree<dim, double>>
-    matrix_free() const;
+    /** For loops over the cells with the first rule; made when they are first
+     * asked for, and shared. Collective. */
+    std::shared_ptr<const CellLoops<dim>>
+    cell_loops() const;
 
   private:
     void
@@ -279,8 +279,7 @@ namespace Crevasse
     dealii::hp::QCollection<dim> rules;
     std::vector<std::uint8_t>    rule_of_cell; ///< empty: all have the first
 
-    mutable std::shared_ptr<const dealii::MatrixFree<dim, double>>
-      cell_loops; ///< once asked for
+    mutable std::shared_ptr<const CellLoops<dim>> loops; ///< once asked for
   };
 } // namespace Crevasse
 

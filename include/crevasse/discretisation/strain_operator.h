@@ -4,13 +4,12 @@
 #ifndef crevasse_discretisation_strain_operator_h
 #define crevasse_discretisation_strain_operator_h
 
+#include <crevasse/discretisation/cell_loops.h>
 #include <crevasse/discretisation/enrichment.h>
 #include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/space.h>
 
-#include <deal.II/matrix_free/fe_evaluation.h>
-#include <deal.II/matrix_free/matrix_free.h>
-
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -29,8 +28,8 @@ namespace Crevasse
    * the cell instead of its own.
    *
    * With singular functions, displacements carry their coefficients, and the
-   * cells near the tip are not MatrixFree's: see Enrichment. Its work space
-   * makes an operator one that only one thread at a time can apply.
+   * cells near the tip are not those of CellLoops: see Enrichment. Its work
+   * space makes an operator one that only one thread at a time can apply.
    */
   template <int dim>
   class StrainOperator
@@ -58,57 +57,34 @@ namespace Crevasse
     add_transpose(Vector &force, const Function &stress_at) const;
 
   private:
-    using Number = dealii::VectorizedArray<double>;
+    static constexpr unsigned int n_components = n_stress_components<dim>;
 
-    /** Degree and rule are known when the program is compiled, but not with
-     * singular functions. */
-    static constexpr int run_time = -1;
-    template <int degree>
-    using Evaluation = dealii::FEEvaluation<dim,
-                                            degree,
-                                            degree == run_time ? 0 : degree + 1,
-                                            dim,
-                                            double>;
+    /** A number for each lane, component and point of a batch of cells. */
+    static constexpr unsigned int most_numbers =
+      8 * n_components * (dim == 2 ? 16 : 27);
+    using BatchField = std::array<double, most_numbers>;
 
-    /** Points of a cell at most: degree 2 with singular functions. */
-    template <int degree>
-    static constexpr unsigned int
-    most_points()
-    {
-      return dealii::Utilities::pow(degree == run_time ? 4 : degree + 1, dim);
-    }
-
-    template <int degree, bool mean_volume, typename Function>
+    template <typename Function>
     void
     strain_sweep(const Vector &displacement, const Function &f) const;
 
-    template <int degree, bool mean_volume, typename Function>
+    template <typename Function>
     void
     transpose_sweep(Vector &force, const Function &stress_at) const;
 
-    /** The mean of f(q) over the points of each cell of a batch. */
-    template <typename CellEvaluation, typename Function>
-    Number
-    cell_mean(const CellEvaluation &evaluation, const Function &f) const;
+    /** Calls f(place, offset) for the points of the cells of a batch: where
+     * their components begin in a BatchField and in a QuadratureField. */
+    template <typename Function>
+    void
+    for_each_point(const unsigned int batch, const Function &f) const;
 
-    /** Whether the cells of a batch are MatrixFree's: see
-     * Space::matrix_free(). */
-    bool
-    has_batch(const unsigned int batch) const
-    {
-      return enrichment == nullptr ||
-             matrix_free->get_cell_category(batch) == 0;
-    }
+    const Space<dim>                           &space;
+    const unsigned int                          n_cell_points;
+    std::unique_ptr<Enrichment>                 enrichment; ///< or null
+    const std::shared_ptr<const CellLoops<dim>> loops;
+    const CellKernels<double>                  &kernels;
 
-    const Space<dim>           &space;
-    const unsigned int          degree;
-    const unsigned int          n_cell_points;
-    const bool                  mean_volume;
-    std::unique_ptr<Enrichment> enrichment; ///< by singular functions
-    const std::shared_ptr<const dealii::MatrixFree<dim, double>> matrix_free;
-
-    /** Where the points of each lane of each cell batch begin. */
-    std::vector<std::array<std::size_t, Number::size()>> batch_offsets;
+    std::vector<std::size_t> offsets; ///< of the first points of the cells
   };
 
 
@@ -119,27 +95,21 @@ namespace Crevasse
   StrainOperator<dim>::for_each_strain(const Vector   &displacement,
                                        const Function &f) const
   {
-    displacement.update_ghost_values();
     if constexpr (dim == 2)
       if (enrichment != nullptr)
         {
+          displacement.update_ghost_values();
           enrichment->read(displacement);
+          displacement.zero_out_ghost_values();
           const auto enriched = [&](const std::size_t       offset,
                                     const VoigtVector<dim> &strain) {
             f(offset, strain + enrichment->strain(offset));
           };
-          strain_sweep<run_time, false>(enrichment->nodal_part(), enriched);
+          strain_sweep(enrichment->nodal_part(), enriched);
           enrichment->for_each_special_strain(enriched);
-          displacement.zero_out_ghost_values();
           return;
         }
-    if (mean_volume)
-      strain_sweep<1, true>(displacement, f);
-    else if (degree == 1)
-      strain_sweep<1, false>(displacement, f);
-    else
-      strain_sweep<2, false>(displacement, f);
-    displacement.zero_out_ghost_values();
+    strain_sweep(displacement, f);
   }
 
 
@@ -159,128 +129,81 @@ namespace Crevasse
             enrichment->add_stress(offset, stress);
             return stress;
           };
-          transpose_sweep<run_time, false>(enrichment->nodal_part(), enriched);
+          transpose_sweep(enrichment->nodal_part(), enriched);
           enrichment->add_special_transpose(enriched);
           enrichment->end_transpose(force);
           return;
         }
-    if (mean_volume)
-      transpose_sweep<1, true>(force, stress_at);
-    else if (degree == 1)
-      transpose_sweep<1, false>(force, stress_at);
-    else
-      transpose_sweep<2, false>(force, stress_at);
-    force.compress(dealii::VectorOperation::add);
+    transpose_sweep(force, stress_at);
   }
 
 
 
   template <int dim>
-  template <typename CellEvaluation, typename Function>
-  typename StrainOperator<dim>::Number
-  StrainOperator<dim>::cell_mean(const CellEvaluation &evaluation,
-                                 const Function       &f) const
+  template <typename Function>
+  void
+  StrainOperator<dim>::for_each_point(const unsigned int batch,
+                                      const Function    &f) const
   {
-    Number integral(0.), volume(0.);
-    for (unsigned int q = 0; q < n_cell_points; ++q)
-      {
-        integral += f(q) * evaluation.JxW(q);
-        volume += evaluation.JxW(q);
-      }
-    return integral / volume;
+    const unsigned int first = batch * kernels.n_lanes;
+    const unsigned int end =
+      std::min(first + kernels.n_lanes, loops->n_cells());
+    for (unsigned int cell = first; cell < end; ++cell)
+      for (unsigned int q = 0; q < n_cell_points; ++q)
+        f(q * n_components * kernels.n_lanes + cell - first,
+          offsets[cell] + q * n_components);
   }
 
 
 
   template <int dim>
-  template <int degree, bool mean_volume, typename Function>
+  template <typename Function>
   void
   StrainOperator<dim>::strain_sweep(const Vector   &displacement,
                                     const Function &f) const
   {
-    Evaluation<degree> evaluation(*matrix_free);
-    for (unsigned int batch = 0; batch < matrix_free->n_cell_batches(); ++batch)
+    const typename CellLoops<dim>::template ResolvedValues<double> resolved(
+      *loops, displacement);
+    alignas(64) BatchField strains;
+    for (unsigned int batch = 0; batch * kernels.n_lanes < loops->n_cells();
+         ++batch)
       {
-        if (!has_batch(batch))
-          continue;
-        evaluation.reinit(batch);
-        evaluation.gather_evaluate(displacement,
-                                   dealii::EvaluationFlags::gradients);
-        Number mean(0.);
-        if constexpr (mean_volume)
-          mean = cell_mean(evaluation, [&](const unsigned int q) {
-            return evaluation.get_divergence(q);
-          });
-        for (unsigned int q = 0; q < n_cell_points; ++q)
-          {
-            const auto gradient = evaluation.get_symmetric_gradient(q);
-            Number     added(0.); // to each of the three diagonal components
-            if constexpr (mean_volume)
-              added = (mean - trace(gradient)) / 3.;
-            for (unsigned int lane = 0;
-                 lane < matrix_free->n_active_entries_per_cell_batch(batch);
-                 ++lane)
-              {
-                VoigtVector<dim> strain;
-                for (unsigned int i = 0; i < dim; ++i)
-                  for (unsigned int j = i; j < dim; ++j)
-                    strain[voigt_index<dim>(i, j)] =
-                      (i == j ? 1. : 2.) * gradient[i][j][lane];
-                if constexpr (mean_volume)
-                  for (unsigned int i = 0; i < 3; ++i)
-                    strain[i] += added[lane];
-                f(batch_offsets[batch][lane] + q * n_stress_components<dim>,
-                  strain);
-              }
-          }
+        kernels.strains(loops->template batches<double>(batch, 1),
+                        displacement.begin(),
+                        strains.data());
+        for_each_point(batch,
+                       [&](const unsigned int place, const std::size_t offset) {
+                         VoigtVector<dim> strain;
+                         for (unsigned int c = 0; c < n_components; ++c)
+                           strain[c] = strains[place + c * kernels.n_lanes];
+                         f(offset, strain);
+                       });
       }
   }
 
 
 
   template <int dim>
-  template <int degree, bool mean_volume, typename Function>
+  template <typename Function>
   void
   StrainOperator<dim>::transpose_sweep(Vector         &force,
                                        const Function &stress_at) const
   {
-    const unsigned int n_points = n_cell_points;
-    std::array<dealii::SymmetricTensor<2, dim, Number>, most_points<degree>()>
-                                              stress{};
-    std::array<Number, most_points<degree>()> pressure{};
-
-    Evaluation<degree> evaluation(*matrix_free);
-    for (unsigned int batch = 0; batch < matrix_free->n_cell_batches(); ++batch)
+    alignas(64) BatchField stresses{};
+    for (unsigned int batch = 0; batch * kernels.n_lanes < loops->n_cells();
+         ++batch)
       {
-        if (!has_batch(batch))
-          continue;
-        evaluation.reinit(batch);
-        for (unsigned int q = 0; q < n_points; ++q)
-          for (unsigned int lane = 0;
-               lane < matrix_free->n_active_entries_per_cell_batch(batch);
-               ++lane)
-            {
-              const VoigtVector<dim> s = stress_at(
-                batch_offsets[batch][lane] + q * n_stress_components<dim>);
-              for (unsigned int i = 0; i < dim; ++i)
-                for (unsigned int j = i; j < dim; ++j)
-                  stress[q][i][j][lane] = s[voigt_index<dim>(i, j)];
-              if constexpr (mean_volume)
-                pressure[q][lane] = (s[0] + s[1] + s[2]) / 3.;
-            }
-        if constexpr (mean_volume)
-          {
-            const Number mean =
-              cell_mean(evaluation,
-                        [&](const unsigned int q) { return pressure[q]; });
-            for (unsigned int q = 0; q < n_points; ++q)
-              for (unsigned int i = 0; i < dim; ++i)
-                stress[q][i][i] += mean - pressure[q];
-          }
-        for (unsigned int q = 0; q < n_points; ++q)
-          evaluation.submit_symmetric_gradient(stress[q], q);
-        evaluation.integrate_scatter(dealii::EvaluationFlags::gradients, force);
+        for_each_point(batch,
+                       [&](const unsigned int place, const std::size_t offset) {
+                         const VoigtVector<dim> stress = stress_at(offset);
+                         for (unsigned int c = 0; c < n_components; ++c)
+                           stresses[place + c * kernels.n_lanes] = stress[c];
+                       });
+        kernels.add_transpose(loops->template batches<double>(batch, 1),
+                              stresses.data(),
+                              force.begin());
       }
+    loops->distribute(force);
   }
 } // namespace Crevasse
 

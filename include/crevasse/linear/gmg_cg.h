@@ -16,10 +16,10 @@ namespace Crevasse
 {
   /**
    * Conjugate gradients with geometric multigrid as preconditioner: one V-cycle
-   * with Chebyshev smoothing. No matrix but that of the coarsest level, on any
-   * number of ranks. Held unknowns are held on every level (truncated
-   * multigrid: Kornhuber, Numer. Math. 69, 1994), so that contact costs no
-   * iterations.
+   * with Chebyshev smoothing, in single precision. No matrix but that of the
+   * coarsest level, on any number of ranks. Held unknowns are held on every
+   * level (truncated multigrid: Kornhuber, Numer. Math. 69, 1994), so that
+   * contact costs no iterations.
    */
   template <int dim>
   class GmgCg : public ConjugateGradients
@@ -31,7 +31,7 @@ namespace Crevasse
      * @param stiffness K of A at the points of that level; not kept.
      * All but @p stiffness must outlive this object. */
     GmgCg(std::shared_ptr<const MultigridLevels<dim>> levels,
-          StiffnessOperator<dim>                     &finest,
+          const StiffnessOperator<dim>               &finest,
           const PointValues<VoigtMatrix<dim>>        &stiffness);
 
     void
@@ -62,20 +62,23 @@ namespace Crevasse
     }
 
   private:
-    using Operator = StiffnessOperator<dim>;
+    using Operator = StiffnessProduct<dim, LevelReal>;
 
     struct Level
     {
-      Operator                 *A = nullptr; ///< of level 0 a matrix
-      std::unique_ptr<Operator> own;         ///< unless it is the finest
+      std::unique_ptr<Operator> A; ///< of level 0 a matrix
       /** Chebyshev polynomials (Adams et al., J. Comput. Phys. 188, 2003). */
-      dealii::PreconditionChebyshev<Operator, Vector> smoother;
-      std::vector<unsigned int> held; ///< local indices, ascending
-      Vector                    defect, solution, residual;
+      dealii::PreconditionChebyshev<Operator, LevelVector> smoother;
+      std::vector<unsigned int> held; ///< local indices
+      LevelVector               defect, solution, residual;
     };
 
     void
     set_up_smoother(Level &level);
+
+    /** Solves on the coarsest level. Held unknowns are zero. */
+    void
+    solve_coarsest(Vector &solution, const Vector &defect);
 
     /** One V-cycle for the solution of a level from its defect. Held unknowns
      * stay zero. */
@@ -83,11 +86,13 @@ namespace Crevasse
     cycle(const unsigned int level);
 
     const std::shared_ptr<const MultigridLevels<dim>> shared_levels;
-    Operator                                         &finest;
-    Matrix                                            coarsest_matrix;
-    std::unique_ptr<LinearSolver>                     coarsest_solver;
-    std::vector<Level>                                levels_of_cycle;
-    std::vector<dealii::types::global_dof_index>      held_dofs;
+    const StiffnessOperator<dim>                     &finest;
+    double                        unit; ///< that the levels have for A
+    Matrix                        coarsest_matrix;
+    std::unique_ptr<LinearSolver> coarsest_solver;
+    Vector coarsest_defect, coarsest_solution; ///< in double precision
+    std::vector<Level>                           levels_of_cycle;
+    std::vector<dealii::types::global_dof_index> held_dofs;
   };
 } // namespace Crevasse
 

@@ -4,10 +4,9 @@
 #ifndef crevasse_linear_level_transfer_h
 #define crevasse_linear_level_transfer_h
 
+#include <crevasse/discretisation/cell_loops.h>
 #include <crevasse/discretisation/coarser_meshes.h>
 #include <crevasse/discretisation/space.h>
-
-#include <deal.II/matrix_free/matrix_free.h>
 
 #include <cstdint>
 #include <memory>
@@ -16,6 +15,10 @@
 
 namespace Crevasse
 {
+  /** Preconditioners need no more than single precision. */
+  using LevelReal   = float;
+  using LevelVector = dealii::LinearAlgebra::distributed::Vector<LevelReal>;
+
   /**
    * Interpolation from the displacements of a coarser mesh to those of a finer
    * one, and its transpose, cell by cell. (That of deal.II 9.4,
@@ -26,6 +29,8 @@ namespace Crevasse
   class LevelTransfer
   {
   public:
+    using Vector = LevelVector;
+
     /** @param mesh the mesh of the coarser space, made from that of the finer.
      * Both spaces must outlive this object. Collective. */
     LevelTransfer(const Space<dim>       &coarser,
@@ -33,7 +38,7 @@ namespace Crevasse
                   const CoarserMesh<dim> &mesh);
 
     /** of_finer += P of_coarser. Constrained entries stay what they are. Both
-     * with the layout of MatrixFree. */
+     * with the layout of CellLoops. */
     void
     prolongate_and_add(Vector &of_finer, const Vector &of_coarser) const;
 
@@ -50,50 +55,48 @@ namespace Crevasse
     memory_consumption() const;
 
   private:
-    using Number = dealii::VectorizedArray<double>;
-    using Dofs   = std::vector<dealii::types::global_dof_index>;
+    using Dofs = std::vector<dealii::types::global_dof_index>;
 
-    /** The interpolation to all unknowns of all children of a cell, child by
-     * child, and then to those of the cell itself: in each row the unknowns of
-     * the coarser cell, by their place in FEEvaluation, with their weights. */
+    /** The interpolation to all nodes of all children of a cell, child by
+     * child, and then to those of the cell itself: in each row the nodes of the
+     * coarser cell with their weights, the same for all components. */
     struct Rows
     {
-      std::vector<unsigned int>                    starts = {0};
-      std::vector<std::pair<unsigned int, double>> entries;
+      std::vector<unsigned int>                       starts = {0};
+      std::vector<std::pair<unsigned int, LevelReal>> entries;
     };
 
     void
     make_rows();
 
-    /** The unknowns of finer cells, in the order that is asked for. */
-    std::vector<Dofs>
-    unknowns_of(
-      const std::vector<dealii::types::global_cell_index> &cells) const;
+    /** The first unknowns of all nodes of finer cells, in the order that is
+     * asked for. */
+    Dofs
+    nodes_of(const std::vector<dealii::types::global_cell_index> &cells) const;
 
-    /** Finds out which unknowns this rank interpolates from each cell. */
+    /** Finds out which nodes this rank interpolates from each cell. */
     void
-    distribute_unknowns(const CoarserMesh<dim> &mesh);
+    distribute_nodes(const CoarserMesh<dim> &mesh);
 
-    /** f(batch, lane, index) for the cells of the coarser mesh. */
-    template <typename Function>
     void
-    for_each_cell(const Function &f) const;
+    weight_shared_nodes() const;
 
-    const Space<dim>                                            &coarser;
-    const Space<dim>                                            &finer;
-    const std::shared_ptr<const dealii::MatrixFree<dim, double>> loops;
-    const std::vector<unsigned int> constrained; ///< of the finer space
-    Rows                            rows;
+    const Space<dim>                           &coarser;
+    const Space<dim>                           &finer;
+    const std::shared_ptr<const CellLoops<dim>> loops; ///< of the coarser
+    const std::shared_ptr<const CellLoops<dim>> finer_loops;
+    std::vector<unsigned int> first_dofs; ///< of the element, for each node
+    Rows                      rows;
 
-    // What is interpolated from each lane of each batch of cells of the coarser
-    // mesh: unknowns of the finer one, as local indices of the work vector,
-    // each but once, and how.
-    std::vector<std::size_t>   starts;
-    std::vector<unsigned int>  unknowns;
-    std::vector<std::uint16_t> row_of_unknown;
+    // What is interpolated from each cell of the coarser mesh: nodes of the
+    // finer one, each but once, as local indices of their first components in
+    // the work vector, and how.
+    std::vector<std::size_t>   starts = {0};
+    std::vector<unsigned int>  first_indices;
+    std::vector<std::uint16_t> row_of_node;
 
-    /** Unknowns that several ranks interpolate, with the weight of each. */
-    std::vector<std::pair<unsigned int, double>> shared;
+    /** Nodes that several ranks interpolate, with the weight of each. */
+    std::vector<std::pair<unsigned int, LevelReal>> shared;
 
     mutable Vector work; ///< of the finer space, with what is interpolated here
   };

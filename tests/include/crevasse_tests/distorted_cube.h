@@ -13,15 +13,24 @@
 
 /** The unit square (cube) with n cells a side and boundary ids 0, 1, ... on its
  * sides, its inner vertices moved at random (seeded), two corners refined for
- * hanging nodes. */
+ * hanging nodes; sheared so that cells are parallelograms, if not distorted. */
 template <int dim>
 std::shared_ptr<const Crevasse::Mesh<dim>>
-distorted_cube_with_hanging_nodes(const unsigned int n, const double distortion)
+distorted_cube_with_hanging_nodes(const unsigned int n,
+                                  const double       distortion,
+                                  const double       shear = 0.)
 {
   auto mesh = std::make_shared<Crevasse::Mesh<dim>>(MPI_COMM_WORLD);
   dealii::GridGenerator::subdivided_hyper_cube(*mesh, n, 0., 1., true);
   if (distortion > 0.)
     dealii::GridTools::distort_random(distortion, *mesh, true, 42);
+  if (shear != 0.)
+    dealii::GridTools::transform(
+      [&](dealii::Point<dim> x) {
+        x[0] += shear * x[1];
+        return x;
+      },
+      *mesh);
   for (const auto &cell : mesh->active_cell_iterators())
     if (cell->is_locally_owned())
       {

@@ -7,11 +7,14 @@
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/linear/level_transfer.h>
 #include <crevasse/linear/matrix_operator.h>
+#include <crevasse/linear/stiffness_product.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/postprocess/probe.h>
 
 #include <crevasse_tests/distorted_cube.h>
+#include <crevasse_tests/lane_widths.h>
 #include <crevasse_tests/probe_row.h>
 #include <crevasse_tests/tests.h>
 #include <random>
@@ -65,22 +68,26 @@ namespace
 
 
 
-  /** A q = Dᵀ K D q, with D and Dᵀ matrix-free and A assembled, and Dᵀ is the
-   * transpose of D for any stress. */
+  /** Relative ones. */
+  struct Errors
+  {
+    double sweeps = 0., product = 0., single_product = 0., transpose = 0.;
+  };
+
+  double
+  relative_difference(const Vector &found, const Vector &expected)
+  {
+    Vector difference(expected);
+    difference -= found;
+    return difference.linfty_norm() / expected.linfty_norm();
+  }
+
+  /** A q = Dᵀ K D q, with D and Dᵀ matrix-free and A assembled or as products,
+   * and Dᵀ is the transpose of D for any stress. */
   template <int dim>
   void
-  compare_stiffness(const unsigned int     degree,
-                    const VolumetricStrain volumetric = VolumetricStrain::full)
+  compare_stiffness(const Space<dim> &space, Errors &worst)
   {
-    BoundaryRoles roles;
-    roles.symmetry = {0};
-    roles.clamped  = {2};
-    const Space<dim> space(distorted_cube_with_hanging_nodes<dim>(6 - dim,
-                                                                  0.25),
-                           degree,
-                           roles,
-                           {},
-                           volumetric);
     const QuadratureField<dim> points(space);
     const StrainOperator<dim>  strain_operator(space, points);
     const VoigtMatrix<dim>     K = isotropic_stiffness<dim>(7., 0.3, false);
@@ -93,8 +100,9 @@ namespace
     fill_at_random(q);
     space.constraints().set_zero(q);
 
-    SparseMatrix matrix;
-    assemble_stiffness(space, points, PointValues<VoigtMatrix<dim>>(K), matrix);
+    SparseMatrix                        matrix;
+    const PointValues<VoigtMatrix<dim>> stiffness(K);
+    assemble_stiffness(space, points, stiffness, matrix);
     multiply(matrix, assembled, q);
     strain_operator.for_each_strain(
       q, [&](const std::size_t point, const VoigtVector<dim> &strain) {
@@ -103,15 +111,25 @@ namespace
     strain_operator.add_transpose(matrix_free, [&](const std::size_t point) {
       return QuadratureField<dim>::get(stress, point);
     });
+    worst.sweeps =
+      std::max(worst.sweeps, relative_difference(matrix_free, assembled));
 
-    const double size = assembled.linfty_norm();
-    assembled -= matrix_free;
-    const std::string name =
-      std::to_string(dim) + "D, Q" + std::to_string(degree) +
-      (volumetric == VolumetricStrain::mean ? ", mean volume" : "");
-    check_below(name + ": A q - D'K D q, relative",
-                assembled.linfty_norm() / size,
-                1e-13);
+    StiffnessProduct<dim, double>(space, points, stiffness)
+      .vmult(matrix_free, q);
+    worst.product =
+      std::max(worst.product, relative_difference(matrix_free, assembled));
+
+    const StiffnessProduct<dim, float> in_single(space, points, stiffness, 7.);
+    LevelVector                        v, result;
+    in_single.initialize(v);
+    in_single.initialize(result);
+    v.copy_locally_owned_data_from(q);
+    in_single.vmult(result, v);
+    matrix_free.copy_locally_owned_data_from(result);
+    matrix_free *= 7. * std::pow(space.cell_loops()->length_unit(), dim - 2);
+    worst.single_product =
+      std::max(worst.single_product,
+               relative_difference(matrix_free, assembled));
 
     fill_at_random(stress);
     const double expected = work(space, points, strain_operator, stress, q);
@@ -120,9 +138,42 @@ namespace
     strain_operator.add_transpose(force, [&](const std::size_t point) {
       return QuadratureField<dim>::get(stress, point);
     });
-    check_below(name + ": (D's, q) - (s, D q), relative",
-                std::abs(force * q / expected - 1.),
-                1e-12);
+    worst.transpose =
+      std::max(worst.transpose, std::abs(force * q / expected - 1.));
+  }
+
+  template <int dim>
+  void
+  compare_stiffness(const unsigned int     degree,
+                    const VolumetricStrain volumetric = VolumetricStrain::full)
+  {
+    BoundaryRoles roles;
+    roles.symmetry = {0};
+    roles.clamped  = {2};
+    for (const bool is_sheared : {false, true})
+      {
+        const auto mesh =
+          distorted_cube_with_hanging_nodes<dim>(6 - dim,
+                                                 is_sheared ? 0. : 0.25,
+                                                 is_sheared ? 0.3 : 0.);
+        Errors worst;
+        for_each_lane_width([&]() {
+          const Space<dim> space(mesh, degree, roles, {}, volumetric);
+          compare_stiffness(space, worst);
+        });
+        const std::string name =
+          std::to_string(dim) + "D, Q" + std::to_string(degree) +
+          (volumetric == VolumetricStrain::mean ? ", mean volume" : "") +
+          (is_sheared ? ", sheared" : "");
+        check_below(name + ": A q - D'K D q, relative", worst.sweeps, 1e-13);
+        check_below(name + ": A q by products, relative", worst.product, 1e-13);
+        check_below(name + ": A q in single precision, relative",
+                    worst.single_product,
+                    1e-5);
+        check_below(name + ": (D's, q) - (s, D q), relative",
+                    worst.transpose,
+                    1e-12);
+      }
   }
 
   /** Fields of the element's own degree are recovered exactly on rectangular

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_time_inelastic_strain_h
+#define crevasse_time_inelastic_strain_h
+
+#include <crevasse/discretisation/material_field.h>
+#include <crevasse/discretisation/quadrature_field.h>
+
+namespace Crevasse
+{
+  /** The strains of a material that are not elastic, at one point. */
+  template <int dim>
+  class InelasticStrain
+  {
+  public:
+    using Field                     = QuadratureField<dim>;
+    static constexpr unsigned int n = Field::n_components;
+
+    /** @param r empty: there is no viscous strain. */
+    InelasticStrain(const MaterialState<dim> &material, const Vector &r)
+      : material(material)
+      , r(r)
+      , n_branches(r.size() == 0 ? 0 : material.fluidity.size())
+    {
+    }
+
+    std::size_t
+    place(const std::size_t offset, const unsigned int i) const
+    {
+      return offset * n_branches + i * n;
+    }
+
+    /** χθ */
+    VoigtVector<dim>
+    thermal(const std::size_t offset) const
+    {
+      return material.thermal_strain == nullptr
+               ? VoigtVector<dim>()
+               : (*material.thermal_strain)[offset / n];
+    }
+
+    /** Σ wᵢ rᵢ + χθ */
+    VoigtVector<dim>
+    operator()(const std::size_t offset) const
+    {
+      VoigtVector<dim> strain = thermal(offset);
+      for (unsigned int i = 0; i < n_branches; ++i)
+        strain += material.fractions[i] * Field::get(r, place(offset, i));
+      return strain;
+    }
+
+    const MaterialState<dim> &material;
+    const Vector             &r;
+    const unsigned int        n_branches;
+  };
+} // namespace Crevasse
+
+#endif
