@@ -4,7 +4,6 @@
 #include <crevasse/crack_tip/auxiliary_field.h>
 #include <crevasse/crack_tip/interaction_integral.h>
 #include <crevasse/crack_tip/lip_integral.h>
-#include <crevasse/discretisation/cell_values.h>
 #include <crevasse/material/voigt_matrix.h>
 
 #include <deal.II/base/mpi.h>

@@ -5,7 +5,6 @@
 #include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/refinement.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>

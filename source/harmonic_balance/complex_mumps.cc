@@ -6,8 +6,6 @@
 #include <crevasse/harmonic_balance/complex_mumps.h>
 #include <crevasse/linear/matrix_operator.h>
 
-#include <deal.II/lac/lapack_full_matrix.h>
-
 #include <algorithm>
 
 namespace Crevasse

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
-#include <crevasse/base/text.h>
 #include <crevasse/postprocess/stress_intensity.h>
 
 #include <algorithm>
