@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/app/command_line.h>
 #include <crevasse/app/failure.h>
 #include <crevasse/app/output_choice.h>
 #include <crevasse/app/script_command.h>
-#include <crevasse/app/server.h>
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/expression.h>
-#include <crevasse/base/log.h>
-#include <crevasse/base/problems.h>
 #include <crevasse/base/single_process.h>
 #include <crevasse/base/stop_request.h>
 #include <crevasse/base/text.h>
@@ -19,17 +15,10 @@
 #include <crevasse/parameters/scene_file.h>
 #include <crevasse/simulation/adaptive_run.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <iterator>
-#include <memory>
-#include <sstream>
-#include <string>
 
 namespace
 {

@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <iostream>
-#include <string>
 #include <thread>
 
 namespace Crevasse

@@ -9,12 +9,10 @@
 #include <fcntl.h>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <vector>
 
 namespace Crevasse
 {

@@ -10,7 +10,6 @@
 #include <fcntl.h>
 #include <fstream>
 #include <unistd.h>
-#include <vector>
 #include <zlib.h>
 
 namespace Crevasse

@@ -4,7 +4,6 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 
-#include <string>
 
 namespace Crevasse
 {

@@ -12,10 +12,8 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <muParser.h>
 #include <regex>
-#include <utility>
 
 namespace Crevasse
 {

@@ -4,14 +4,11 @@
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/text.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <limits>
 #include <sstream>
-#include <string>
 
 namespace Crevasse
 {

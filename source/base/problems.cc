@@ -5,7 +5,6 @@
 #include <crevasse/base/text.h>
 
 #include <algorithm>
-#include <map>
 #include <tuple>
 
 namespace Crevasse

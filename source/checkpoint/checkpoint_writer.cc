@@ -6,8 +6,6 @@
 #include <crevasse/checkpoint/checkpoint_writer.h>
 #include <crevasse/checkpoint/field_archive.h>
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
 
 namespace Crevasse
 {

@@ -5,9 +5,6 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/checkpoint/field_archive.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <cstring>
 #include <filesystem>
 
 namespace Crevasse

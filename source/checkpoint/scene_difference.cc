@@ -9,9 +9,7 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <set>
 #include <sstream>
-#include <stdexcept>
 
 namespace Crevasse
 {

@@ -5,7 +5,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace Crevasse

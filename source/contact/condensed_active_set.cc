@@ -3,7 +3,6 @@
 
 #include <crevasse/contact/condensed_active_set.h>
 
-#include <algorithm>
 
 namespace Crevasse
 {

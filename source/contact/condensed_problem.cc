@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
-#include <utility>
 
 namespace Crevasse
 {

@@ -7,9 +7,7 @@
 #include <crevasse/contact/contact_solver.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 

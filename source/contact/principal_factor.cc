@@ -7,7 +7,6 @@
 
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
-#include <utility>
 
 namespace Crevasse
 {

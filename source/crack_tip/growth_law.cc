@@ -5,7 +5,6 @@
 #include <crevasse/crack_tip/growth_law.h>
 
 #include <cmath>
-#include <limits>
 
 namespace Crevasse
 {

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/crack_tip/auxiliary_field.h>
 #include <crevasse/crack_tip/interaction_integral.h>
 #include <crevasse/crack_tip/lip_integral.h>
 #include <crevasse/material/voigt_matrix.h>
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_dgq.h>
-#include <deal.II/fe/fe_values.h>
 
-#include <cmath>
 
 namespace Crevasse
 {

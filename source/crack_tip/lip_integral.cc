@@ -3,11 +3,6 @@
 
 #include <crevasse/crack_tip/lip_integral.h>
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

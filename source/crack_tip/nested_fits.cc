@@ -3,12 +3,7 @@
 
 #include <crevasse/crack_tip/nested_fits.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
 
 namespace Crevasse
 {

@@ -4,7 +4,6 @@
 #include <crevasse/crack_tip/strain_energy.h>
 #include <crevasse/material/voigt_matrix.h>
 
-#include <deal.II/base/mpi.h>
 
 namespace Crevasse
 {

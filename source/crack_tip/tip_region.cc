@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/tip_region.h>
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/material/plane_elasticity.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace Crevasse
 {

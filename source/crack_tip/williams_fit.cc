@@ -4,11 +4,9 @@
 #include <crevasse/crack_tip/williams_fit.h>
 #include <crevasse/discretisation/polar_field.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

@@ -4,10 +4,8 @@
 #include <crevasse/discretisation/cell_loops.h>
 
 #include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace Crevasse

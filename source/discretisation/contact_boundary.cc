@@ -7,13 +7,10 @@
 #include <crevasse/discretisation/contact_boundary.h>
 
 #include <deal.II/base/bounding_box.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <map>
 
 namespace Crevasse
 {

@@ -5,8 +5,6 @@
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/crack_tip.h>
 
-#include <map>
-#include <utility>
 
 namespace Crevasse
 {

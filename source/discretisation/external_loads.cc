@@ -7,10 +7,6 @@
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/strain_operator.h>
 
-#include <deal.II/fe/fe_values.h>
-
-#include <utility>
-#include <vector>
 
 namespace Crevasse
 {

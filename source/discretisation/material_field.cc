@@ -3,20 +3,14 @@
 
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
-#include <crevasse/base/range.h>
-#include <crevasse/base/text.h>
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/parameters/formulas.h>
 
 #include <deal.II/grid/grid_tools.h>
 
-#include <algorithm>
 #include <boost/serialization/set.hpp>
 #include <boost/serialization/utility.hpp>
-#include <map>
-#include <set>
-#include <string>
 #include <unordered_map>
 
 namespace Crevasse

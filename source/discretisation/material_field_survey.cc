@@ -3,13 +3,7 @@
 
 #include <crevasse/base/collectively.h>
 #include <crevasse/discretisation/material_field.h>
-#include <crevasse/material/voigt_matrix.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace Crevasse
 {

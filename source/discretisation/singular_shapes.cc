@@ -10,7 +10,6 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/numerics/vector_tools.h>
 
-#include <cmath>
 
 namespace Crevasse
 {

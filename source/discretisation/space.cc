@@ -9,14 +9,10 @@
 #include <crevasse/discretisation/space.h>
 #include <crevasse/grid/curved_edges.h>
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/numerics/vector_tools.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <sstream>
 

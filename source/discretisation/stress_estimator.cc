@@ -4,17 +4,12 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/coarser_meshes.h>
-#include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/discretisation/stress_residual.h>
-#include <crevasse/material/voigt_matrix.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

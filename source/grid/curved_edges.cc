@@ -13,8 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string>
 
 namespace Crevasse
 {

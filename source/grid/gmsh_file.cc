@@ -9,7 +9,6 @@
 #include <fcntl.h>
 #include <fstream>
 #include <gmsh.h>
-#include <set>
 #include <sys/wait.h>
 #include <unistd.h>
 

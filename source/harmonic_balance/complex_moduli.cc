@@ -3,7 +3,6 @@
 
 #include <crevasse/harmonic_balance/complex_moduli.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/lac/full_matrix.h>
 
 namespace Crevasse

@@ -3,9 +3,6 @@
 
 #include <crevasse/harmonic_balance/fourier.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
 
 namespace Crevasse
 {

@@ -10,9 +10,6 @@
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_cg.h>
 
-#include <algorithm>
-#include <limits>
-#include <optional>
 
 namespace Crevasse
 {

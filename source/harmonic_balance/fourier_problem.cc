@@ -8,9 +8,6 @@
 #include <crevasse/model/secular.h>
 #include <crevasse/model/secular_problem.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
 
 namespace Crevasse
 {

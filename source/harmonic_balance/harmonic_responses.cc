@@ -5,9 +5,6 @@
 #include <crevasse/harmonic_balance/complex_mumps.h>
 #include <crevasse/harmonic_balance/harmonic_responses.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
 
 namespace Crevasse
 {

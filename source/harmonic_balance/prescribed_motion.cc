@@ -4,7 +4,6 @@
 #include <crevasse/base/state_archive.h>
 #include <crevasse/harmonic_balance/prescribed_motion.h>
 
-#include <deal.II/base/mpi.h>
 
 namespace Crevasse
 {

@@ -10,9 +10,7 @@
 
 #include <algorithm>
 #include <cholmod.h>
-#include <map>
 #include <optional>
-#include <utility>
 
 namespace Crevasse
 {

@@ -5,7 +5,6 @@
 #include <crevasse/linear/gmg_cg.h>
 #include <crevasse/linear/solver_choice.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/lac/diagonal_matrix.h>
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include <crevasse/linear/level_transfer.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

@@ -8,8 +8,6 @@
 
 #include <Epetra_CrsMatrix.h>
 #include <exception>
-#include <functional>
-#include <utility>
 
 namespace Crevasse
 {

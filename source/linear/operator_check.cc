@@ -6,7 +6,6 @@
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/linear/operator_check.h>
 
-#include <cmath>
 
 namespace Crevasse
 {

@@ -4,8 +4,6 @@
 #include <crevasse/linear/stiffness_operator.h>
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 namespace Crevasse
 {

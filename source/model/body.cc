@@ -7,20 +7,13 @@
 #include <crevasse/discretisation/refinement.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/grid/curved_edges.h>
-#include <crevasse/grid/geometry.h>
 #include <crevasse/model/body.h>
 #include <crevasse/model/linear_choice.h>
 #include <crevasse/model/mesh_materials.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q1.h>
 
-#include <algorithm>
-#include <limits>
-#include <optional>
-#include <utility>
 
 namespace Crevasse
 {

@@ -10,7 +10,6 @@
 #include <crevasse/linear/operator_check.h>
 #include <crevasse/model/contact_system.h>
 
-#include <utility>
 
 namespace Crevasse
 {

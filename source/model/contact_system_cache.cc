@@ -6,8 +6,6 @@
 #include <crevasse/contact/sweep.h>
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/largest_load.h>
-#include <crevasse/model/linear_choice.h>
-
 
 
 namespace Crevasse

@@ -4,16 +4,9 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/range.h>
-#include <crevasse/base/text.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/parameters/effects.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
 
 namespace Crevasse
 {

@@ -7,11 +7,8 @@
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/model/linear_choice.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

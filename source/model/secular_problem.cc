@@ -6,11 +6,6 @@
 #include <crevasse/model/secular.h>
 #include <crevasse/model/secular_problem.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
-#include <memory>
-#include <optional>
 #include <sstream>
 
 namespace Crevasse

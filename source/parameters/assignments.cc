@@ -9,10 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <set>
 #include <sstream>
 
 namespace Crevasse

@@ -4,7 +4,6 @@
 #include <crevasse/parameters/built_in_boundary.h>
 
 #include <algorithm>
-#include <iterator>
 
 namespace Crevasse
 {

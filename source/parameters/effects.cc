@@ -4,7 +4,6 @@
 #include <crevasse/parameters/effects.h>
 
 #include <algorithm>
-#include <set>
 
 namespace Crevasse
 {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/range.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <deal.II/base/patterns.h>
 
 namespace Crevasse
 {

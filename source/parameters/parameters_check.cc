@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/range.h>
-#include <crevasse/base/text.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/parameters.h>
 
 #include <cmath>
 #include <filesystem>
-#include <map>
 
 namespace Crevasse
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/range.h>
 #include <crevasse/parameters/parameters.h>
 
 namespace Crevasse

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <iomanip>
 #include <regex>
-#include <vector>
 
 namespace Crevasse
 {

@@ -5,7 +5,6 @@
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/scene.h>
 
-#include <deal.II/base/patterns.h>
 
 namespace Crevasse
 {

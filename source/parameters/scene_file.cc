@@ -2,15 +2,12 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
-#include <crevasse/parameters/assignments.h>
-#include <crevasse/parameters/catalogue.h>
 #include <crevasse/parameters/physical_names.h>
 #include <crevasse/parameters/scene_file.h>
 #include <crevasse/temperature/temperature.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <sstream>
 
 namespace Crevasse

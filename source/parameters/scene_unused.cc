@@ -5,9 +5,6 @@
 #include <crevasse/parameters/built_in_boundary.h>
 #include <crevasse/parameters/effects.h>
 
-#include <deal.II/base/parameter_handler.h>
-
-#include <set>
 
 namespace Crevasse
 {

@@ -3,9 +3,6 @@
 
 #include <crevasse/periodic/anderson.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace Crevasse
 {

@@ -4,7 +4,6 @@
 #include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/march.h>
 
-#include <algorithm>
 
 namespace Crevasse
 {

@@ -5,7 +5,6 @@
 #include <crevasse/periodic/observed_periods.h>
 #include <crevasse/time/evolution.h>
 
-#include <limits>
 #include <sstream>
 
 namespace Crevasse

@@ -4,10 +4,6 @@
 #include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/return_defect.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

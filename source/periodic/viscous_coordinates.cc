@@ -5,7 +5,6 @@
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/periodic/viscous_coordinates.h>
 
-#include <cmath>
 
 namespace Crevasse
 {

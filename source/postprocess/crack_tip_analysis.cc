@@ -12,8 +12,6 @@
 
 #include <deal.II/grid/grid_tools.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 namespace Crevasse

@@ -4,10 +4,6 @@
 #include <crevasse/base/state_archive.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

@@ -3,10 +3,6 @@
 
 #include <crevasse/postprocess/field_grid.h>
 
-#include <deal.II/fe/fe_tools.h>
-#include <deal.II/fe/fe_values.h>
-
-#include <map>
 #include <unordered_map>
 
 namespace Crevasse

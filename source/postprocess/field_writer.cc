@@ -7,7 +7,6 @@
 #include <crevasse/postprocess/field_writer.h>
 
 #include <deal.II/base/data_out_base.h>
-#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/lapack_support.h>
 #include <deal.II/lac/lapack_templates.h>
 

@@ -6,7 +6,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace Crevasse
 {

@@ -9,7 +9,6 @@
 #include <fstream>
 #include <regex>
 #include <system_error>
-#include <vector>
 
 namespace Crevasse
 {

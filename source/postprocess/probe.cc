@@ -6,13 +6,8 @@
 #include <crevasse/base/text.h>
 #include <crevasse/postprocess/probe.h>
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

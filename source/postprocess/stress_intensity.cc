@@ -4,8 +4,6 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/postprocess/stress_intensity.h>
 
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace Crevasse

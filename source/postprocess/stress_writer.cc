@@ -6,10 +6,8 @@
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/postprocess/stress_writer.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/grid/cell_id.h>
 
-#include <cstdint>
 #include <fstream>
 
 namespace Crevasse

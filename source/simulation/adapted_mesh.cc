@@ -2,17 +2,13 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
-#include <crevasse/base/state_archive.h>
 #include <crevasse/discretisation/stress_estimator.h>
-#include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/simulation/adapted_mesh.h>
 
-#include <deal.II/base/timer.h>
 #include <deal.II/distributed/grid_refinement.h>
 
-#include <cmath>
 #include <cstdio>
 #include <iostream>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/state_archive.h>
 #include <crevasse/discretisation/state_transfer.h>
 #include <crevasse/simulation/adaptive_run.h>
 #include <crevasse/simulation/compute_periods.h>
@@ -11,10 +10,7 @@
 #include <crevasse/simulation/relaxation_table.h>
 #include <crevasse/simulation/setup_report.h>
 
-#include <deal.II/base/timer.h>
-
 #include <cstdio>
-#include <memory>
 
 namespace Crevasse
 {

@@ -13,8 +13,6 @@
 
 #include <deal.II/grid/grid_tools.h>
 
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

@@ -10,10 +10,6 @@
 #include <crevasse/simulation/conclusion.h>
 #include <crevasse/simulation/setup_report.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

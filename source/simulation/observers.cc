@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/csv_table.h>
-#include <crevasse/base/format.h>
-#include <crevasse/base/state_archive.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/field_writer.h>
-#include <crevasse/postprocess/lip_state.h>
 #include <crevasse/postprocess/probe_tables.h>
 #include <crevasse/postprocess/stress_writer.h>
 #include <crevasse/simulation/elastic_comparison.h>
@@ -15,12 +11,6 @@
 
 #include <deal.II/base/bounding_box.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <set>
-#include <utility>
 
 namespace Crevasse
 {

@@ -5,15 +5,10 @@
 #include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/contact/sweep.h>
-#include <crevasse/linear/matrix_operator.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/simulation/relaxation_table.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

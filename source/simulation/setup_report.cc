@@ -10,11 +10,8 @@
 #include <crevasse/parameters/effects.h>
 #include <crevasse/simulation/setup_report.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <functional>
 #include <hdf5.h>
-#include <map>
 
 namespace Crevasse
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/problems.h>
 #include <crevasse/parameters/parameters.h>
 #include <crevasse/time/arkode_driver.h>
 
@@ -10,7 +9,6 @@
 #include <algorithm>
 #include <arkode/arkode_arkstep.h>
 #include <sstream>
-#include <utility>
 
 namespace Crevasse
 {

@@ -12,9 +12,6 @@
 #include <crevasse/time/secular_flow.h>
 #include <crevasse/time/step_list.h>
 
-#include <algorithm>
-#include <optional>
-#include <utility>
 
 namespace Crevasse
 {

@@ -9,8 +9,6 @@
 #include <crevasse/base/summary.h>
 #include <crevasse/parameters/scene.h>
 
-#include <memory>
-#include <string>
 
 namespace Crevasse
 {

@@ -7,7 +7,6 @@
 #include <crevasse/base/state_archive.h>
 
 #include <functional>
-#include <vector>
 
 namespace Crevasse
 {

@@ -10,8 +10,6 @@
 
 #include <functional>
 #include <optional>
-#include <string>
-#include <utility>
 
 namespace Crevasse
 {

@@ -10,7 +10,6 @@
 
 #include <limits>
 #include <memory>
-#include <string>
 
 namespace Crevasse
 {

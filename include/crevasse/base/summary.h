@@ -7,7 +7,6 @@
 #include <crevasse/base/text_file.h>
 
 #include <nlohmann/json.hpp>
-#include <string>
 
 namespace Crevasse
 {

@@ -10,10 +10,6 @@
 #include <crevasse/checkpoint/common_archive.h>
 
 #include <functional>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Crevasse
 {

@@ -13,7 +13,6 @@
 #include <boost/archive/binary_oarchive.hpp>
 #include <memory>
 #include <sstream>
-#include <string>
 
 namespace Crevasse
 {

@@ -7,8 +7,6 @@
 #include <crevasse/checkpoint/common_archive.h>
 #include <crevasse/model/body.h>
 
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -8,7 +8,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <string>
 #include <vector>
 
 namespace Crevasse

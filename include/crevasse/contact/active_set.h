@@ -5,12 +5,10 @@
 #define crevasse_contact_active_set_h
 
 #include <crevasse/contact/contact_solver.h>
-#include <crevasse/contact/face_solver.h>
 #include <crevasse/contact/lip_graph.h>
 #include <crevasse/contact/projected_newton.h>
 
 #include <set>
-#include <vector>
 
 namespace Crevasse
 {

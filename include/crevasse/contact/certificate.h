@@ -8,7 +8,6 @@
 
 #include <limits>
 #include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -9,7 +9,6 @@
 #include <crevasse/contact/lip_graph.h>
 #include <crevasse/linear/direct_solver.h>
 
-#include <vector>
 
 namespace Crevasse
 {

@@ -6,11 +6,7 @@
 
 #include <crevasse/contact/principal_factor.h>
 
-#include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/vector.h>
-
 #include <functional>
-#include <vector>
 
 namespace Crevasse
 {

@@ -5,13 +5,9 @@
 #define crevasse_contact_contact_solver_h
 
 #include <crevasse/contact/certificate.h>
-#include <crevasse/contact/signorini_problem.h>
 #include <crevasse/linear/linear_solver.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -7,8 +7,6 @@
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/linear/linear_solver.h>
 
-#include <cstddef>
-#include <vector>
 
 namespace Crevasse
 {

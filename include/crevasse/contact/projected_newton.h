@@ -7,7 +7,6 @@
 #include <crevasse/contact/face_solver.h>
 
 #include <functional>
-#include <vector>
 
 namespace Crevasse
 {

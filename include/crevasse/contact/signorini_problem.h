@@ -6,12 +6,7 @@
 
 #include <crevasse/linear/linear_operator.h>
 
-#include <deal.II/base/types.h>
-#include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-
 #include <memory>
-#include <vector>
 
 namespace Crevasse
 {

@@ -7,7 +7,6 @@
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/linear/matrix_operator.h>
 
-#include <vector>
 
 namespace Crevasse
 {

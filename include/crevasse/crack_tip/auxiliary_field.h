@@ -7,7 +7,6 @@
 #include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/material/voigt.h>
 
-#include <array>
 #include <cmath>
 
 namespace Crevasse

@@ -7,9 +7,6 @@
 #include <crevasse/parameters/parameters.h>
 
 #include <algorithm>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

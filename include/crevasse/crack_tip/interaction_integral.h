@@ -10,8 +10,6 @@
 #include <crevasse/model/body.h>
 #include <crevasse/time/observer.h>
 
-#include <utility>
-#include <vector>
 
 namespace Crevasse
 {

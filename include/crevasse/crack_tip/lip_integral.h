@@ -7,7 +7,6 @@
 #include <crevasse/crack_tip/auxiliary_field.h>
 #include <crevasse/model/body.h>
 
-#include <vector>
 
 namespace Crevasse
 {

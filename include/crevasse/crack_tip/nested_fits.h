@@ -7,7 +7,6 @@
 #include <crevasse/crack_tip/williams_fit.h>
 #include <crevasse/time/state.h>
 
-#include <vector>
 
 namespace Crevasse
 {

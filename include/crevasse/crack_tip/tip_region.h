@@ -7,11 +7,7 @@
 #include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
-#include <crevasse/material/voigt.h>
 
-#include <utility>
-#include <vector>
 
 namespace Crevasse
 {

@@ -5,9 +5,7 @@
 #define crevasse_discretisation_algorithmic_moduli_h
 
 #include <crevasse/discretisation/material_field.h>
-#include <crevasse/material/voigt_matrix.h>
 
-#include <vector>
 
 namespace Crevasse
 {

@@ -5,15 +5,11 @@
 #define crevasse_discretisation_cell_polynomials_h
 
 #include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
 
-#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_dgq.h>
-#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/full_matrix.h>
 
-#include <vector>
 
 namespace Crevasse
 {

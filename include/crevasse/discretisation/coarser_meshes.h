@@ -6,11 +6,7 @@
 
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
-#include <crevasse/material/voigt.h>
 
-#include <memory>
-#include <vector>
 
 namespace Crevasse
 {

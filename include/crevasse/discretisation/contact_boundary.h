@@ -7,7 +7,6 @@
 #include <crevasse/base/expression.h>
 #include <crevasse/discretisation/space.h>
 
-#include <vector>
 
 namespace Crevasse
 {

@@ -6,12 +6,9 @@
 
 #include <crevasse/parameters/boundary_roles.h>
 
-#include <deal.II/base/point.h>
 #include <deal.II/grid/tria.h>
 
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace Crevasse
 {

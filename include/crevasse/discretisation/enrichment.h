@@ -5,11 +5,8 @@
 #define crevasse_discretisation_enrichment_h
 
 #include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
 
 #include <algorithm>
-#include <array>
-#include <vector>
 
 namespace Crevasse
 {

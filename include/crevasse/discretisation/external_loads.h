@@ -8,12 +8,6 @@
 #include <crevasse/discretisation/space.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <deal.II/base/point.h>
-#include <deal.II/lac/affine_constraints.h>
-
-#include <functional>
-#include <utility>
-#include <vector>
 
 namespace Crevasse
 {

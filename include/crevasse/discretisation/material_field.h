@@ -11,8 +11,6 @@
 #include <crevasse/temperature/temperature.h>
 
 #include <algorithm>
-#include <memory>
-#include <vector>
 
 namespace Crevasse
 {

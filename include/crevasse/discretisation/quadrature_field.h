@@ -11,10 +11,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
 
-#include <cstdint>
 #include <limits>
-#include <memory>
-#include <vector>
 
 namespace Crevasse
 {

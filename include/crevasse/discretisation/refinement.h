@@ -5,11 +5,8 @@
 #define crevasse_discretisation_refinement_h
 
 #include <crevasse/discretisation/space.h>
-#include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <functional>
-#include <memory>
 
 namespace Crevasse
 {

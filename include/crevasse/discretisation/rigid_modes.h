@@ -6,8 +6,6 @@
 
 #include <crevasse/discretisation/space.h>
 
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -13,7 +13,6 @@
 #include <deal.II/fe/mapping.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <vector>
 
 namespace Crevasse
 {

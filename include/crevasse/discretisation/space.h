@@ -10,19 +10,16 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/distributed/tria.h>
-#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/hp/q_collection.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace Crevasse
 {

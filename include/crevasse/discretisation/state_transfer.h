@@ -6,17 +6,10 @@
 
 #include <crevasse/discretisation/cell_polynomials.h>
 #include <crevasse/discretisation/cell_values.h>
-#include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
 
 #include <deal.II/base/array_view.h>
-#include <deal.II/base/mpi.h>
 #include <deal.II/distributed/solution_transfer.h>
-#include <deal.II/dofs/dof_handler.h>
 
-#include <array>
-#include <cmath>
-#include <vector>
 
 namespace Crevasse
 {

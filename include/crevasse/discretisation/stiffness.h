@@ -7,14 +7,11 @@
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
-#include <crevasse/material/voigt.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
-#include <vector>
 
 namespace Crevasse
 {

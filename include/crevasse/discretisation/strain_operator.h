@@ -6,13 +6,7 @@
 
 #include <crevasse/discretisation/cell_loops.h>
 #include <crevasse/discretisation/enrichment.h>
-#include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
 
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <vector>
 
 namespace Crevasse
 {

@@ -6,15 +6,8 @@
 
 #include <crevasse/base/state_archive.h>
 #include <crevasse/discretisation/cell_polynomials.h>
-#include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
-#include <crevasse/material/voigt.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <deal.II/base/point.h>
-#include <deal.II/lac/vector.h>
-
-#include <vector>
 
 namespace Crevasse
 {

@@ -5,20 +5,11 @@
 #define crevasse_discretisation_stress_recovery_h
 
 #include <crevasse/discretisation/cell_polynomials.h>
-#include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
 
 #include <deal.II/base/array_view.h>
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/partitioner.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
-#include <memory>
-#include <utility>
-#include <vector>
 
 namespace Crevasse
 {

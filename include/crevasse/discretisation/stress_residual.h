@@ -4,20 +4,15 @@
 #ifndef crevasse_discretisation_stress_residual_h
 #define crevasse_discretisation_stress_residual_h
 
-#include <crevasse/base/expression.h>
 #include <crevasse/discretisation/cell_polynomials.h>
 #include <crevasse/discretisation/contact_boundary.h>
-#include <crevasse/discretisation/space.h>
 #include <crevasse/material/voigt.h>
 #include <crevasse/parameters/parameters.h>
 
 #include <deal.II/fe/fe_interface_values.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace Crevasse
 {

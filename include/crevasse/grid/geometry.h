@@ -8,7 +8,6 @@
 
 #include <deal.II/grid/tria.h>
 
-#include <functional>
 
 namespace Crevasse
 {

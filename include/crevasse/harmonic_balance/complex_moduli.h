@@ -7,8 +7,6 @@
 #include <crevasse/discretisation/material_field.h>
 
 #include <complex>
-#include <optional>
-#include <vector>
 
 namespace Crevasse
 {

@@ -7,8 +7,6 @@
 #include <crevasse/harmonic_balance/fourier_problem.h>
 #include <crevasse/harmonic_balance/harmonic_responses.h>
 
-#include <functional>
-#include <vector>
 
 namespace Crevasse
 {

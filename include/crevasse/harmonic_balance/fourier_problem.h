@@ -6,15 +6,9 @@
 
 #include <crevasse/base/summary.h>
 #include <crevasse/harmonic_balance/harmonics.h>
-#include <crevasse/model/body.h>
 #include <crevasse/model/contact_system_cache.h>
-#include <crevasse/parameters/scene.h>
 #include <crevasse/time/secular_flow.h>
-#include <crevasse/time/step_list.h>
 
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

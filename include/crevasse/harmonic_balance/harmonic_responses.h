@@ -9,9 +9,6 @@
 #include <crevasse/harmonic_balance/periodic_contact.h>
 #include <crevasse/model/body.h>
 
-#include <functional>
-#include <map>
-#include <memory>
 
 namespace Crevasse
 {

@@ -8,9 +8,7 @@
 #include <crevasse/linear/direct_solver.h>
 
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
 
-#include <vector>
 
 namespace Crevasse
 {

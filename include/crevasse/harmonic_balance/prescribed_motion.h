@@ -8,8 +8,6 @@
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/observer.h>
 
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

@@ -10,7 +10,6 @@
 #include <deal.II/lac/vector.h>
 
 #include <functional>
-#include <vector>
 
 namespace Crevasse
 {

@@ -10,7 +10,6 @@
 
 #include <deal.II/lac/precondition.h>
 
-#include <memory>
 
 namespace Crevasse
 {

@@ -6,12 +6,7 @@
 
 #include <crevasse/discretisation/cell_loops.h>
 #include <crevasse/discretisation/coarser_meshes.h>
-#include <crevasse/discretisation/space.h>
 
-#include <cstdint>
-#include <memory>
-#include <utility>
-#include <vector>
 
 namespace Crevasse
 {

@@ -4,15 +4,8 @@
 #ifndef crevasse_linear_multigrid_levels_h
 #define crevasse_linear_multigrid_levels_h
 
-#include <crevasse/discretisation/coarser_meshes.h>
-#include <crevasse/discretisation/point_values.h>
-#include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
 #include <crevasse/linear/level_transfer.h>
 
-#include <cstddef>
-#include <memory>
-#include <vector>
 
 namespace Crevasse
 {

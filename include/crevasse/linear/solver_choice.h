@@ -8,9 +8,6 @@
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <cstddef>
-#include <memory>
-#include <string>
 
 namespace Crevasse
 {

@@ -7,13 +7,10 @@
 #include <crevasse/discretisation/cell_loops.h>
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
 
-#include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/subscriptor.h>
 
 #include <functional>
-#include <vector>
 
 namespace Crevasse
 {

@@ -8,9 +8,6 @@
 #include <crevasse/material/voigt.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -7,11 +7,8 @@
 #include <crevasse/base/expression.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/range.h>
-#include <crevasse/base/text.h>
 
 #include <functional>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -8,18 +8,9 @@
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/material_field.h>
-#include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/singular_shapes.h>
-#include <crevasse/discretisation/space.h>
 #include <crevasse/discretisation/strain_operator.h>
-#include <crevasse/material/maxwell_law.h>
 #include <crevasse/parameters/effects.h>
-#include <crevasse/parameters/scene.h>
-#include <crevasse/temperature/temperature.h>
 
-#include <memory>
-#include <optional>
-#include <string>
 
 namespace Crevasse
 {

@@ -5,19 +5,12 @@
 #define crevasse_model_contact_system_h
 
 #include <crevasse/contact/contact_solver.h>
-#include <crevasse/discretisation/point_values.h>
-#include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/discretisation/stiffness.h>
-#include <crevasse/linear/cholesky.h>
 #include <crevasse/linear/multigrid_levels.h>
 #include <crevasse/linear/solver_choice.h>
 #include <crevasse/linear/stiffness_operator.h>
 #include <crevasse/model/solver_statistics.h>
 
-#include <deal.II/base/timer.h>
-
-#include <functional>
-#include <memory>
 
 namespace Crevasse
 {

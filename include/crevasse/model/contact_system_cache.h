@@ -4,18 +4,13 @@
 #ifndef crevasse_model_contact_system_cache_h
 #define crevasse_model_contact_system_cache_h
 
-#include <crevasse/base/log.h>
 #include <crevasse/discretisation/algorithmic_moduli.h>
-#include <crevasse/model/body.h>
 #include <crevasse/model/contact_system.h>
 #include <crevasse/model/instant_cache.h>
 #include <crevasse/model/linear_choice.h>
-#include <crevasse/parameters/scene.h>
 #include <crevasse/time/instant_provider.h>
 #include <crevasse/time/step_list.h>
 
-#include <memory>
-#include <optional>
 
 namespace Crevasse
 {

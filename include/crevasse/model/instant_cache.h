@@ -6,8 +6,6 @@
 
 #include <crevasse/base/log.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <cmath>
 #include <functional>
 #include <map>

@@ -5,10 +5,8 @@
 #define crevasse_model_largest_load_h
 
 #include <crevasse/model/body.h>
-#include <crevasse/parameters/scene.h>
 #include <crevasse/time/step_list.h>
 
-#include <vector>
 
 namespace Crevasse
 {

@@ -7,7 +7,6 @@
 #include <crevasse/discretisation/space.h>
 #include <crevasse/parameters/scene.h>
 
-#include <string>
 
 namespace Crevasse
 {

@@ -6,7 +6,6 @@
 
 #include <crevasse/discretisation/material_field.h>
 
-#include <vector>
 
 namespace Crevasse
 {

@@ -4,15 +4,10 @@
 #ifndef crevasse_model_secular_problem_h
 #define crevasse_model_secular_problem_h
 
-#include <crevasse/model/body.h>
 #include <crevasse/model/contact_system_cache.h>
-#include <crevasse/parameters/effects.h>
-#include <crevasse/parameters/scene.h>
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/secular_flow.h>
-#include <crevasse/time/step_list.h>
 
-#include <string>
 
 namespace Crevasse
 {

@@ -6,8 +6,6 @@
 
 #include <crevasse/base/problems.h>
 
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

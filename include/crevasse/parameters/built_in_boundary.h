@@ -4,10 +4,8 @@
 #ifndef crevasse_parameters_built_in_boundary_h
 #define crevasse_parameters_built_in_boundary_h
 
-#include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <vector>
 
 namespace Crevasse
 {

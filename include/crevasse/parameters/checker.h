@@ -5,9 +5,7 @@
 #define crevasse_parameters_checker_h
 
 #include <crevasse/base/parsed.h>
-#include <crevasse/base/problems.h>
 
-#include <string>
 
 namespace Crevasse
 {

@@ -7,8 +7,6 @@
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/scene.h>
 
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -8,9 +8,6 @@
 #include <crevasse/base/parsed.h>
 #include <crevasse/base/range.h>
 
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

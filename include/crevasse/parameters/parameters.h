@@ -5,19 +5,12 @@
 #define crevasse_parameters_parameters_h
 
 #include <crevasse/base/problems.h>
-#include <crevasse/base/range.h>
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/formulas.h>
 #include <crevasse/parameters/probe_list.h>
 #include <crevasse/parameters/selections.h>
 #include <crevasse/parameters/solver_selections.h>
 
-#include <deal.II/base/parameter_handler.h>
-
-#include <optional>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -8,10 +8,6 @@
 #include <crevasse/parameters/catalogue.h>
 #include <crevasse/parameters/scene.h>
 
-#include <deal.II/base/parameter_handler.h>
-
-#include <map>
-#include <string>
 
 namespace Crevasse
 {

@@ -6,8 +6,6 @@
 
 #include <crevasse/parameters/parameters.h>
 
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -4,13 +4,10 @@
 #ifndef crevasse_parameters_scene_file_h
 #define crevasse_parameters_scene_file_h
 
-#include <crevasse/base/problems.h>
 #include <crevasse/parameters/assignments.h>
 #include <crevasse/parameters/scene.h>
 
 #include <ostream>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -9,7 +9,6 @@
 #include <crevasse/periodic/observed_periods.h>
 #include <crevasse/periodic/viscous_coordinates.h>
 
-#include <deque>
 
 namespace Crevasse
 {

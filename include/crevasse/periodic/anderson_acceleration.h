@@ -9,7 +9,6 @@
 #include <deal.II/lac/qr.h>
 
 #include <deque>
-#include <vector>
 
 namespace Crevasse
 {

@@ -12,9 +12,6 @@
 
 #include <deal.II/base/timer.h>
 
-#include <cstddef>
-#include <functional>
-#include <vector>
 
 namespace Crevasse
 {

@@ -5,10 +5,8 @@
 #define crevasse_periodic_periodic_choice_h
 
 #include <crevasse/model/body.h>
-#include <crevasse/parameters/scene.h>
 #include <crevasse/time/step_list.h>
 
-#include <string>
 
 namespace Crevasse
 {

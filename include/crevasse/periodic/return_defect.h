@@ -6,7 +6,6 @@
 
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/discretisation/material_field.h>
-#include <crevasse/discretisation/quadrature_field.h>
 #include <crevasse/time/secular_flow.h>
 
 namespace Crevasse

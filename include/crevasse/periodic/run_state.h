@@ -8,12 +8,6 @@
 #include <crevasse/model/solver_statistics.h>
 #include <crevasse/periodic/observed_periods.h>
 
-#include <deal.II/base/timer.h>
-
-#include <cstddef>
-#include <limits>
-#include <map>
-#include <string>
 
 namespace Crevasse
 {

@@ -5,10 +5,7 @@
 #define crevasse_periodic_viscous_coordinates_h
 
 #include <crevasse/discretisation/material_field.h>
-#include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/discretisation/space.h>
 
-#include <vector>
 
 namespace Crevasse
 {

@@ -4,18 +4,12 @@
 #ifndef crevasse_postprocess_crack_tip_analysis_h
 #define crevasse_postprocess_crack_tip_analysis_h
 
-#include <crevasse/base/log.h>
 #include <crevasse/base/summary.h>
 #include <crevasse/crack_tip/strain_energy.h>
-#include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/secular.h>
 #include <crevasse/model/secular_problem.h>
 #include <crevasse/postprocess/crack_tip_table.h>
-#include <crevasse/postprocess/stress_intensity.h>
 
-#include <memory>
-#include <optional>
-#include <string>
 
 namespace Crevasse
 {

@@ -9,13 +9,7 @@
 #include <crevasse/crack_tip/growth_law.h>
 #include <crevasse/postprocess/stress_intensity.h>
 #include <crevasse/time/observer.h>
-#include <crevasse/time/secular_flow.h>
-#include <crevasse/time/step_list.h>
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

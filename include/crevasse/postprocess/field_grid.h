@@ -7,8 +7,6 @@
 #include <crevasse/discretisation/stress_recovery.h>
 #include <crevasse/postprocess/vtu_file.h>
 
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -5,15 +5,10 @@
 #define crevasse_postprocess_field_writer_h
 
 #include <crevasse/base/log.h>
-#include <crevasse/discretisation/stress_recovery.h>
 #include <crevasse/model/body.h>
 #include <crevasse/postprocess/field_grid.h>
 #include <crevasse/time/observer.h>
 
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

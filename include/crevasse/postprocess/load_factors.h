@@ -8,7 +8,6 @@
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/step_list.h>
 
-#include <vector>
 
 namespace Crevasse
 {

@@ -5,18 +5,10 @@
 #define crevasse_postprocess_probe_h
 
 #include <crevasse/discretisation/contact_boundary.h>
-#include <crevasse/discretisation/space.h>
 #include <crevasse/discretisation/stress_recovery.h>
 #include <crevasse/parameters/probe_list.h>
 #include <crevasse/time/observer.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <array>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace Crevasse
 {

@@ -7,9 +7,6 @@
 #include <crevasse/base/csv_table.h>
 #include <crevasse/postprocess/probe.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <vector>
 
 namespace Crevasse
 {

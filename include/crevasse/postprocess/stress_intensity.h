@@ -8,9 +8,6 @@
 #include <crevasse/crack_tip/nested_fits.h>
 #include <crevasse/time/step_list.h>
 
-#include <optional>
-#include <string>
-#include <utility>
 
 namespace Crevasse
 {

@@ -7,8 +7,6 @@
 #include <crevasse/model/body.h>
 #include <crevasse/time/observer.h>
 
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -4,16 +4,12 @@
 #ifndef crevasse_simulation_adapted_mesh_h
 #define crevasse_simulation_adapted_mesh_h
 
-#include <crevasse/base/log.h>
 #include <crevasse/base/summary.h>
 #include <crevasse/checkpoint/checkpoints.h>
 #include <crevasse/discretisation/refinement.h>
 #include <crevasse/model/body.h>
-#include <crevasse/parameters/scene.h>
 #include <crevasse/time/step_list.h>
 
-#include <memory>
-#include <vector>
 
 namespace Crevasse
 {

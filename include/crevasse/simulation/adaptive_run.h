@@ -8,11 +8,6 @@
 #include <crevasse/simulation/workspace.h>
 #include <crevasse/time/observer.h>
 
-#include <deal.II/base/timer.h>
-
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -10,8 +10,6 @@
 #include <crevasse/simulation/workspace.h>
 #include <crevasse/time/observer.h>
 
-#include <algorithm>
-#include <cmath>
 
 namespace Crevasse
 {

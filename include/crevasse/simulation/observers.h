@@ -7,8 +7,6 @@
 #include <crevasse/simulation/workspace.h>
 #include <crevasse/time/observer.h>
 
-#include <memory>
-#include <vector>
 
 namespace Crevasse
 {

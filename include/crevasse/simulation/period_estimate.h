@@ -4,12 +4,10 @@
 #ifndef crevasse_simulation_period_estimate_h
 #define crevasse_simulation_period_estimate_h
 
-#include <crevasse/base/state_archive.h>
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/simulation/adapted_mesh.h>
 #include <crevasse/time/observer.h>
 
-#include <set>
 
 namespace Crevasse
 {

@@ -7,9 +7,6 @@
 #include <crevasse/harmonic_balance/fourier_problem.h>
 #include <crevasse/simulation/run_setup.h>
 
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

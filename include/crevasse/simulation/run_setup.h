@@ -4,22 +4,13 @@
 #ifndef crevasse_simulation_run_setup_h
 #define crevasse_simulation_run_setup_h
 
-#include <crevasse/discretisation/stress_recovery.h>
-#include <crevasse/model/body.h>
 #include <crevasse/model/linear_choice.h>
-#include <crevasse/model/secular_problem.h>
-#include <crevasse/parameters/scene.h>
 #include <crevasse/periodic/periodic_choice.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 #include <crevasse/postprocess/load_factors.h>
 #include <crevasse/postprocess/probe.h>
-#include <crevasse/time/integrator.h>
 #include <crevasse/time/step_control.h>
-#include <crevasse/time/step_list.h>
 
-#include <memory>
-#include <optional>
-#include <vector>
 
 namespace Crevasse
 {

@@ -9,10 +9,6 @@
 #include <crevasse/postprocess/lip_state.h>
 #include <crevasse/simulation/workspace.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
-#include <vector>
 
 namespace Crevasse
 {

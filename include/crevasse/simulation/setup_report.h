@@ -8,8 +8,6 @@
 #include <crevasse/base/summary.h>
 #include <crevasse/simulation/run_setup.h>
 
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -8,13 +8,8 @@
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/periodic/run_state.h>
 #include <crevasse/simulation/periodic_start.h>
-#include <crevasse/simulation/run_setup.h>
 #include <crevasse/time/evolution.h>
 
-#include <deal.II/base/timer.h>
-
-#include <memory>
-#include <string>
 
 namespace Crevasse
 {

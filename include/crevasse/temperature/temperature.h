@@ -6,11 +6,7 @@
 
 #include <crevasse/base/expression.h>
 
-#include <deal.II/base/point.h>
-
-#include <memory>
 #include <optional>
-#include <string>
 
 namespace Crevasse
 {

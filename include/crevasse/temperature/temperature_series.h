@@ -8,8 +8,6 @@
 #include <crevasse/temperature/temperature_file.h>
 
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

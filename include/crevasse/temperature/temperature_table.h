@@ -9,8 +9,6 @@
 #include <deal.II/base/function_lib.h>
 
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace Crevasse
 {

@@ -12,10 +12,8 @@
 #include <arkode/arkode_butcher.h>
 #include <exception>
 #include <memory>
-#include <string>
 #include <sundials/sundials_nonlinearsolver.h>
 #include <type_traits>
-#include <vector>
 
 namespace Crevasse
 {

@@ -5,7 +5,6 @@
 #define crevasse_time_inelastic_strain_h
 
 #include <crevasse/discretisation/material_field.h>
-#include <crevasse/discretisation/quadrature_field.h>
 
 namespace Crevasse
 {

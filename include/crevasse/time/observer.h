@@ -9,7 +9,6 @@
 #include <crevasse/time/state.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace Crevasse
 {

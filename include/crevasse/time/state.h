@@ -6,7 +6,6 @@
 
 #include <crevasse/base/state_archive.h>
 
-#include <vector>
 
 namespace Crevasse
 {

@@ -4,11 +4,9 @@
 #ifndef crevasse_time_step_control_h
 #define crevasse_time_step_control_h
 
-#include <crevasse/parameters/parameters.h>
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/step_list.h>
 
-#include <memory>
 
 namespace Crevasse
 {

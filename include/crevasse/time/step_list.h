@@ -7,7 +7,6 @@
 #include <crevasse/base/state_archive.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <vector>
 
 namespace Crevasse
 {
