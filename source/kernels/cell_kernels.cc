@@ -60,11 +60,11 @@ namespace Crevasse
   {
 #ifdef CREVASSE_WITH_AVX
     if (width_in_force() == 64)
-      return kernels_of_64_bytes<Real>(kind);
+      return kernels_of_width<64, Real>(kind);
     if (width_in_force() == 32)
-      return kernels_of_32_bytes<Real>(kind);
+      return kernels_of_width<32, Real>(kind);
 #endif
-    return kernels_of_16_bytes<Real>(kind);
+    return kernels_of_width<16, Real>(kind);
   }
 
 

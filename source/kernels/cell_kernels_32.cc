@@ -3,20 +3,3 @@
 
 #define CREVASSE_LANE_BYTES 32 // AVX2 with FMA
 #include <crevasse/kernels/cell_kernels_lanes.h>
-
-namespace Crevasse
-{
-  template <>
-  CellKernels<float>
-  kernels_of_32_bytes<float>(const CellKind &kind)
-  {
-    return find<float>(kind);
-  }
-
-  template <>
-  CellKernels<double>
-  kernels_of_32_bytes<double>(const CellKind &kind)
-  {
-    return find<double>(kind);
-  }
-} // namespace Crevasse

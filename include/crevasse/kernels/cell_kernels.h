@@ -107,16 +107,10 @@ namespace Crevasse
   CellKernels<Real>
   cell_kernels(const CellKind &kind);
 
-  // Those of each width, in a file of its own.
-  template <typename Real>
+  /** Those of each width, in a file of its own. */
+  template <unsigned int bytes, typename Real>
   CellKernels<Real>
-  kernels_of_16_bytes(const CellKind &kind);
-  template <typename Real>
-  CellKernels<Real>
-  kernels_of_32_bytes(const CellKind &kind);
-  template <typename Real>
-  CellKernels<Real>
-  kernels_of_64_bytes(const CellKind &kind);
+  kernels_of_width(const CellKind &kind);
 } // namespace Crevasse
 
 #endif

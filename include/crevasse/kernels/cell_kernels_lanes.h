@@ -243,4 +243,18 @@ namespace Crevasse
       return kind.dim == 2 ? find_in<2, Real>(kind) : find_in<3, Real>(kind);
     }
   } // namespace
+
+  template <>
+  CellKernels<float>
+  kernels_of_width<CREVASSE_LANE_BYTES>(const CellKind &kind)
+  {
+    return find<float>(kind);
+  }
+
+  template <>
+  CellKernels<double>
+  kernels_of_width<CREVASSE_LANE_BYTES>(const CellKind &kind)
+  {
+    return find<double>(kind);
+  }
 } // namespace Crevasse
