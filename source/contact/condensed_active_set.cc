@@ -28,7 +28,7 @@ namespace Crevasse
       LAPACKFullMatrix<double> result(stiffness);
       for (unsigned int i = 0; i < sign.size(); ++i)
         for (unsigned int j = 0; j < sign.size(); ++j)
-          result(i, j) *= sign(i) * sign(j);
+          result(j, i) *= sign(i) * sign(j); // column by column
       return result;
     }
   } // namespace

@@ -33,16 +33,20 @@ namespace Crevasse
   std::vector<MatrixOperator::Indices>
   MatrixOperator::couplings(const Indices &rows, const Indices &columns) const
   {
-    std::vector<Indices> coupled(rows.size());
+    // An iterator of deal.II has room for as many entries as there are columns.
+    const Epetra_CrsMatrix &A = sparse_matrix.trilinos_matrix();
+    std::vector<Indices>    coupled(rows.size());
     for (std::size_t k = 0; k < rows.size(); ++k)
       {
-        const auto end = sparse_matrix.end(rows[k]); // it copies a row
-        for (auto entry = sparse_matrix.begin(rows[k]); entry != end; ++entry)
-          if (entry->column() != rows[k] && entry->value() != 0. &&
-              std::binary_search(columns.begin(),
-                                 columns.end(),
-                                 entry->column()))
-            coupled[k].push_back(entry->column());
+        int     n, *local_columns;
+        double *values;
+        A.ExtractMyRowView(A.LRID(int(rows[k])), n, values, local_columns);
+        for (int entry = 0; entry < n; ++entry)
+          if (const types::global_dof_index column =
+                A.GCID(local_columns[entry]);
+              column != rows[k] && values[entry] != 0. &&
+              std::binary_search(columns.begin(), columns.end(), column))
+            coupled[k].push_back(column);
       }
     return coupled;
   }
