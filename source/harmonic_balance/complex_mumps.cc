@@ -144,7 +144,7 @@ namespace Crevasse
     for (std::size_t i = 0; i < n; ++i)
       local[i] = {real.local_element(i), imaginary.local_element(i)};
     std::vector<Complex> all = gather(local.data());
-    MumpsInstance<Complex>::solve(all, 1, [&](dealii::Vector<Complex> &on_lip) {
+    MumpsInstance<Complex>::solve(all, [&](dealii::Vector<Complex> &on_lip) {
       const dealii::Vector<Complex> right = on_lip;
       compliance.vmult(on_lip, right);
     });

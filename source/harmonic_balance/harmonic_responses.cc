@@ -96,12 +96,15 @@ namespace Crevasse
       const double     norm = std::max(real.l2_norm(), imaginary.l2_norm());
       if (norm == 0.)
         return;
-      std::vector<Vector> both{real, imaginary};
-      linear_solver.solve(both, accuracy * norm);
-      real.equ(inverse.real(), both[0]);
-      real.add(-inverse.imag(), both[1]);
-      imaginary.equ(inverse.real(), both[1]);
-      imaginary.add(inverse.imag(), both[0]);
+      Vector of_real(real), of_imaginary(imaginary);
+      of_real      = 0.;
+      of_imaginary = 0.;
+      linear_solver.solve(of_real, real, accuracy * norm);
+      linear_solver.solve(of_imaginary, imaginary, accuracy * norm);
+      real.equ(inverse.real(), of_real);
+      real.add(-inverse.imag(), of_imaginary);
+      imaginary.equ(inverse.real(), of_imaginary);
+      imaginary.add(inverse.imag(), of_real);
     };
     return {{elastic_compliance, inverse}, solve, 0};
   }

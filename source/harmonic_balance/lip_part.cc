@@ -5,7 +5,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
 #include <map>
 
 namespace Crevasse
@@ -139,29 +138,22 @@ namespace Crevasse
   FullMatrix<double>
   LipPart::from_columns(LinearSolver &linear_solver, const Vector &model) const
   {
-    // A dense block of right-hand sides is what limits the memory.
-    constexpr unsigned int block_size    = 32;
     constexpr double       residual_norm = 1e-12; // of unit forces
     const unsigned int     n             = n_nodes();
     FullMatrix<double>     matrix(n, n);
-    for (unsigned int begin = 0; begin < n; begin += block_size)
+    dealii::Vector<double> unit(n);
+    Vector                 forces(model), displacement(model);
+    for (unsigned int k = 0; k < n; ++k)
       {
-        const unsigned int  m = std::min(block_size, n - begin);
-        std::vector<Vector> columns(m, model);
-        for (unsigned int k = 0; k < m; ++k)
-          {
-            dealii::Vector<double> unit(n);
-            unit(begin + k) = 1.;
-            columns[k]      = 0.;
-            add_forces(1., unit, columns[k]);
-          }
-        linear_solver.solve(columns, residual_norm);
-        for (unsigned int k = 0; k < m; ++k)
-          {
-            const dealii::Vector<double> column = restrict_to_lip(columns[k]);
-            for (unsigned int i = 0; i < n; ++i)
-              matrix(i, begin + k) = column(i);
-          }
+        unit         = 0.;
+        unit(k)      = 1.;
+        forces       = 0.;
+        displacement = 0.;
+        add_forces(1., unit, forces);
+        linear_solver.solve(displacement, forces, residual_norm);
+        const dealii::Vector<double> column = restrict_to_lip(displacement);
+        for (unsigned int i = 0; i < n; ++i)
+          matrix(i, k) = column(i);
       }
     return matrix;
   }

@@ -266,22 +266,17 @@ namespace Crevasse
 
 
   void
-  Cholesky::back_solve(double            *solutions,
-                       const double      *right_hand_sides,
-                       const unsigned int n_columns)
+  Cholesky::precondition(Vector &solution, const Vector &right_hand_side)
   {
     const int  n     = factor->work.size();
     double    *y     = factor->work.data();
     const int *order = factor->order();
-    for (unsigned int k = 0; k < n_columns; ++k)
-      {
-        for (int i = 0; i < n; ++i)
-          y[i] = right_hand_sides[std::size_t(k) * n + order[i]];
-        factor->substitution->forward(y, n);
-        factor->substitution->backward(y, n);
-        for (int i = 0; i < n; ++i)
-          solutions[std::size_t(k) * n + order[i]] = y[i];
-      }
+    for (int i = 0; i < n; ++i)
+      y[i] = right_hand_side.local_element(order[i]);
+    factor->substitution->forward(y, n);
+    factor->substitution->backward(y, n);
+    for (int i = 0; i < n; ++i)
+      solution.local_element(order[i]) = y[i];
   }
 
 

@@ -12,34 +12,6 @@ namespace Crevasse
   {
     const dealii::Timer timer;
     iterations += apply_inverse(solution, right_hand_side, residual_norm);
-    count(1, timer.wall_time());
+    count(timer.wall_time());
   }
-
-
-
-  void
-  LinearSolver::solve(std::vector<Vector> &right_hand_sides,
-                      const double         residual_norm)
-  {
-    const dealii::Timer timer;
-    iterations += apply_inverse_to_all(right_hand_sides, residual_norm);
-    count(right_hand_sides.size(), timer.wall_time());
-  }
-
-
-
-  unsigned int
-  LinearSolver::apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
-                                     const double         residual_norm)
-  {
-    unsigned int n = 0;
-    for (Vector &right_hand_side : right_hand_sides)
-      {
-        const Vector copy = right_hand_side;
-        right_hand_side   = 0.;
-        n += apply_inverse(right_hand_side, copy, residual_norm);
-      }
-    return n;
-  }
-
 } // namespace Crevasse

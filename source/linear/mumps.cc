@@ -40,15 +40,11 @@ namespace Crevasse
 
 
   void
-  Mumps::back_solve(double            *solutions,
-                    const double      *right_hand_sides,
-                    const unsigned int n_columns)
+  Mumps::precondition(Vector &solution, const Vector &right_hand_side)
   {
-    std::vector<double> on_root = factor.gather(right_hand_sides, n_columns);
-    factor.solve(on_root, n_columns, [&](LipVector &on_lip) {
-      lip_factor.solve(on_lip);
-    });
-    factor.scatter(on_root, solutions, n_columns);
+    back_solve_with_lip(solution.begin(),
+                        right_hand_side.begin(),
+                        [&](LipVector &on_lip) { lip_factor.solve(on_lip); });
   }
 
 
@@ -59,7 +55,7 @@ namespace Crevasse
                              const LipProblem &lip_problem)
   {
     std::vector<double> on_root = factor.gather(right_hand_side);
-    factor.solve(on_root, 1, lip_problem);
+    factor.solve(on_root, lip_problem);
     factor.scatter(on_root, solution);
   }
 } // namespace Crevasse

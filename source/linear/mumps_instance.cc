@@ -206,10 +206,9 @@ namespace Crevasse
   template <typename Number>
   void
   MumpsInstance<Number>::solve(std::vector<Number> &on_root,
-                               const unsigned int   n_columns,
                                const Problem       &problem)
   {
-    data.nrhs = n_columns;
+    data.nrhs = 1;
     data.lrhs = data.n;
     data.rhs  = for_mumps(on_root);
     if (last.empty())
@@ -218,27 +217,20 @@ namespace Crevasse
         require("a back-solve");
         return;
       }
-    const std::size_t   n = last.size();
-    std::vector<Number> reduced(n * n_columns);
-    data.lredrhs = n;
-    data.redrhs  = for_mumps(reduced);
+    dealii::Vector<Number> on_last(last.size());
+    data.lredrhs = on_last.size();
+    data.redrhs  = reinterpret_cast<decltype(data.redrhs)>(on_last.begin());
     icntl(26)    = 1; // as far as P
     call(data, 3);
     require("a condensation");
     const int error =
-      MPI_Bcast(reduced.data(),
-                reduced.size(),
+      MPI_Bcast(on_last.begin(),
+                on_last.size(),
                 dealii::Utilities::MPI::mpi_type_id_for_type<Number>,
                 0,
                 communicator);
     AssertThrowMPI(error);
-    dealii::Vector<Number> on_last(n);
-    for (auto column = reduced.begin(); column != reduced.end(); column += n)
-      {
-        std::copy_n(column, n, on_last.begin());
-        problem(on_last);
-        std::copy_n(on_last.begin(), n, column);
-      }
+    problem(on_last);
     icntl(26) = 2; // and back
     call(data, 3);
     require("a back-solve");
@@ -267,26 +259,21 @@ namespace Crevasse
 
   template <typename Number>
   std::vector<Number>
-  MumpsInstance<Number>::gather(const Number      *columns,
-                                const unsigned int n_columns) const
+  MumpsInstance<Number>::gather(const Number *local) const
   {
     const MPI_Datatype type =
       dealii::Utilities::MPI::mpi_type_id_for_type<Number>;
-    const std::size_t   n = data.n;
-    std::vector<Number> all(is_root() ? n * n_columns : 0);
-    for (unsigned int k = 0; k < n_columns; ++k)
-      {
-        const int error = MPI_Gatherv(columns + std::size_t(n_local) * k,
-                                      n_local,
-                                      type,
-                                      all.data() + (is_root() ? n * k : 0),
-                                      counts.data(),
-                                      starts.data(),
-                                      type,
-                                      0,
-                                      communicator);
-        AssertThrowMPI(error);
-      }
+    std::vector<Number> all(is_root() ? data.n : 0);
+    const int           error = MPI_Gatherv(local,
+                                  n_local,
+                                  type,
+                                  all.data(),
+                                  counts.data(),
+                                  starts.data(),
+                                  type,
+                                  0,
+                                  communicator);
+    AssertThrowMPI(error);
     return all;
   }
 
@@ -295,26 +282,20 @@ namespace Crevasse
   template <typename Number>
   void
   MumpsInstance<Number>::scatter(const std::vector<Number> &on_root,
-                                 Number                    *columns,
-                                 const unsigned int         n_columns) const
+                                 Number                    *local) const
   {
     const MPI_Datatype type =
       dealii::Utilities::MPI::mpi_type_id_for_type<Number>;
-    for (unsigned int k = 0; k < n_columns; ++k)
-      {
-        const int error =
-          MPI_Scatterv(on_root.data() +
-                         (is_root() ? std::size_t(data.n) * k : 0),
-                       counts.data(),
-                       starts.data(),
-                       type,
-                       columns + std::size_t(n_local) * k,
-                       n_local,
-                       type,
-                       0,
-                       communicator);
-        AssertThrowMPI(error);
-      }
+    const int error = MPI_Scatterv(on_root.data(),
+                                   counts.data(),
+                                   starts.data(),
+                                   type,
+                                   local,
+                                   n_local,
+                                   type,
+                                   0,
+                                   communicator);
+    AssertThrowMPI(error);
   }
 
 

@@ -61,12 +61,6 @@ namespace Crevasse
       return true;
     }
 
-    void
-    precondition(Vector &solution, const Vector &right_hand_side) override
-    {
-      back_solve(solution.begin(), right_hand_side.begin(), 1);
-    }
-
     /** Wall time of all problems on the lip. */
     double
     lip_seconds() const
@@ -86,18 +80,7 @@ namespace Crevasse
       return 0;
     }
 
-    unsigned int
-    apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
-                         const double         residual_norm) override;
-
-    /** Both blocks lie column by column in memory, with the locally owned
-     * entries of @p n_columns vectors. */
-    virtual void
-    back_solve(double            *solutions,
-               const double      *right_hand_sides,
-               const unsigned int n_columns) = 0;
-
-    /** As above, for the locally owned entries. */
+    /** As solve_with_lip(), for the locally owned entries. */
     virtual void
     back_solve_with_lip(double           *solution,
                         const double     *right_hand_side,

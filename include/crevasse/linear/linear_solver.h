@@ -38,11 +38,6 @@ namespace Crevasse
           const Vector &right_hand_side,
           const double  residual_norm);
 
-    /** Solves for several right-hand sides at once; each is overwritten by its
-     * solution. */
-    void
-    solve(std::vector<Vector> &right_hand_sides, const double residual_norm);
-
     /** One application of a symmetric positive definite approximation of A⁻¹:
      * exact for direct solvers. It is not counted as a solve. */
     virtual void
@@ -105,15 +100,11 @@ namespace Crevasse
                   const Vector &right_hand_side,
                   const double  residual_norm) = 0;
 
-    /** One after the other, from zero, unless a solver knows better. */
-    virtual unsigned int
-    apply_inverse_to_all(std::vector<Vector> &right_hand_sides,
-                         const double         residual_norm);
-
+    /** Counts a solve. */
     void
-    count(const std::size_t n_solves, const double seconds)
+    count(const double seconds)
     {
-      solves += n_solves;
+      ++solves;
       wall_time += seconds;
     }
 

@@ -33,12 +33,10 @@ namespace Crevasse
              (factor.n_ranks == 1 ? " rank" : " ranks");
     }
 
-  protected:
     void
-    back_solve(double            *solutions,
-               const double      *right_hand_sides,
-               const unsigned int n_columns) override;
+    precondition(Vector &solution, const Vector &right_hand_side) override;
 
+  protected:
     void
     back_solve_with_lip(double           *solution,
                         const double     *right_hand_side,

@@ -103,30 +103,25 @@ namespace Crevasse
     void
     factorise(UpperTriangle<Number> &triangle);
 
-    /** Solves in place for columns that lie one after the other on the first
-     * rank.
+    /** Solves in place on the first rank.
      *
-     * @param problem on P, called on all ranks for each column; not used if P
-     * is empty. @throw NumericalError */
+     * @param problem on P, called on all ranks; not used if P is empty.
+     * @throw NumericalError */
     void
-    solve(std::vector<Number> &on_root,
-          const unsigned int   n_columns,
-          const Problem       &problem);
+    solve(std::vector<Number> &on_root, const Problem &problem);
 
     /** Of P, on all ranks: the inverse of what A⁻¹ has in the rows and columns
      * of P. */
     dealii::LAPACKFullMatrix<Number> schur_complement;
 
-    /** The first rank gets all entries of columns of which the ranks have their
-     * parts, and nothing the others. */
+    /** The first rank gets all entries of a vector of which the ranks have
+     * their parts, and nothing the others. */
     std::vector<Number>
-    gather(const Number *columns, const unsigned int n_columns = 1) const;
+    gather(const Number *local) const;
 
     /** The other way. */
     void
-    scatter(const std::vector<Number> &on_root,
-            Number                    *columns,
-            const unsigned int         n_columns = 1) const;
+    scatter(const std::vector<Number> &on_root, Number *local) const;
 
     bool
     is_root() const
