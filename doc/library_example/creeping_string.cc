@@ -66,7 +66,7 @@ namespace
       : A(string_matrix())
       , bounds(bounds_of_floor())
       , problem(A, bounds)
-      , cholesky(A)
+      , cholesky(A, bounds.dofs)
       , contact(problem, cholesky, 1e-10)
       , q(n_nodes)
       , b(n_nodes)

@@ -22,10 +22,15 @@ namespace Crevasse
 
     /** Σ for displacements along the normals. */
     LAPACKFullMatrix<double>
-    turned(const LAPACKFullMatrix<double> &stiffness,
-           const dealii::Vector<double>   &sign)
+    turned(const DirectSolver           &linear_solver,
+           const SignoriniProblem       &problem,
+           const dealii::Vector<double> &sign)
     {
-      LAPACKFullMatrix<double> result(stiffness);
+      AssertThrow(linear_solver.lip == problem.all_bounded_dofs(),
+                  ExcMessage("The factor's lip is not that of the contact "
+                             "problem: give the bounded unknowns to the "
+                             "constructor of Cholesky or Mumps."));
+      LAPACKFullMatrix<double> result(linear_solver.lip_stiffness());
       for (unsigned int i = 0; i < sign.size(); ++i)
         for (unsigned int j = 0; j < sign.size(); ++j)
           result(j, i) *= sign(i) * sign(j); // column by column
@@ -42,7 +47,7 @@ namespace Crevasse
     , linear_solver(linear_solver)
     , lip(problem)
     , sign(of_all(lip, problem.bounds.sign))
-    , lip_problem(turned(linear_solver.lip_stiffness(), sign),
+    , lip_problem(turned(linear_solver, problem, sign),
                   of_all(lip, problem.bounds.gap),
                   [this](const std::vector<bool> &closed,
                          std::vector<bool>       &next) {
@@ -50,8 +55,6 @@ namespace Crevasse
                   })
     , loads(lip.n_nodes())
   {
-    Assert(linear_solver.lip == problem.all_bounded_dofs(),
-           ExcMessage("The factor has not the lip last."));
   }
 
 
