@@ -16,7 +16,8 @@ namespace Crevasse
   template <int dim>
   GmgCg<dim>::GmgCg(std::shared_ptr<const MultigridLevels<dim>> levels,
                     const StiffnessOperator<dim>               &finest,
-                    const PointValues<VoigtMatrix<dim>>        &stiffness)
+                    const PointValues<VoigtMatrix<dim>>        &stiffness,
+                    const std::vector<types::global_dof_index> &may_be_held)
     : shared_levels(std::move(levels))
     , finest(finest)
     , levels_of_cycle(shared_levels->n_levels())
@@ -24,22 +25,16 @@ namespace Crevasse
     const MultigridLevels<dim> &of       = *shared_levels;
     const auto                  values   = of.on_coarser_levels(stiffness);
     const unsigned int          n_levels = of.n_levels();
+    for (unsigned int l = 0; l < n_levels; ++l)
+      for (LevelVector *vector : {&levels_of_cycle[l].defect,
+                                  &levels_of_cycle[l].solution,
+                                  &levels_of_cycle[l].residual})
+        of.space(l).cell_loops()->initialize(*vector);
     assemble_stiffness(of.space(0),
                        of.points(0),
                        n_levels == 1 ? stiffness : values[0],
                        coarsest_matrix);
-    // Exact, but for meshes that are large before anything is refined.
-    std::shared_ptr<const Cholesky::Factor> no_analysis;
-    coarsest_solver =
-      make_matrix_solver(choose_matrix_solver(dim,
-                                              of.space(0).n_unknowns(),
-                                              Utilities::MPI::n_mpi_processes(
-                                                of.space(0).communicator()))
-                           .type,
-                         of.space(0),
-                         coarsest_matrix,
-                         {},
-                         no_analysis);
+    set_up_coarsest(may_be_held);
     for (Vector *vector : {&coarsest_defect, &coarsest_solution})
       of.space(0).cell_loops()->initialize(*vector);
 
@@ -52,13 +47,9 @@ namespace Crevasse
     unit =
       unit_of_K * std::pow(of.space(0).cell_loops()->length_unit(), dim - 2);
 
-    for (unsigned int l = 0; l < n_levels; ++l)
+    for (unsigned int l = 1; l < n_levels; ++l)
       {
         Level &level = levels_of_cycle[l];
-        for (auto *vector : {&level.defect, &level.solution, &level.residual})
-          of.space(l).cell_loops()->initialize(*vector);
-        if (l == 0)
-          continue;
         level.A =
           std::make_unique<Operator>(of.space(l),
                                      of.points(l),
@@ -66,6 +57,52 @@ namespace Crevasse
                                      unit_of_K);
         set_up_smoother(level);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  GmgCg<dim>::set_up_coarsest(
+    const std::vector<types::global_dof_index> &may_be_held)
+  {
+    const Space<dim> &space = shared_levels->space(0);
+    const auto        lip   = of_all_ranks(on_levels(may_be_held)[0]);
+    // Exact, but for meshes that are large before anything is refined.
+    std::shared_ptr<const Cholesky::Factor> no_analysis;
+    coarsest_solver =
+      make_matrix_solver(choose_matrix_solver(dim,
+                                              space.n_unknowns(),
+                                              Utilities::MPI::n_mpi_processes(
+                                                space.communicator()))
+                           .type,
+                         space,
+                         coarsest_matrix,
+                         lip,
+                         no_analysis);
+    if (!lip.empty())
+      coarsest_factor = dynamic_cast<DirectSolver *>(coarsest_solver.get());
+    if (coarsest_factor == nullptr)
+      return;
+    not_held =
+      std::make_unique<PrincipalFactor>(coarsest_factor->lip_stiffness());
+    not_held->choose(std::vector<bool>(lip.size(), true));
+  }
+
+
+
+  template <int dim>
+  DirectSolver::Indices
+  GmgCg<dim>::of_all_ranks(const std::vector<unsigned int> &rows) const
+  {
+    const auto           &layout = *levels_of_cycle[0].defect.get_partitioner();
+    DirectSolver::Indices local, all;
+    for (const unsigned int row : rows)
+      local.push_back(layout.local_to_global(row));
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(finest.get_mpi_communicator(), local))
+      all.insert(all.end(), of_rank.begin(), of_rank.end());
+    return all;
   }
 
 
@@ -99,20 +136,38 @@ namespace Crevasse
       return;
     held_dofs = dofs;
 
-    // A node of a coarser level is held if it is, as node of the finest one.
-    std::vector<unsigned int> rows;
-    const auto &layout = *levels_of_cycle.back().defect.get_partitioner();
-    for (const auto dof : held_dofs)
-      rows.push_back(layout.global_to_local(dof));
-    std::sort(rows.begin(), rows.end());
-    for (unsigned int level = shared_levels->n_levels(); level-- > 0;)
+    const auto rows = on_levels(held_dofs);
+    for (unsigned int l = 0; l < rows.size(); ++l)
       {
-        levels_of_cycle[level].held = rows;
-        if (level == 0)
-          break;
-        levels_of_cycle[level].A->hold(rows);
-        rows = shared_levels->transfer(level).at_same_nodes(rows);
+        levels_of_cycle[l].held = rows[l];
+        if (l > 0)
+          levels_of_cycle[l].A->hold(rows[l]);
       }
+    if (coarsest_factor == nullptr)
+      return;
+    const DirectSolver::Indices &lip = coarsest_factor->lip;
+    std::vector<bool>            set(lip.size(), true);
+    for (const auto dof : of_all_ranks(rows[0]))
+      set[std::lower_bound(lip.begin(), lip.end(), dof) - lip.begin()] = false;
+    not_held->choose(set);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::vector<unsigned int>>
+  GmgCg<dim>::on_levels(const std::vector<types::global_dof_index> &dofs) const
+  {
+    const unsigned int finest_level = shared_levels->n_levels() - 1;
+    std::vector<std::vector<unsigned int>> rows(finest_level + 1);
+    const auto &layout = *levels_of_cycle.back().defect.get_partitioner();
+    for (const auto dof : dofs)
+      rows.back().push_back(layout.global_to_local(dof));
+    std::sort(rows.back().begin(), rows.back().end());
+    for (unsigned int level = finest_level; level > 0; --level)
+      rows[level - 1] =
+        shared_levels->transfer(level).at_same_nodes(rows[level]);
+    return rows;
   }
 
 
@@ -122,6 +177,14 @@ namespace Crevasse
   GmgCg<dim>::solve_coarsest(Vector &solution, const Vector &defect)
   {
     solution = 0.;
+    if (coarsest_factor != nullptr)
+      {
+        coarsest_factor->solve_with_lip(
+          solution, defect, [this](DirectSolver::LipVector &on_lip) {
+            not_held->solve(on_lip);
+          });
+        return;
+      }
     coarsest_solver->precondition(solution, defect);
     for (const unsigned int row : levels_of_cycle[0].held)
       solution.local_element(row) = 0.;

@@ -43,7 +43,8 @@ namespace Crevasse
         auto A =
           std::make_unique<StiffnessOperator<dim>>(space, points, stiffness);
         require_same_product(*A, space, points, stiffness);
-        open_solver     = std::make_unique<GmgCg<dim>>(levels, *A, stiffness);
+        open_solver =
+          std::make_unique<GmgCg<dim>>(levels, *A, stiffness, bounds.dofs);
         linear_operator = std::move(A);
         ++setups.multigrid_setups;
       }

@@ -66,8 +66,10 @@ namespace
                                                            block.stiffness);
       levels =
         std::make_shared<MultigridLevels<dim>>(block.space, block.points);
-      linear =
-        std::make_unique<GmgCg<dim>>(levels, *stiffness, block.stiffness);
+      linear  = std::make_unique<GmgCg<dim>>(levels,
+                                            *stiffness,
+                                            block.stiffness,
+                                            block.bounds.dofs);
       problem = std::make_unique<SignoriniProblem>(*stiffness, block.bounds);
     }
 

@@ -4,7 +4,7 @@
 #ifndef crevasse_contact_condensed_problem_h
 #define crevasse_contact_condensed_problem_h
 
-#include <crevasse/contact/principal_factor.h>
+#include <crevasse/linear/principal_factor.h>
 
 #include <functional>
 

@@ -5,7 +5,9 @@
 #define crevasse_linear_gmg_cg_h
 
 #include <crevasse/linear/conjugate_gradients.h>
+#include <crevasse/linear/direct_solver.h>
 #include <crevasse/linear/multigrid_levels.h>
+#include <crevasse/linear/principal_factor.h>
 #include <crevasse/linear/stiffness_operator.h>
 
 #include <deal.II/lac/precondition.h>
@@ -28,10 +30,12 @@ namespace Crevasse
      *
      * @param finest A, on the space of the finest level.
      * @param stiffness K of A at the points of that level; not kept.
+     * @param may_be_held all locally owned unknowns that hold() may get.
      * All but @p stiffness must outlive this object. */
-    GmgCg(std::shared_ptr<const MultigridLevels<dim>> levels,
-          const StiffnessOperator<dim>               &finest,
-          const PointValues<VoigtMatrix<dim>>        &stiffness);
+    GmgCg(std::shared_ptr<const MultigridLevels<dim>>         levels,
+          const StiffnessOperator<dim>                       &finest,
+          const PointValues<VoigtMatrix<dim>>                &stiffness,
+          const std::vector<dealii::types::global_dof_index> &may_be_held = {});
 
     void
     precondition(Vector &solution, const Vector &right_hand_side) override;
@@ -75,6 +79,19 @@ namespace Crevasse
     void
     set_up_smoother(Level &level);
 
+    /** Those of a level that are at the nodes of these unknowns of the finest
+     * one, for all levels; local indices. */
+    std::vector<std::vector<unsigned int>>
+    on_levels(const std::vector<dealii::types::global_dof_index> &dofs) const;
+
+    /** Of all ranks, from local indices of the coarsest level. */
+    DirectSolver::Indices
+    of_all_ranks(const std::vector<unsigned int> &rows) const;
+
+    void
+    set_up_coarsest(
+      const std::vector<dealii::types::global_dof_index> &may_be_held);
+
     /** Solves on the coarsest level. Held unknowns are zero. */
     void
     solve_coarsest(Vector &solution, const Vector &defect);
@@ -89,6 +106,9 @@ namespace Crevasse
     double                        unit; ///< that the levels have for A
     Matrix                        coarsest_matrix;
     std::unique_ptr<LinearSolver> coarsest_solver;
+    /** The same if it is one, and the factor for those that are not held. */
+    DirectSolver                    *coarsest_factor = nullptr;
+    std::unique_ptr<PrincipalFactor> not_held;
     Vector coarsest_defect, coarsest_solution; ///< in double precision
     std::vector<Level>                           levels_of_cycle;
     std::vector<dealii::types::global_dof_index> held_dofs;

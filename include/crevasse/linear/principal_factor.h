@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_contact_principal_factor_h
-#define crevasse_contact_principal_factor_h
+#ifndef crevasse_linear_principal_factor_h
+#define crevasse_linear_principal_factor_h
 
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>

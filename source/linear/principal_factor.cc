@@ -3,7 +3,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
-#include <crevasse/contact/principal_factor.h>
+#include <crevasse/linear/principal_factor.h>
 
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
