@@ -58,7 +58,6 @@ namespace Crevasse
   LinearSolverChoice
   choose_linear_solver(const LinearSolverParameters &parameters,
                        const unsigned int            dimension,
-                       const unsigned int            degree,
                        const std::size_t             n_unknowns,
                        const unsigned int            n_ranks,
                        const bool                    has_coarser_meshes)
@@ -68,10 +67,9 @@ namespace Crevasse
               "[Linear solver] Type = " + name_of(parameters.type)};
     const LinearSolverChoice choice =
       choose_matrix_solver(dimension, n_unknowns, n_ranks);
-    if (choice.type == LinearSolverType::amg && dimension == 3 && degree == 2 &&
-        has_coarser_meshes)
+    if (choice.type == LinearSolverType::amg && has_coarser_meshes)
       return {LinearSolverType::gmg,
-              choice.why + ", of degree 2, on a mesh that has coarser ones"};
+              choice.why + ", on a mesh that has coarser ones"};
     return choice;
   }
 

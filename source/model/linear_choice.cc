@@ -97,7 +97,6 @@ namespace Crevasse
       const LinearSolverChoice choice =
         choose_linear_solver(scene.linear_solver,
                              dim,
-                             scene.discretisation.degree,
                              n_unknowns,
                              n_ranks,
                              may_use_gmg(scene, body));
@@ -139,8 +138,8 @@ namespace Crevasse
                 "[Contact] Solver = " + name_of(parameters.solver)};
 
       // The dense matrices of the condensed problem grow with the square of the
-      // lip, the work on them with its cube.
-      constexpr std::size_t largest_lip = 3000;
+      // lip, the work on them with its cube (measured: doc/contact_solvers.md).
+      constexpr std::size_t largest_lip = 10000;
       const std::string     n           = std::to_string(largest_lip);
       if (traits(linear_solver).is_multigrid)
         return {Type::active_set,
@@ -230,7 +229,7 @@ namespace Crevasse
                              scene.discretisation.singular_functions == 0 &&
                              coarsest <= largest_factorised(dim);
     const LinearSolverChoice solver = choose_linear_solver(
-      scene.linear_solver, dim, degree, unknowns, n_ranks, has_coarser);
+      scene.linear_solver, dim, unknowns, n_ranks, has_coarser);
     if (solver.type == LinearSolverType::amg)
       require_work_for_ml<dim>(unknowns / n_ranks, unknowns, degree, n_ranks);
 

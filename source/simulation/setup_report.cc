@@ -70,6 +70,13 @@ namespace Crevasse
           body.material.at(0.).stiffness->is_individual())
         one +=
           0.75 * n * (n + 1) * sizeof(double) * body.points.n_local_points();
+      // Σ, the same along the normals, and the factor of the open nodes.
+      if (setup.solvers.contact.type == ContactSolverType::condensed_active_set)
+        {
+          const double n_lip = Utilities::MPI::sum(body.lip.nodes().size(),
+                                                   body.space.communicator());
+          one += 3. * sizeof(double) * n_lip * n_lip;
+        }
       if (!body.material.stiffness_varies())
         return one;
       constexpr double mebibyte = 1024. * 1024.;

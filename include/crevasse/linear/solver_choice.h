@@ -61,7 +61,6 @@ namespace Crevasse
   LinearSolverChoice
   choose_linear_solver(const LinearSolverParameters &parameters,
                        const unsigned int            dimension,
-                       const unsigned int            degree,
                        const std::size_t             n_unknowns,
                        const unsigned int            n_ranks,
                        const bool                    has_coarser_meshes);
