@@ -45,9 +45,9 @@ namespace
          const Checkpoints  &checkpoints)
   {
     const CheckpointManifest &manifest = checkpoints.last_manifest();
-    checkpoints.folder().require_tables(manifest);
+    checkpoints.folder.require_tables(manifest);
     auto lock = output.resume();
-    checkpoints.folder().go_back_to(manifest);
+    checkpoints.folder.go_back_to(manifest);
     write_atomically(used, output.directory() + "/used.prm");
     return lock;
   }

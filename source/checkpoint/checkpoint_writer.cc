@@ -96,12 +96,12 @@ namespace Crevasse
     archive.section("end");
     bytes_of_cells = archive.bytes_of_cells();
 
-    const CheckpointFolder &folder = checkpoints.all;
+    const CheckpointFolder &folder = checkpoints.folder;
     CheckpointManifest      manifest;
     manifest.period         = period;
     manifest.step           = step;
     manifest.ranks          = Utilities::MPI::n_mpi_processes(communicator);
-    manifest.scene          = checkpoints.parameters;
+    manifest.scene          = checkpoints.scene;
     const std::size_t bytes = archive.bytes_to_save();
     try
       {

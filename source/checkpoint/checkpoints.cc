@@ -19,11 +19,11 @@ namespace Crevasse
                            const std::string &directory,
                            const Summary     &scene,
                            const unsigned int every)
-    : stop_requests(requests)
+    : requests(requests)
+    , folder(directory)
+    , scene(scene)
     , log(log)
     , directory(directory)
-    , all(directory)
-    , parameters(scene)
     , every(every)
   {
   }
@@ -38,7 +38,7 @@ namespace Crevasse
       if (Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
       std::vector<std::string> warnings;
-      const auto               newest = all.newest(warnings);
+      const auto               newest = folder.newest(warnings);
       for (const std::string &warning : warnings)
         log.warning(warning);
       if (!newest)
@@ -47,16 +47,16 @@ namespace Crevasse
           "/checkpoint that could be used. Without --resume the run begins "
           "anew; [Output] Checkpoint every, or a request to stop, has "
           "checkpoints written.");
-      require_same_scene(newest->scene, parameters);
+      require_same_scene(newest->scene, scene);
       manifest = *newest;
-      bytes    = read_text_file(all.name(manifest.number) + common_file);
+      bytes    = read_text_file(folder.name(manifest.number) + common_file);
     });
     manifest = Utilities::MPI::broadcast(communicator, manifest, 0);
     archive  = std::make_unique<CommonArchive>(
       communicator,
       Utilities::MPI::broadcast(communicator, bytes, 0),
       manifest.ranks);
-    log.line("  resumed from " + all.name(manifest.number) + ": period " +
+    log.line("  resumed from " + folder.name(manifest.number) + ": period " +
              std::to_string(manifest.period) + ", before step " +
              std::to_string(manifest.step + 1) +
              (manifest.ranks == 1
@@ -69,7 +69,7 @@ namespace Crevasse
   std::string
   Checkpoints::resumed_mesh() const
   {
-    return all.name(manifest.number) + mesh_file;
+    return folder.name(manifest.number) + mesh_file;
   }
 
 
@@ -78,7 +78,7 @@ namespace Crevasse
   Checkpoints::ask(const Position &position)
   {
     const StopRequests::Request request =
-      stop_requests.poll(expected_bytes * seconds_per_byte);
+      requests.poll(expected_bytes * seconds_per_byte);
     const auto &[period, step] = position;
     const bool is_due          = every > 0 && step == 0 && period > 1 &&
                         (period - 1) % every == 0 && last != position;
@@ -93,7 +93,7 @@ namespace Crevasse
   {
     last = Position(manifest.period, manifest.step);
     archive.reset();
-    stop_requests.skip_interval();
+    requests.skip_interval();
   }
 
 
@@ -104,7 +104,7 @@ namespace Crevasse
   {
     last     = Position(written.period, written.step);
     manifest = written;
-    stop_requests.skip_interval();
+    requests.skip_interval();
     // Early ones are small: there is no stress of a whole period yet.
     const double bytes = std::max<double>(1., written.bytes());
     seconds_per_byte   = seconds / bytes;
@@ -127,8 +127,8 @@ namespace Crevasse
   void
   Checkpoints::stop() const
   {
-    throw StoppedOnRequest("stopped on request (" + stop_requests.reason() +
+    throw StoppedOnRequest("stopped on request (" + requests.reason() +
                            "); --resume continues from " +
-                           all.name(manifest.number) + '.');
+                           folder.name(manifest.number) + '.');
   }
 } // namespace Crevasse

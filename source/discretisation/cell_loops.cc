@@ -150,14 +150,8 @@ namespace Crevasse
   const typename CellLoops<dim>::template Geometry<Real> &
   CellLoops<dim>::geometry() const
   {
-    auto &of_precision = [this]() -> auto &
-    {
-      if constexpr (std::is_same_v<Real, float>)
-        return in_single;
-      else
-        return in_double;
-    }
-    ();
+    auto &of_precision =
+      std::get<std::unique_ptr<const Geometry<Real>>>(geometries);
     if (of_precision == nullptr)
       of_precision = make_geometry<Real>();
     return *of_precision;
@@ -234,8 +228,8 @@ namespace Crevasse
         bytes += geometry->of_batch.size() * sizeof(BatchGeometry) +
                  geometry->values.memory_consumption();
     };
-    add(in_single);
-    add(in_double);
+    add(std::get<0>(geometries));
+    add(std::get<1>(geometries));
     return bytes;
   }
 

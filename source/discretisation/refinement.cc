@@ -5,12 +5,9 @@
 #include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/refinement.h>
 
-#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_system.h>
 
 #include <algorithm>
-#include <string>
 
 namespace Crevasse
 {

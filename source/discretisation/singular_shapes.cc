@@ -46,7 +46,7 @@ namespace Crevasse
   SingularShapes::SingularShapes(const SingularFunctions &functions,
                                  const Mapping<2>        &mapping,
                                  const DoFHandler<2>     &dof_handler)
-    : singular_functions(functions)
+    : functions(functions)
   {
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
@@ -84,8 +84,7 @@ namespace Crevasse
     values[FEValuesExtractors::Vector(0)].get_function_values(interpolated[k],
                                                               result);
     for (const unsigned int q : values.quadrature_point_indices())
-      result[q] =
-        singular_functions.value(k, values.quadrature_point(q)) - result[q];
+      result[q] = functions.value(k, values.quadrature_point(q)) - result[q];
   }
 
 
@@ -99,7 +98,6 @@ namespace Crevasse
     values[FEValuesExtractors::Vector(0)].get_function_gradients(
       interpolated[k], result);
     for (const unsigned int q : values.quadrature_point_indices())
-      result[q] =
-        singular_functions.gradient(k, values.quadrature_point(q)) - result[q];
+      result[q] = functions.gradient(k, values.quadrature_point(q)) - result[q];
   }
 } // namespace Crevasse

@@ -134,7 +134,7 @@ namespace Crevasse
           rules.push_back(QSplit<dim>(QDuffy(n, beta),
                                       GeometryInfo<dim>::unit_cell_vertex(v)));
 
-        const Point<dim> &tip = shapes->functions().tip.position;
+        const Point<dim> &tip = shapes->functions.tip.position;
         rule_of_cell.assign(triangulation->n_active_cells(), 0);
         for (const auto &cell : triangulation->active_cell_iterators())
           {

@@ -199,7 +199,7 @@ namespace Crevasse
     if constexpr (dim == 2)
       for (unsigned int k = 0; k < coefficients.size(); ++k)
         gradient += coefficients[k] *
-                    space.singular_shapes()->functions().gradient(k, point);
+                    space.singular_shapes()->functions.gradient(k, point);
     return stiffness * voigt_strain<dim>(gradient);
   }
 

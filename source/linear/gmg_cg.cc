@@ -18,11 +18,11 @@ namespace Crevasse
                     const StiffnessOperator<dim>               &finest,
                     const PointValues<VoigtMatrix<dim>>        &stiffness,
                     const std::vector<types::global_dof_index> &may_be_held)
-    : shared_levels(std::move(levels))
+    : levels(std::move(levels))
     , finest(finest)
-    , levels_of_cycle(shared_levels->n_levels())
+    , levels_of_cycle(this->levels->n_levels())
   {
-    const MultigridLevels<dim> &of       = *shared_levels;
+    const MultigridLevels<dim> &of       = *this->levels;
     const auto                  values   = of.on_coarser_levels(stiffness);
     const unsigned int          n_levels = of.n_levels();
     for (unsigned int l = 0; l < n_levels; ++l)
@@ -66,7 +66,7 @@ namespace Crevasse
   GmgCg<dim>::set_up_coarsest(
     const std::vector<types::global_dof_index> &may_be_held)
   {
-    const Space<dim> &space = shared_levels->space(0);
+    const Space<dim> &space = levels->space(0);
     const auto        lip   = of_all_ranks(on_levels(may_be_held)[0]);
     // Exact, but for meshes that are large before anything is refined.
     std::shared_ptr<const Cholesky::Factor> no_analysis;
@@ -158,7 +158,7 @@ namespace Crevasse
   std::vector<std::vector<unsigned int>>
   GmgCg<dim>::on_levels(const std::vector<types::global_dof_index> &dofs) const
   {
-    const unsigned int finest_level = shared_levels->n_levels() - 1;
+    const unsigned int finest_level = levels->n_levels() - 1;
     std::vector<std::vector<unsigned int>> rows(finest_level + 1);
     const auto &layout = *levels_of_cycle.back().defect.get_partitioner();
     for (const auto dof : dofs)
@@ -166,7 +166,7 @@ namespace Crevasse
     std::sort(rows.back().begin(), rows.back().end());
     for (unsigned int level = finest_level; level > 0; --level)
       rows[level - 1] =
-        shared_levels->transfer(level).at_same_nodes(rows[level]);
+        levels->transfer(level).at_same_nodes(rows[level]);
     return rows;
   }
 
@@ -209,7 +209,7 @@ namespace Crevasse
         level.solution.copy_locally_owned_data_from(coarsest_solution);
         return;
       }
-    const LevelTransfer<dim> &transfer = shared_levels->transfer(l);
+    const LevelTransfer<dim> &transfer = levels->transfer(l);
     Level                    &coarser  = levels_of_cycle[l - 1];
     level.smoother.vmult(level.solution, level.defect);
     level.A->vmult(level.residual, level.solution);
@@ -271,7 +271,7 @@ namespace Crevasse
   std::string
   GmgCg<dim>::preconditioner_description() const
   {
-    const unsigned int n = shared_levels->n_levels();
+    const unsigned int n = levels->n_levels();
     return "matrix-free geometric multigrid of " + std::to_string(n) +
            (n == 1 ? " level (a mesh without coarser ones: all is " +
                        coarsest_solver->description() + ")"

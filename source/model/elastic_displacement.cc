@@ -55,7 +55,7 @@ namespace Crevasse
                                   roles,
                                   fixed_points<dim>(scene),
                                   body.space.volumetric_strain(),
-                                  shapes != nullptr ? shapes->functions()
+                                  shapes != nullptr ? shapes->functions
                                                                : SingularFunctions());
     ContactSystem<dim>          closed(systems.settings(),
                               closed_space,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/model/mesh_materials.h>
 #include <crevasse/parameters/effects.h>
@@ -9,10 +8,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <map>
 #include <regex>
-#include <set>
-#include <vector>
 
 namespace Crevasse
 {

@@ -54,7 +54,7 @@ namespace Crevasse
         const auto      first = space.singular_unknown(0);
         values.of_singular_function =
           material.stiffness_factor *
-          space.singular_shapes()->functions().unit_stress_intensity *
+          space.singular_shapes()->functions.unit_stress_intensity *
           Utilities::MPI::sum(u.in_local_range(first) ? u(first) : 0.,
                               space.communicator());
       }

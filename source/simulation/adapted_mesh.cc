@@ -124,7 +124,7 @@ namespace Crevasse
     Log   quiet(communicator, true);
     while (true)
       {
-        checkpoints.requests().stop_if_asked();
+        checkpoints.requests.stop_if_asked();
         const dealii::Vector<float> squares = estimate(quiet);
         report(log);
         const bool is_good =

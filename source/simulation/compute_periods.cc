@@ -228,7 +228,7 @@ namespace Crevasse
   compute_periods(Workspace<dim>                &work,
                   const std::vector<Observer *> &observers)
   {
-    work.output.checkpoints.requests().stop_if_asked();
+    work.output.checkpoints.requests.stop_if_asked();
     TimerOutput::Scope             phase(work.phases, "time stepping");
     const Body<dim>               &body       = work.setup.body;
     const PeriodicStart           &start      = work.start;

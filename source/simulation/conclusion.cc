@@ -111,7 +111,7 @@ namespace Crevasse
     if (work.start.direct)
       work.start.direct->add_to(summary);
     // By which --resume tells whether they are of the scene that is asked for.
-    summary["scene"]                 = work.output.checkpoints.scene();
+    summary["scene"]                 = work.output.checkpoints.scene;
     summary["stress_change"]         = result.stress_change;
     summary["stress_error_estimate"] = result.stress_error_estimate;
     summary["periods"]               = result.periods;

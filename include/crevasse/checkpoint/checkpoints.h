@@ -75,21 +75,9 @@ namespace Crevasse
       tables = names;
     }
 
-    StopRequests &
-    requests() const
-    {
-      return stop_requests;
-    }
-    const CheckpointFolder &
-    folder() const
-    {
-      return all;
-    }
-    const Summary &
-    scene() const
-    {
-      return parameters;
-    }
+    StopRequests          &requests;
+    const CheckpointFolder folder;
+    const Summary          scene;
 
   private:
     template <int dim>
@@ -116,12 +104,9 @@ namespace Crevasse
     [[noreturn]] void
     stop() const;
 
-    StopRequests          &stop_requests;
-    Log                   &log;
-    const std::string      directory;
-    const CheckpointFolder all;
-    const Summary          parameters;
-    const unsigned int     every;
+    Log               &log;
+    const std::string  directory;
+    const unsigned int every;
 
     Serialize                      first_part;
     std::vector<std::string>       tables;

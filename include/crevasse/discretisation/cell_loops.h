@@ -9,11 +9,8 @@
 
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/partitioner.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
-#include <memory>
-#include <utility>
-#include <vector>
+#include <tuple>
 
 namespace Crevasse
 {
@@ -177,8 +174,10 @@ namespace Crevasse
     std::vector<std::pair<unsigned int, double>> weights;
     std::vector<unsigned int>                    owned_constrained;
 
-    mutable std::unique_ptr<const Geometry<float>>  in_single; ///< if asked for
-    mutable std::unique_ptr<const Geometry<double>> in_double; ///< likewise
+    /** If asked for. */
+    mutable std::tuple<std::unique_ptr<const Geometry<float>>,
+                       std::unique_ptr<const Geometry<double>>>
+      geometries;
   };
 } // namespace Crevasse
 

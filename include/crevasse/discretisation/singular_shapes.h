@@ -73,16 +73,12 @@ namespace Crevasse
                    const dealii::Mapping<2>    &mapping,
                    const dealii::DoFHandler<2> &dof_handler);
 
-    const SingularFunctions &
-    functions() const
-    {
-      return singular_functions;
-    }
+    const SingularFunctions functions;
 
     unsigned int
     size() const
     {
-      return singular_functions.fields.size();
+      return functions.fields.size();
     }
 
     /** φ_k at the points of a cell or face.
@@ -103,8 +99,7 @@ namespace Crevasse
   private:
     using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-    const SingularFunctions singular_functions;
-    std::vector<Vector>     interpolated; ///< I_h ψ, with ghost values
+    std::vector<Vector> interpolated; ///< I_h ψ, with ghost values
   };
 } // namespace Crevasse
 

@@ -51,11 +51,7 @@ namespace Crevasse
     preconditioner_description() const override;
 
     /** For other stiffnesses of the same space. */
-    std::shared_ptr<const MultigridLevels<dim>>
-    levels() const
-    {
-      return shared_levels;
-    }
+    const std::shared_ptr<const MultigridLevels<dim>> levels;
 
   protected:
     void
@@ -101,8 +97,7 @@ namespace Crevasse
     void
     cycle(const unsigned int level);
 
-    const std::shared_ptr<const MultigridLevels<dim>> shared_levels;
-    const StiffnessOperator<dim>                     &finest;
+    const StiffnessOperator<dim> &finest;
     double                        unit; ///< that the levels have for A
     Matrix                        coarsest_matrix;
     std::unique_ptr<LinearSolver> coarsest_solver;

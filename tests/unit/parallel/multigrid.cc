@@ -198,7 +198,7 @@ namespace
     const StiffnessOperator<2> scaled_A(block.space,
                                         block.points,
                                         in_other_units);
-    GmgCg<2>                   scaled_gmg(gmg.levels(),
+    GmgCg<2>                   scaled_gmg(gmg.levels,
                         scaled_A,
                         in_other_units,
                         block.bounds.dofs);
