@@ -148,7 +148,7 @@ namespace Crevasse
   void
   FieldArchive<dim>::for_each_cell(const Function &f) const
   {
-    for (const auto &cell : body.space.dof_handler().active_cell_iterators())
+    for (const auto &cell : body.space.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         f(cell);
   }

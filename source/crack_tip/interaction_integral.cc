@@ -42,7 +42,7 @@ namespace Crevasse
     VoigtVector<2>
     strain_of(const PlaneElasticity &body, const VoigtVector<2> &s)
     {
-      const double   twofold_mu = 2. * body.shear_modulus();
+      const double   twofold_mu = 2. * body.shear_modulus;
       const double   nu         = (3. - body.kappa()) / 4.;
       VoigtVector<2> e;
       e[0] = (s[0] - nu * (s[0] + s[1])) / twofold_mu;
@@ -59,16 +59,10 @@ namespace Crevasse
     {
     public:
       explicit KernelRules(const Space<2> &space)
-        : per_direction(std::lround(std::sqrt(space.quadratures()[0].size())))
+        : per_direction(std::lround(std::sqrt(space.quadratures[0].size())))
         , polynomials(QGauss<1>(per_direction))
-        , usual(space.mapping(),
-                polynomials,
-                QGauss<2>(per_direction + 4),
-                flags)
-        , fine(space.mapping(),
-               polynomials,
-               QIterated<2>(QGauss<1>(4), 8),
-               flags)
+        , usual(space.mapping, polynomials, QGauss<2>(per_direction + 4), flags)
+        , fine(space.mapping, polynomials, QIterated<2>(QGauss<1>(4), 8), flags)
       {
       }
 
@@ -130,7 +124,7 @@ namespace Crevasse
     , points(points)
     , region(region)
     , of_contact_forces(
-        lip_integral(body, region.tip(), weight_of(region, squares.size)))
+        lip_integral(body, region.tip, weight_of(region, squares.size)))
   {
     for (const LoadParameters::Force &force : loads.forces())
       for (unsigned int d = 0; force.in_volume && d < force.components->size();
@@ -154,7 +148,7 @@ namespace Crevasse
                          const Point<2> &point,
                          const double    share) {
       const auto field_of = [&](const SquareWeight &weight) {
-        return AuxiliaryField(region.tip(), point, weight);
+        return AuxiliaryField(region.tip, point, weight);
       };
       kernel.field.add(share, field_of(whole));
       for (const auto &[weight, factor] : of_creep)
@@ -282,7 +276,7 @@ namespace Crevasse
     using Field = QuadratureField<2>;
     const auto laws =
       transform(*material.stiffness,
-                body.points.n_local_points(),
+                body.points.n_local_points,
                 [](const VoigtMatrix<2> &K) { return PlaneCompliance(K); });
     const double      k          = material.stiffness_factor;
     const std::size_t n_branches = creeps ? material.fractions.size() : 0;

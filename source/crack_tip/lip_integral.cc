@@ -37,15 +37,15 @@ namespace Crevasse
                const SquareWeight &weight)
   {
     const Space<2>                      &space = body.space;
-    const FESystem<2>                   &fe    = space.finite_element();
+    const FESystem<2>                   &fe    = space.finite_element;
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     Vector                               per_pressure = space.ghosted_vector();
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    for (const auto &cell : space.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         for (const unsigned int f : cell->face_indices())
           {
             if (!cell->at_boundary(f) ||
-                space.roles().contact.count(cell->face(f)->boundary_id()) == 0)
+                space.roles.contact.count(cell->face(f)->boundary_id()) == 0)
               continue;
             const Point<2> a   = tip.local(cell->face(f)->vertex(0));
             const Point<2> b   = tip.local(cell->face(f)->vertex(1));
@@ -54,7 +54,7 @@ namespace Crevasse
             if (std::abs(a[1]) + std::abs(b[1]) > 1e-8 * (b - a).norm() ||
                 r_a + r_b <= 0. || std::min(r_a, r_b) >= weight.radius)
               continue;
-            FEFaceValues<2> values(space.mapping(),
+            FEFaceValues<2> values(space.mapping,
                                    fe,
                                    inverse_root_rule(std::max(r_a, 0.),
                                                      std::max(r_b, 0.)),
@@ -79,7 +79,7 @@ namespace Crevasse
     per_pressure.compress(VectorOperation::add);
     body.lip.gather_from_held_nodes(per_pressure);
     std::vector<double> of_forces;
-    for (const LipNode<2> &node : body.lip.nodes())
+    for (const LipNode<2> &node : body.lip.nodes)
       of_forces.push_back(per_pressure(node.dof) / node.weight);
     return of_forces;
   }

@@ -41,10 +41,10 @@ namespace Crevasse
     // From the tip to each node of its lip on this rank, and whether the node
     // is closed.
     std::vector<std::pair<double, bool>> nodes;
-    for (std::size_t k = 0; k < lip.nodes().size(); ++k)
+    for (std::size_t k = 0; k < lip.nodes.size(); ++k)
       {
-        const LipNode<2> &node  = lip.nodes()[k];
-        const Point<2>    local = region.tip().local(node.point);
+        const LipNode<2> &node  = lip.nodes[k];
+        const Point<2>    local = region.tip.local(node.point);
         if (local[0] < 0. && std::abs(local[1]) <= 1e-8 * -local[0])
           nodes.emplace_back(-local[0],
                              state.contact_forces[k] > 0. &&

@@ -13,7 +13,7 @@ namespace Crevasse
                              const PointGeometry    &points)
     : points(points)
     , constant_compliance(
-        material.stiffness_varies()
+        material.stiffness_varies
           ? std::nullopt
           : std::make_optional(compliance_of(material.at(0.))))
   {

@@ -61,13 +61,13 @@ namespace Crevasse
 
   PointGeometry::PointGeometry(const Space<2>           &space,
                                const QuadratureField<2> &points)
-    : location(points.n_local_points())
-    , weight(points.n_local_points())
-    , cell(points.n_local_points())
+    : location(points.n_local_points)
+    , weight(points.n_local_points)
+    , cell(points.n_local_points)
   {
     CellValues<2> cell_values(space,
                               update_quadrature_points | update_JxW_values);
-    for (const auto &active : space.dof_handler().active_cell_iterators())
+    for (const auto &active : space.dof_handler.active_cell_iterators())
       if (active->is_locally_owned())
         {
           const FEValues<2> &values = cell_values.reinit(active);
@@ -85,16 +85,16 @@ namespace Crevasse
 
 
   TipRegion::TipRegion(const Space<2> &space)
-    : communicator(space.communicator())
-    , crack_tip(only_crack_tip(space.mesh(), space.roles(), setting()))
+    : tip(only_crack_tip(space.mesh(), space.roles, setting()))
+    , communicator(space.communicator())
   {
     measure_cells(space);
     find_boundaries(space);
-    if (end < end_of_tip_cells * (1. - rounding))
+    if (end < cell_radius * (1. - rounding))
       throw SceneError(
         setting() + ": the cells at the crack tip " +
-        Text::from_point(crack_tip.position) + " reach to " +
-        Text::from_number(end_of_tip_cells) +
+        Text::from_point(tip.position) + " reach to " +
+        Text::from_number(cell_radius) +
         " around it, but another boundary begins at " + Text::from_number(end) +
         ". Make these cells smaller ([Geometry] Subdivisions or Refinements, "
         "or [Refinement] Strategy = tip).");
@@ -129,7 +129,7 @@ namespace Crevasse
       if ((matrices[p] - own).norm() > rounding * own.norm())
         radius = std::min(radius, reach(points.cell[p]).first);
     radius = Utilities::MPI::min(radius, communicator);
-    return {own, radius < end_of_tip_cells * (1. - rounding) ? 0. : radius};
+    return {own, radius < cell_radius * (1. - rounding) ? 0. : radius};
   }
 
 
@@ -148,19 +148,19 @@ namespace Crevasse
           Interval &reach = cells[cell->active_cell_index()];
           for (const unsigned int f : cell->face_indices())
             {
-              const Point<2> a = crack_tip.local(cell->face(f)->vertex(0));
-              const Point<2> b = crack_tip.local(cell->face(f)->vertex(1));
+              const Point<2> a = tip.local(cell->face(f)->vertex(0));
+              const Point<2> b = tip.local(cell->face(f)->vertex(1));
               reach.first = std::min(reach.first, distance_of_segment(a, b));
               reach.second =
                 std::max({reach.second, square_norm(a), square_norm(b)});
             }
           if (reach.first <= tiny)
             {
-              reach.first      = 0.;
-              end_of_tip_cells = std::max(end_of_tip_cells, reach.second);
+              reach.first = 0.;
+              cell_radius = std::max(cell_radius, reach.second);
             }
         }
-    end_of_tip_cells = Utilities::MPI::max(end_of_tip_cells, communicator);
+    cell_radius = Utilities::MPI::max(cell_radius, communicator);
   }
 
 
@@ -174,12 +174,12 @@ namespace Crevasse
         for (const unsigned int f : cell->face_indices())
           if (const auto face = cell->face(f); face->at_boundary())
             {
-              const Point<2> a     = crack_tip.local(face->vertex(0));
-              const Point<2> b     = crack_tip.local(face->vertex(1));
+              const Point<2> a     = tip.local(face->vertex(0));
+              const Point<2> b     = tip.local(face->vertex(1));
               const double   tiny  = rounding * (b - a).norm();
               const bool     ahead = a[0] + b[0] > 0.;
               const auto    &own =
-                ahead ? space.roles().symmetry : space.roles().contact;
+                ahead ? space.roles.symmetry : space.roles.contact;
               if (std::abs(a[1]) > tiny || std::abs(b[1]) > tiny ||
                   own.count(face->boundary_id()) == 0)
                 end = std::min(end, distance_of_segment(a, b));
@@ -225,7 +225,7 @@ namespace Crevasse
         radius = std::min(radius, cell.first);
       }
     return radius >= std::max(0.5 * at_most * (1. - rounding),
-                              end_of_tip_cells * (1. - rounding))
+                              cell_radius * (1. - rounding))
              ? radius
              : at_most;
   }

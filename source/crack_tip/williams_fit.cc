@@ -112,7 +112,7 @@ namespace Crevasse
     constexpr unsigned int enough = points_per_term * most_terms;
     std::vector<double>    radii;
     for (const Point<2> &point : points.location)
-      radii.push_back(region.tip().local(point).norm());
+      radii.push_back(region.tip.local(point).norm());
     const unsigned int n = std::min<std::size_t>(radii.size(), enough);
     std::partial_sort(radii.begin(), radii.begin() + n, radii.end());
     radii.resize(n);
@@ -132,7 +132,7 @@ namespace Crevasse
                    const double              radius) const
   {
     const std::vector<PolarField> series = williams_series();
-    const CrackTip               &tip    = region.tip();
+    const CrackTip               &tip    = region.tip;
     std::vector<std::size_t>      inside;
     FullMatrix<double>            gram(most_terms, most_terms);
     for (std::size_t p = 0; p < points.location.size(); ++p)
@@ -204,7 +204,7 @@ namespace Crevasse
     // (p₀, p₁R) = M⁻¹ Σ (1, r/R) g, M = Σ weight (1, r/R) ⊗ (1, r/R)
     SymmetricTensor<2, 2>     M;
     std::vector<Tensor<1, 2>> lines;
-    for (const LipNode<2> &node : lip.nodes())
+    for (const LipNode<2> &node : lip.nodes)
       {
         const double r         = tip.local(node.point).norm() / disc.radius;
         const bool   is_inside = tip.local(node.point)[0] < 0. && r <= 1.;

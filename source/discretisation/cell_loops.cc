@@ -24,15 +24,15 @@ namespace Crevasse
   CellLoops<dim>::CellLoops(const Space<dim> &space)
     : space(space)
     , kind{dim,
-           space.finite_element().degree,
+           space.finite_element.degree,
            static_cast<unsigned int>(
-             space.finite_element().degree +
+             space.finite_element.degree +
              (space.singular_shapes() == nullptr ? 1 : 2)),
-           space.volumetric_strain() == VolumetricStrain::mean}
-    , n_nodes(space.finite_element().n_dofs_per_cell() / dim)
-    , place_of_dof(space.finite_element().n_dofs_per_cell())
+           space.volumetric_strain == VolumetricStrain::mean}
+    , n_nodes(space.finite_element.n_dofs_per_cell() / dim)
+    , place_of_dof(space.finite_element.n_dofs_per_cell())
   {
-    const FESystem<dim> &fe = space.finite_element();
+    const FESystem<dim> &fe = space.finite_element;
     const auto           lexicographic =
       FETools::hierarchic_to_lexicographic_numbering<dim>(fe.degree);
     for (unsigned int i = 0; i < place_of_dof.size(); ++i)
@@ -52,7 +52,7 @@ namespace Crevasse
   CellLoops<dim>::find_constraints()
   {
     using Dofs             = std::vector<types::global_dof_index>;
-    const IndexSet &owned  = space.dof_handler().locally_owned_dofs();
+    const IndexSet &owned  = space.dof_handler.locally_owned_dofs();
     const auto      to_set = [&](Dofs &dofs) {
       std::sort(dofs.begin(), dofs.end());
       IndexSet set(owned.size());
@@ -60,7 +60,7 @@ namespace Crevasse
       return set;
     };
     Dofs not_owned, dofs(place_of_dof.size());
-    for (const auto &cell : owned_cells(space.dof_handler()))
+    for (const auto &cell : owned_cells(space.dof_handler))
       {
         cell->get_dof_indices(dofs);
         for (const auto dof : dofs)
@@ -69,7 +69,7 @@ namespace Crevasse
       }
     const IndexSet ghosts_of_cells = to_set(not_owned);
     const auto     for_each_line   = [&](const auto &f) {
-      for (const auto &line : space.constraints().get_lines())
+      for (const auto &line : space.constraints.get_lines())
         if (line.index < owned.size() &&
             (owned.is_element(line.index) ||
              ghosts_of_cells.is_element(line.index)))

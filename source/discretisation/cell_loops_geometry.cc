@@ -89,11 +89,11 @@ namespace Crevasse
       BatchPacker(const Space<dim>  &space,
                   const unsigned int n_lanes,
                   const double       unit)
-        : rule(space.quadratures()[0])
+        : rule(space.quadratures[0])
         , is_straight(
-            dynamic_cast<const MappingQ<dim> &>(space.mapping()).get_degree() ==
+            dynamic_cast<const MappingQ<dim> &>(space.mapping).get_degree() ==
             1)
-        , fe_values(space.mapping(),
+        , fe_values(space.mapping,
                     no_functions,
                     rule,
                     update_inverse_jacobians | update_jacobians)

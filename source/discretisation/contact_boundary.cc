@@ -40,10 +40,10 @@ namespace Crevasse
     std::map<types::global_dof_index, unsigned int>
     components_of_dofs(const Space<dim> &space)
     {
-      const FESystem<dim> &fe = space.finite_element();
+      const FESystem<dim>                            &fe = space.finite_element;
       std::map<types::global_dof_index, unsigned int> components;
       std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
+      for (const auto &cell : space.dof_handler.active_cell_iterators())
         if (!cell->is_artificial())
           {
             cell->get_dof_indices(indices);
@@ -78,7 +78,7 @@ namespace Crevasse
       std::map<types::global_dof_index, unsigned int> components;
       for (const LipNode<dim> &node : nodes)
         for (const auto &[dof, factor] :
-             *space.constraints().get_constraint_entries(node.dof))
+             *space.constraints.get_constraint_entries(node.dof))
           {
             (void)factor;
             if (components.empty())
@@ -120,22 +120,22 @@ namespace Crevasse
     void
     for_each_face(const Space<dim> &space, const Function &f)
     {
-      const FESystem<dim>                 &fe = space.finite_element();
-      FEFaceValues<dim>                    values(space.mapping(),
+      const FESystem<dim>                 &fe = space.finite_element;
+      FEFaceValues<dim>                    values(space.mapping,
                                fe,
                                space.face_quadrature(),
                                update_values | update_normal_vectors |
                                  update_JxW_values);
-      FEValues<dim>                        support_values(space.mapping(),
+      FEValues<dim>                        support_values(space.mapping,
                                    fe,
                                    Quadrature<dim>(
                                      fe.get_unit_support_points()),
                                    update_quadrature_points);
       std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
+      for (const auto &cell : space.dof_handler.active_cell_iterators())
         for (const unsigned int face : cell->face_indices())
           if (!cell->is_artificial() && cell->at_boundary(face) &&
-              space.roles().contact.count(cell->face(face)->boundary_id()) > 0)
+              space.roles.contact.count(cell->face(face)->boundary_id()) > 0)
             {
               values.reinit(cell, face);
               support_values.reinit(cell);
@@ -182,12 +182,12 @@ namespace Crevasse
   void
   ContactBoundary<dim>::find_nodes(const Space<dim> &space)
   {
-    const IndexSet &owned       = space.dof_handler().locally_owned_dofs();
-    const auto     &constraints = space.constraints();
+    const IndexSet &owned       = space.dof_handler.locally_owned_dofs();
+    const auto     &constraints = space.constraints;
 
     // Weights are sums over the faces of all ranks that share a node; ghost
     // cells are visited too instead of communicating.
-    std::map<types::global_dof_index, LipNode<dim>> nodes;
+    std::map<types::global_dof_index, LipNode<dim>> found;
     std::map<types::global_dof_index,
              std::pair<double, types::global_dof_index>>
       nearest; // free node on a face of a constrained one, and how far it is
@@ -196,7 +196,7 @@ namespace Crevasse
         {
           if (!owned.is_element(node.dof))
             continue;
-          const auto [entry, is_new] = nodes.emplace(node.dof, node);
+          const auto [entry, is_new] = found.emplace(node.dof, node);
           if (!is_new)
             {
               require_same_side(entry->second, node);
@@ -224,11 +224,11 @@ namespace Crevasse
     });
 
     std::vector<LipNode<dim>> constrained;
-    for (auto &[dof, node] : nodes)
+    for (auto &[dof, node] : found)
       {
         node.gap = gap_at(node.point);
         if (nearest.count(dof) == 0)
-          lip_nodes.push_back(node);
+          nodes.push_back(node);
         else
           constrained.push_back(node);
       }
@@ -282,7 +282,7 @@ namespace Crevasse
           master.factor * node.weight;
     interpolated.compress(VectorOperation::add);
     held.compress(VectorOperation::add);
-    for (LipNode<dim> &node : lip_nodes)
+    for (LipNode<dim> &node : nodes)
       {
         node.weight += interpolated(node.dof);
         node.held_weight = held(node.dof);

@@ -13,12 +13,12 @@ namespace Crevasse
                          const QuadratureField<2> &points)
     : space(space)
     , strains(space.singular_shapes()->size(),
-              std::vector<VoigtVector<2>>(points.n_local_points()))
-    , weights(points.n_local_points())
-    , local_values(space.finite_element().n_dofs_per_cell())
+              std::vector<VoigtVector<2>>(points.n_local_points))
+    , weights(points.n_local_points)
+    , local_values(space.finite_element.n_dofs_per_cell())
   {
     space.cell_loops()->initialize(nodal);
-    const FESystem<2> &fe = space.finite_element();
+    const FESystem<2> &fe = space.finite_element;
     for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
       components.push_back(fe.system_to_component_index(i).first);
 
@@ -26,7 +26,7 @@ namespace Crevasse
                               update_gradients | update_JxW_values |
                                 update_quadrature_points);
     std::vector<Tensor<2, 2>> gradients;
-    for (const auto &cell : owned_cells(space.dof_handler()))
+    for (const auto &cell : owned_cells(space.dof_handler))
       {
         const FEValues<2> &values = cell_values.reinit(cell);
         const std::size_t  first  = points.first_point(cell);

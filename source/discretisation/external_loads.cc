@@ -14,7 +14,7 @@ namespace Crevasse
   ExternalLoads<dim>::ExternalLoads(const Space<dim>          &space,
                                     const StrainOperator<dim> &strain_operator,
                                     const LoadParameters      &parameters)
-    : constraints(space.constraints())
+    : constraints(space.constraints)
   {
     strain_operator.initialize(constant);
     for (const LoadParameters::Force &force : parameters.forces())
@@ -85,12 +85,12 @@ namespace Crevasse
     const dealii::UpdateFlags flags = dealii::update_values |
                                       dealii::update_JxW_values |
                                       dealii::update_quadrature_points;
-    CellValues<dim>                              cell_values(space, flags);
-    dealii::FEFaceValues<dim>                    face_values(space.mapping(),
-                                          space.finite_element(),
+    CellValues<dim>                                  cell_values(space, flags);
+    dealii::FEFaceValues<dim>                        face_values(space.mapping,
+                                          space.finite_element,
                                           space.face_quadrature(),
                                           flags);
-    std::vector<dealii::types::global_dof_index> unknowns;
+    std::vector<dealii::types::global_dof_index>     unknowns;
     std::vector<std::vector<dealii::Tensor<1, dim>>> singular_values;
     const auto visit = [&](const auto                      &cell,
                            const dealii::FEValuesBase<dim> &values) {
@@ -120,13 +120,13 @@ namespace Crevasse
           f(values.quadrature_point(q), std::move(weights));
         }
     };
-    for (const auto &cell : owned_cells(space.dof_handler()))
+    for (const auto &cell : owned_cells(space.dof_handler))
       if (in_volume)
         visit(cell, cell_values.reinit(cell));
       else
         for (const unsigned int face : cell->face_indices())
           if (cell->at_boundary(face) &&
-              space.roles().loaded.count(cell->face(face)->boundary_id()) > 0)
+              space.roles.loaded.count(cell->face(face)->boundary_id()) > 0)
             {
               face_values.reinit(cell, face);
               visit(cell, face_values);

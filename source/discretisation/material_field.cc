@@ -91,7 +91,7 @@ namespace Crevasse
                     const Temperature<dim> &temperature)
     {
       std::vector<const typename MaxwellLaw<dim>::FreeStrain *> strains;
-      for (const auto &strain : law.free_strains())
+      for (const auto &strain : law.free_strains)
         if (!are_zero(strain.value.formulas) &&
             !(strain.is_thermal && temperature.is_zero()))
           strains.push_back(&strain);
@@ -128,22 +128,22 @@ namespace Crevasse
     , law(law)
     , temperature(temperature)
     , free_strains(free_strains_of(law, temperature))
-    , stiffness_is_free(varies_in_time(law.stiffness()))
-    , thermal_strain_is_free(
-        std::any_of(free_strains.begin(),
-                    free_strains.end(),
-                    [&](const FreeStrain *strain) {
-                      return varies_in_time(strain->value) ||
-                             (strain->is_thermal &&
-                              temperature.depends_on_time());
-                    }))
-    , n_points(points.n_local_points())
+    , n_points(points.n_local_points)
   {
-    for (const auto &branch : law.branches())
-      fluidity_is_free.push_back(varies_in_time(branch.fluidity));
+    stiffness_varies = varies_in_time(law.stiffness);
+    for (const auto &branch : law.branches)
+      {
+        fluidity_is_free.push_back(varies_in_time(branch.fluidity));
+        fluidity_varies = fluidity_varies || fluidity_is_free.back();
+      }
+    has_thermal_strain = !free_strains.empty();
+    for (const FreeStrain *strain : free_strains)
+      thermal_strain_varies =
+        thermal_strain_varies || varies_in_time(strain->value) ||
+        (strain->is_thermal && temperature.depends_on_time());
     bool of_importance =
-      varies_in_space(law.stiffness()) || thermal_strain_varies_in_space();
-    for (const auto &branch : law.branches())
+      varies_in_space(law.stiffness) || thermal_strain_varies_in_space();
+    for (const auto &branch : law.branches)
       of_importance = of_importance || varies_in_space(branch.fluidity);
     if (of_importance)
       {
@@ -159,22 +159,22 @@ namespace Crevasse
                        });
       }
 
-    constant.plane_stress = law.is_plane_stress();
-    for (const auto &branch : law.branches())
+    constant.plane_stress = law.plane_stress;
+    for (const auto &branch : law.branches)
       {
         constant.fractions.push_back(branch.fraction);
         constant.spring -= branch.fraction;
       }
     if (!law.has_spring())
       constant.spring = 0.; // but for rounding
-    constant.fluidity.resize(law.branches().size());
+    constant.fluidity.resize(law.branches.size());
     collectively(communicator, [&]() {
-      if (!stiffness_varies())
-        constant.stiffness = evaluate(law.stiffness(), 0.);
+      if (!stiffness_varies)
+        constant.stiffness = evaluate(law.stiffness, 0.);
       for (unsigned int i = 0; i < constant.fluidity.size(); ++i)
         if (!fluidity_is_free[i])
-          constant.fluidity[i] = evaluate(law.branches()[i].fluidity, 0.);
-      if (has_thermal_strain() && !thermal_strain_varies())
+          constant.fluidity[i] = evaluate(law.branches[i].fluidity, 0.);
+      if (has_thermal_strain && !thermal_strain_varies)
         constant.thermal_strain = evaluate_thermal_strain(0.);
     });
   }
@@ -308,12 +308,12 @@ namespace Crevasse
   MaterialField<dim>::memory_of_variation(const MaterialState<dim> &state) const
   {
     std::size_t bytes = 0;
-    if (stiffness_is_free)
+    if (stiffness_varies)
       bytes += state.stiffness->memory_consumption();
     for (unsigned int i = 0; i < fluidity_is_free.size(); ++i)
       if (fluidity_is_free[i])
         bytes += state.fluidity[i]->memory_consumption();
-    if (thermal_strain_is_free)
+    if (thermal_strain_varies)
       bytes += state.thermal_strain->memory_consumption();
     return bytes;
   }
@@ -325,14 +325,14 @@ namespace Crevasse
   MaterialField<dim>::at(const double t) const
   {
     MaterialState<dim> state = constant;
-    if (stiffness_varies() || fluidity_varies() || thermal_strain_varies())
+    if (stiffness_varies || fluidity_varies || thermal_strain_varies)
       collectively(communicator, [&]() {
         if (state.stiffness == nullptr)
-          state.stiffness = evaluate(law.stiffness(), t);
+          state.stiffness = evaluate(law.stiffness, t);
         for (unsigned int i = 0; i < state.fluidity.size(); ++i)
           if (state.fluidity[i] == nullptr)
-            state.fluidity[i] = evaluate(law.branches()[i].fluidity, t);
-        if (thermal_strain_varies())
+            state.fluidity[i] = evaluate(law.branches[i].fluidity, t);
+        if (thermal_strain_varies)
           state.thermal_strain = evaluate_thermal_strain(t);
       });
     set_factors(t, state);

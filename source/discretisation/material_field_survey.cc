@@ -63,7 +63,7 @@ namespace Crevasse
   {
     constexpr double    infinity = std::numeric_limits<double>::infinity();
     MaterialState<dim>  factors;
-    const bool          rates_vary = stiffness_varies() || fluidity_varies();
+    const bool          rates_vary = stiffness_varies || fluidity_varies;
     RelaxationRates     now, all{infinity, 0., true};
     std::vector<double> least_rates, fluidity_factors; // of all instants
     for (const double t : instants)
@@ -83,7 +83,7 @@ namespace Crevasse
         least_rates.push_back(now.least * factor);
         fluidity_factors.push_back(1. / factors.viscosity_factor);
       }
-    if (law.branches().empty())
+    if (law.branches.empty())
       return {infinity, infinity, infinity, 1., false};
     all.largest             = Utilities::MPI::max(all.largest, communicator);
     const double mean_least = lower_mean(instants, least_rates, period);
@@ -103,21 +103,21 @@ namespace Crevasse
   MaterialField<dim>::largest_thermal_strain(
     const std::vector<double> &instants) const
   {
-    if (!has_thermal_strain())
+    if (!has_thermal_strain)
       return 0.;
     double largest = 0.;
     collectively(communicator, [&]() {
       for (const double t : instants)
         {
           const std::shared_ptr<const Vectors> strains =
-            thermal_strain_varies() ? evaluate_thermal_strain(t)
-                                    : constant.thermal_strain;
+            thermal_strain_varies ? evaluate_thermal_strain(t)
+                                  : constant.thermal_strain;
           const std::size_t n =
             strains->is_uniform() ? std::size_t(1) : n_points;
           for (std::size_t p = 0; p < n; ++p)
             for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
               largest = std::max(largest, std::abs((*strains)[p][i]));
-          if (!thermal_strain_varies())
+          if (!thermal_strain_varies)
             break;
         }
     });

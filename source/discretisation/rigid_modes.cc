@@ -65,7 +65,7 @@ namespace Crevasse
   rigid_modes(const Space<dim> &space)
   {
     const auto          body = GridTools::compute_bounding_box(space.mesh());
-    std::vector<Vector> modes(n_modes<dim>, make_vector(space.dof_handler()));
+    std::vector<Vector> modes(n_modes<dim>, make_vector(space.dof_handler));
     for (unsigned int m = 0; m < modes.size(); ++m)
       {
         std::vector<std::function<double(const Point<dim> &)>> components;
@@ -73,8 +73,8 @@ namespace Crevasse
           components.push_back([m, c, &body](const Point<dim> &x) {
             return rigid_mode<dim>(m, c, x, body);
           });
-        VectorTools::interpolate(space.mapping(),
-                                 space.dof_handler(),
+        VectorTools::interpolate(space.mapping,
+                                 space.dof_handler,
                                  FunctionFromFunctionObjects<dim>(components),
                                  modes[m]);
       }
@@ -197,10 +197,10 @@ namespace Crevasse
     memberships(const Space<dim>                &space,
                 const std::vector<unsigned int> &part_of_cell)
     {
-      const FESystem<dim>                 &fe = space.finite_element();
+      const FESystem<dim>                 &fe = space.finite_element;
       Memberships                          all;
       std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
+      for (const auto &cell : space.dof_handler.active_cell_iterators())
         if (!cell->is_artificial())
           {
             auto coarse = typename Triangulation<dim>::cell_iterator(cell);
@@ -231,11 +231,11 @@ namespace Crevasse
                            const BoundingBox<dim>          &body)
     {
       std::map<types::global_dof_index, Point<dim>> support_points;
-      DoFTools::map_dofs_to_support_points(space.mapping(),
-                                           space.dof_handler(),
+      DoFTools::map_dofs_to_support_points(space.mapping,
+                                           space.dof_handler,
                                            support_points);
       const auto      dofs  = memberships(space, part_of_cell);
-      const IndexSet &owned = space.dof_handler().locally_owned_dofs();
+      const IndexSet &owned = space.dof_handler.locally_owned_dofs();
 
       FullMatrix<double>  gram(n_parts * n_modes<dim>);
       std::vector<double> violation;
@@ -252,7 +252,7 @@ namespace Crevasse
       const auto first_part = [&](const types::global_dof_index dof) {
         return *dofs.at(dof).second.begin();
       };
-      for (const auto &line : space.constraints().get_lines())
+      for (const auto &line : space.constraints.get_lines())
         if (owned.is_element(line.index))
           {
             violation.assign(gram.m(), 0.);
@@ -317,7 +317,7 @@ namespace Crevasse
     std::string
     ids_without_role(const Space<dim> &space)
     {
-      const BoundaryRoles     &roles = space.roles();
+      const BoundaryRoles     &roles = space.roles;
       std::vector<std::string> ids;
       for (const types::boundary_id id : space.mesh().get_boundary_ids())
         if (roles.clamped.count(id) + roles.symmetry.count(id) +

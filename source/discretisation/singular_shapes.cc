@@ -35,7 +35,7 @@ namespace Crevasse
       functions.fields.push_back(scaled(williams_term(3, kappa), 1.5));
 
     // 2μu = williams_term(1) has √(2π).
-    functions.unit_stress_intensity = 2. * elasticity.shear_modulus() *
+    functions.unit_stress_intensity = 2. * elasticity.shear_modulus *
                                       std::sqrt(2. * numbers::PI / length) /
                                       (kappa + 1.);
     return functions;

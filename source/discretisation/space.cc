@@ -28,23 +28,23 @@ namespace Crevasse
                     const VolumetricStrain              volumetric_strain,
                     const SingularFunctions            &singular_functions)
     : triangulation(std::move(mesh))
-    , cell_mapping(has_curved_edges(*triangulation) ? degree : 1)
-    , fe(FE_Q<dim>(degree), dim)
+    , finite_element(FE_Q<dim>(degree), dim)
+    , dof_handler(*triangulation)
+    , mapping(has_curved_edges(*triangulation) ? degree : 1)
+    , roles(roles)
+    , volumetric_strain(volumetric_strain)
     , face_rule(singular_functions.fields.empty() ? degree + 1 : 5)
-    , boundary_roles(roles)
     , supports(fixed_points)
-    , volumetric(volumetric_strain)
-    , dofs(*triangulation)
   {
-    Assert(degree == 1 || volumetric == VolumetricStrain::full,
+    Assert(degree == 1 || volumetric_strain == VolumetricStrain::full,
            ExcMessage("Mean dilatation is for linear elements."));
     check_roles();
-    dofs.distribute_dofs(fe);
+    dof_handler.distribute_dofs(finite_element);
     if constexpr (dim == 2)
       if (!singular_functions.fields.empty())
         shapes = std::make_unique<SingularShapes>(singular_functions,
-                                                  cell_mapping,
-                                                  dofs);
+                                                  mapping,
+                                                  dof_handler);
     number_unknowns();
     choose_rules();
     make_constraints();
@@ -77,13 +77,13 @@ namespace Crevasse
                        "no face of the mesh has this boundary id; there are:" +
                          list.str());
     };
-    check("Clamped", boundary_roles.clamped);
-    check("Symmetry", boundary_roles.symmetry);
-    check("Loaded", boundary_roles.loaded);
-    check("Contact", boundary_roles.contact);
+    check("Clamped", roles.clamped);
+    check("Symmetry", roles.symmetry);
+    check("Loaded", roles.loaded);
+    check("Contact", roles.contact);
     problems.throw_if_any();
-    require_flat_faces(*triangulation, "Symmetry", boundary_roles.symmetry);
-    require_flat_faces(*triangulation, "Contact", boundary_roles.contact);
+    require_flat_faces(*triangulation, "Symmetry", roles.symmetry);
+    require_flat_faces(*triangulation, "Contact", roles.contact);
   }
 
 
@@ -92,22 +92,20 @@ namespace Crevasse
   void
   Space<dim>::number_unknowns()
   {
-    owned_unknowns.set_size(n_unknowns());
-    owned_unknowns.add_indices(dofs.locally_owned_dofs());
+    locally_owned_unknowns.set_size(n_unknowns());
+    locally_owned_unknowns.add_indices(dof_handler.locally_owned_dofs());
     if (Utilities::MPI::this_mpi_process(communicator()) + 1 ==
         Utilities::MPI::n_mpi_processes(communicator()))
-      owned_unknowns.add_range(dofs.n_dofs(), n_unknowns());
+      locally_owned_unknowns.add_range(dof_handler.n_dofs(), n_unknowns());
     IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    relevant_unknowns.set_size(n_unknowns());
-    relevant_unknowns.add_indices(relevant);
-    relevant_unknowns.add_range(dofs.n_dofs(), n_unknowns());
-    for (IndexSet *set : {&owned_unknowns, &relevant_unknowns})
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    locally_relevant_unknowns.set_size(n_unknowns());
+    locally_relevant_unknowns.add_indices(relevant);
+    locally_relevant_unknowns.add_range(dof_handler.n_dofs(), n_unknowns());
+    for (IndexSet *set : {&locally_owned_unknowns, &locally_relevant_unknowns})
       set->compress();
-    partitioner =
-      std::make_shared<const Utilities::MPI::Partitioner>(owned_unknowns,
-                                                          relevant_unknowns,
-                                                          communicator());
+    partitioner = std::make_shared<const Utilities::MPI::Partitioner>(
+      locally_owned_unknowns, locally_relevant_unknowns, communicator());
   }
 
 
@@ -118,10 +116,10 @@ namespace Crevasse
   {
     if (shapes == nullptr)
       {
-        rules.push_back(QGauss<dim>(fe.degree + 1));
+        quadratures.push_back(QGauss<dim>(finite_element.degree + 1));
         return;
       }
-    rules.push_back(QGauss<dim>(fe.degree + 2));
+    quadratures.push_back(QGauss<dim>(finite_element.degree + 2));
     if constexpr (dim == 2)
       {
         // As Mousavi and Sukumar (Comput. Mech. 45, 2010) for stresses with
@@ -129,10 +127,11 @@ namespace Crevasse
         constexpr unsigned int n         = 5;
         constexpr double       beta      = 2.;
         constexpr double       near_size = 3.5;
-        rules.push_back(QGauss<dim>(n));
+        quadratures.push_back(QGauss<dim>(n));
         for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-          rules.push_back(QSplit<dim>(QDuffy(n, beta),
-                                      GeometryInfo<dim>::unit_cell_vertex(v)));
+          quadratures.push_back(
+            QSplit<dim>(QDuffy(n, beta),
+                        GeometryInfo<dim>::unit_cell_vertex(v)));
 
         const Point<dim> &tip = shapes->functions.tip.position;
         rule_of_cell.assign(triangulation->n_active_cells(), 0);
@@ -155,25 +154,25 @@ namespace Crevasse
   void
   Space<dim>::make_constraints()
   {
-    affine_constraints.reinit(relevant_unknowns);
+    constraints.reinit(locally_relevant_unknowns);
 
-    DoFTools::make_hanging_node_constraints(dofs, affine_constraints);
-    for (const auto id : boundary_roles.clamped)
-      VectorTools::interpolate_boundary_values(cell_mapping,
-                                               dofs,
+    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+    for (const auto id : roles.clamped)
+      VectorTools::interpolate_boundary_values(mapping,
+                                               dof_handler,
                                                id,
                                                Functions::ZeroFunction<dim>(
                                                  dim),
-                                               affine_constraints);
-    if (!boundary_roles.symmetry.empty())
+                                               constraints);
+    if (!roles.symmetry.empty())
       VectorTools::compute_no_normal_flux_constraints(
-        dofs, 0, boundary_roles.symmetry, affine_constraints, cell_mapping);
+        dof_handler, 0, roles.symmetry, constraints, mapping);
     for (const FixedPoint<dim> &fixed_point : supports)
       constrain(fixed_point);
     // Without a lip there is none that it could open.
-    if (shapes != nullptr && boundary_roles.contact.empty())
-      affine_constraints.add_line(singular_unknown(0));
-    affine_constraints.close();
+    if (shapes != nullptr && roles.contact.empty())
+      constraints.add_line(singular_unknown(0));
+    constraints.close();
   }
 
 
@@ -184,7 +183,7 @@ namespace Crevasse
   {
     bool found = false;
     collectively(communicator(), [&]() {
-      for (const auto &cell : dofs.active_cell_iterators())
+      for (const auto &cell : dof_handler.active_cell_iterators())
         if (!cell->is_artificial())
           for (const unsigned int v : cell->vertex_indices())
             {
@@ -206,8 +205,8 @@ namespace Crevasse
                         " is already tied to another one by an inclined plane "
                         "of symmetry or a hanging node; fix another component "
                         "or another vertex.");
-                    if (!affine_constraints.is_constrained(dof))
-                      affine_constraints.add_line(dof);
+                    if (!constraints.is_constrained(dof))
+                      constraints.add_line(dof);
                   }
             }
     });
@@ -227,11 +226,11 @@ namespace Crevasse
   {
     // deal.II 9.6 wants as many entries as the constraints know unknowns, among
     // them those of singular functions, the last.
-    Vector unknowns(owned_unknowns, communicator());
+    Vector unknowns(locally_owned_unknowns, communicator());
     unknowns.copy_locally_owned_data_from(displacement);
-    affine_constraints.distribute(unknowns);
+    constraints.distribute(unknowns);
 
-    Vector values = make_vector(dofs);
+    Vector values = make_vector(dof_handler);
     for (std::size_t i = 0; i < values.locally_owned_size(); ++i)
       values.local_element(i) = unknowns.local_element(i);
     values.update_ghost_values();
@@ -246,9 +245,9 @@ namespace Crevasse
     const typename DoFHandler<dim>::active_cell_iterator &cell,
     std::vector<types::global_dof_index>                 &indices) const
   {
-    indices.resize(fe.n_dofs_per_cell());
+    indices.resize(finite_element.n_dofs_per_cell());
     cell->get_dof_indices(indices);
-    for (auto i = dofs.n_dofs(); i < n_unknowns(); ++i)
+    for (auto i = dof_handler.n_dofs(); i < n_unknowns(); ++i)
       indices.push_back(i);
   }
 
@@ -285,7 +284,7 @@ namespace Crevasse
     constexpr double            far = std::numeric_limits<double>::max();
     std::array<double, dim + 1> nearest;
     nearest.fill(far);
-    for (const auto &cell : owned_cells(dofs))
+    for (const auto &cell : owned_cells(dof_handler))
       for (const unsigned int v : cell->vertex_indices())
         {
           std::array<double, dim + 1> candidate;
@@ -338,7 +337,7 @@ namespace Crevasse
   {
     const auto make_space = [&](const std::vector<FixedPoint<dim>> &fixed) {
       return std::make_shared<const Space>(
-        coarser_mesh, fe.degree, boundary_roles, fixed, volumetric);
+        coarser_mesh, finite_element.degree, roles, fixed, volumetric_strain);
     };
     const auto without_supports = make_space({});
     if (supports.empty())

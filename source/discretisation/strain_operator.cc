@@ -11,7 +11,7 @@ namespace Crevasse
   StrainOperator<dim>::StrainOperator(const Space<dim>           &space,
                                       const QuadratureField<dim> &points)
     : space(space)
-    , n_cell_points(space.quadratures()[0].size())
+    , n_cell_points(space.quadratures[0].size())
     , loops(space.cell_loops())
     , kernels(loops->template kernels<double>())
   {

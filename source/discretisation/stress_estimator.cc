@@ -22,7 +22,7 @@ namespace Crevasse
     , points(points)
     , lip(lip)
     , loads(loads)
-    , polynomials(space.mesh(), space.finite_element().degree)
+    , polynomials(space.mesh(), space.finite_element.degree)
     , largest(space.mesh().n_active_cells())
   {
   }
@@ -64,12 +64,12 @@ namespace Crevasse
                                            values.quadrature_point(q),
                                            stiffness_at(point)));
                      });
-    const double        degree = space.finite_element().degree;
+    const double        degree = space.finite_element.degree;
     StressResidual<dim> residual(
       space, polynomials, lip, loads, t, contact_forces);
     polynomials.fit(space, points, regular, residual.stress);
     collectively(space.communicator(), [&]() {
-      for (const auto &cell : owned_cells(polynomials.dof_handler()))
+      for (const auto &cell : owned_cells(polynomials.dof_handler))
         {
           const double c     = compliance[cell->active_cell_index()];
           const double h     = cell->diameter() / std::sqrt(dim);
@@ -131,7 +131,7 @@ namespace Crevasse
     collectively(space.communicator(), [&]() {
       const auto norms =
         transform(*material.stiffness,
-                  points.n_local_points(),
+                  points.n_local_points,
                   [&](const VoigtMatrix<dim> &K) {
                     return inverse<dim>(K).norm() / material.stiffness_factor;
                   });
@@ -156,7 +156,7 @@ namespace Crevasse
   {
     const auto compliance =
       transform(*material.stiffness,
-                points.n_local_points(),
+                points.n_local_points,
                 [](const VoigtMatrix<dim> &K) { return inverse<dim>(K); });
     double sum = 0.;
     for_each_point(space,
@@ -180,7 +180,7 @@ namespace Crevasse
   {
     std::vector<double> coefficients;
     if (displacement != nullptr)
-      for (auto k = space.dof_handler().n_dofs(); k < space.n_unknowns(); ++k)
+      for (auto k = space.dof_handler.n_dofs(); k < space.n_unknowns(); ++k)
         coefficients.push_back(dealii::Utilities::MPI::sum(
           displacement->in_local_range(k) ? (*displacement)(k) : 0.,
           space.communicator()));

@@ -91,7 +91,7 @@ namespace Crevasse
   {
     using Field                   = QuadratureField<dim>;
     const unsigned int n_branches = material.fluidity.size();
-    const std::size_t  n_points   = body.points.n_local_points();
+    const std::size_t  n_points   = body.points.n_local_points;
     const double       stress_factor =
       material.viscosity_factor / material.stiffness_factor;
 

@@ -30,7 +30,7 @@ namespace Crevasse
       if (effects.varying_stiffness.on)
         found.push_back("the stiffness varies in time, " +
                         effects.varying_stiffness.why + instead);
-      if (body.material.fluidity_varies())
+      if (body.material.fluidity_varies)
         found.push_back("the viscosity varies in time, " +
                         effects.varying_viscosity.why +
                         "; use [Periodic state] Method = march");
@@ -205,7 +205,7 @@ namespace Crevasse
     result.rule = scene.periodic_state.harmonics == HarmonicRule::exact
                     ? TimeRule::exact
                     : TimeRule::trapezoid;
-    dealii::TimerOutput &phases = systems.settings().phases;
+    dealii::TimerOutput &phases = systems.settings.phases;
     const Harmonics    harmonics(steps.period(), steps.n_steps(), result.rule);
     const Fourier<dim> fourier(body,
                                harmonics,

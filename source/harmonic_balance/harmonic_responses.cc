@@ -59,7 +59,7 @@ namespace Crevasse
       return found->second;
     const auto             factor = common_factor<dim>(moduli,
                                            *material.stiffness,
-                                           body.points.n_local_points(),
+                                           body.points.n_local_points,
                                            body.space.communicator());
     const HarmonicResponse response =
       factor ? scaled(*factor) : factorised(moduli);
@@ -115,7 +115,7 @@ namespace Crevasse
   HarmonicResponse
   HarmonicResponses<dim>::factorised(const ComplexModuli<dim> &moduli)
   {
-    const std::size_t n_points = body.points.n_local_points();
+    const std::size_t n_points = body.points.n_local_points;
     assemble_stiffness(body.space,
                        body.points,
                        part_of<dim>(moduli.sum, n_points, std::real),

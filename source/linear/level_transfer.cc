@@ -35,7 +35,7 @@ namespace Crevasse
   void
   LevelTransfer<dim>::make_rows()
   {
-    const FESystem<dim> &fe    = coarser.finite_element();
+    const FESystem<dim> &fe    = coarser.finite_element;
     const auto          &place = loops->places();
     first_dofs.resize(loops->n_nodes_per_cell());
     for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
@@ -75,8 +75,8 @@ namespace Crevasse
                              ->locally_owned_range();
     const unsigned int n_nodes = first_dofs.size();
     Dofs               of_own(owned.n_elements() * n_nodes);
-    Dofs               dofs(finer.finite_element().n_dofs_per_cell());
-    for (const auto &cell : owned_cells(finer.dof_handler()))
+    Dofs               dofs(finer.finite_element.n_dofs_per_cell());
+    for (const auto &cell : owned_cells(finer.dof_handler))
       {
         cell->get_dof_indices(dofs);
         const std::size_t k =
@@ -120,13 +120,13 @@ namespace Crevasse
 
     Dofs needed;
     for (const auto dof : dofs)
-      if (!finer.locally_owned_unknowns().is_element(dof))
+      if (!finer.locally_owned_unknowns.is_element(dof))
         for (unsigned int c = 0; c < dim; ++c)
           needed.push_back(dof + c);
     std::sort(needed.begin(), needed.end());
     IndexSet ghosts(finer.n_unknowns());
     ghosts.add_indices(needed.begin(), needed.end());
-    work.reinit(finer.locally_owned_unknowns(), ghosts, finer.communicator());
+    work.reinit(finer.locally_owned_unknowns, ghosts, finer.communicator());
     const auto       &partitioner = *work.get_partitioner();
     std::vector<bool> is_done(partitioner.locally_owned_size() +
                               partitioner.n_ghost_indices());

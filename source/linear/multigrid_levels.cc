@@ -22,10 +22,10 @@ namespace Crevasse
                                         const QuadratureField<dim> &points)
     : finest(space)
     , finest_points(points)
-    , meshes(coarser_meshes(
-        space.mesh(),
-        enough_unknowns /
-          (dim * Utilities::pow(space.finite_element().degree, dim))))
+    , meshes(coarser_meshes(space.mesh(),
+                            enough_unknowns /
+                              (dim * Utilities::pow(space.finite_element.degree,
+                                                    dim))))
   {
     for (const CoarserMesh<dim> &coarser : meshes)
       if (auto on_coarser = space.on_coarser(coarser.mesh))
@@ -61,7 +61,7 @@ namespace Crevasse
       {
         means =
           means_over_children(space(level + 1).mesh(), meshes[level], means);
-        std::vector<std::uint32_t> which(points(level).n_local_points());
+        std::vector<std::uint32_t> which(points(level).n_local_points);
         for (const auto &cell : space(level).mesh().active_cell_iterators())
           if (cell->is_locally_owned())
             {
@@ -87,8 +87,8 @@ namespace Crevasse
     std::size_t bytes = 0;
     for (const auto &space : spaces)
       bytes += space->mesh().memory_consumption() +
-               space->dof_handler().memory_consumption() +
-               space->constraints().memory_consumption() +
+               space->dof_handler.memory_consumption() +
+               space->constraints.memory_consumption() +
                space->cell_loops()->memory_consumption();
     for (const auto &transfer : transfers)
       bytes += transfer->memory_consumption();

@@ -24,7 +24,7 @@ namespace Crevasse
     for (Vector *vector : {&v, &product, &force})
       D.initialize(*vector);
     for (const auto i : v.locally_owned_elements())
-      if (!space.constraints().is_constrained(i))
+      if (!space.constraints.is_constrained(i))
         v(i) = std::sin(1e4 * std::sin(1. + i));
     A.vmult(product, v);
     points.initialize(stress);

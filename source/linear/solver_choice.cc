@@ -45,7 +45,7 @@ namespace Crevasse
       return std::make_unique<AmgCg>(matrix,
                                      rigid_modes(space),
                                      dim,
-                                     space.finite_element().degree > 1);
+                                     space.finite_element.degree > 1);
     if (type == LinearSolverType::mumps)
       return std::make_unique<Mumps>(matrix, lip);
     auto cholesky = std::make_unique<Cholesky>(matrix, lip, analysis);

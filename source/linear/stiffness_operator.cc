@@ -50,7 +50,7 @@ namespace Crevasse
     // Of columns, among which the rows are.
     std::map<types::global_dof_index, std::set<types::global_dof_index>> all;
     Indices of_cell, found;
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    for (const auto &cell : space.dof_handler.active_cell_iterators())
       {
         if (cell->is_artificial())
           continue;
@@ -62,7 +62,7 @@ namespace Crevasse
         };
         for (const auto dof : of_cell)
           if (const auto *masters =
-                space.constraints().get_constraint_entries(dof))
+                space.constraints.get_constraint_entries(dof))
             for (const auto &master : *masters)
               note(master.first);
           else

@@ -36,7 +36,7 @@ namespace Crevasse
     const double                         unit)
   {
     const bool with_out_of_plane =
-      space.volumetric_strain() == VolumetricStrain::mean;
+      space.volumetric_strain == VolumetricStrain::mean;
     bool is_isotropic = true;
     for (const VoigtMatrix<dim> &K : stiffness.distinct())
       is_isotropic =
@@ -60,7 +60,7 @@ namespace Crevasse
     const PointValues<VoigtMatrix<dim>> &stiffness,
     const double                         unit)
   {
-    const unsigned int       n_points = space.quadratures()[0].size();
+    const unsigned int       n_points = space.quadratures[0].size();
     std::vector<std::size_t> first_points;
     bool                     varies_in_cells = false;
     if (!stiffness.is_uniform())
@@ -198,7 +198,7 @@ namespace Crevasse
         {
           const Real entry = of_cell[loops->places()[i]];
           if (const auto *masters =
-                space.constraints().get_constraint_entries(dofs[i]))
+                space.constraints.get_constraint_entries(dofs[i]))
             for (const auto &[master, factor] : *masters)
               operator_diagonal(master) += factor * factor * entry;
           else

@@ -320,15 +320,15 @@ namespace Crevasse
 
   template <int dim>
   MaxwellLaw<dim>::MaxwellLaw(const MaterialParameters &parameters)
-    : K(stiffness_property<dim>(parameters))
-    , maxwell_branches(make_branches<dim>(parameters))
+    : stiffness(stiffness_property<dim>(parameters))
+    , branches(make_branches<dim>(parameters))
     , plane_stress(dim == 2 &&
                    parameters.plane_state == PlaneState::plane_stress)
     , k(*parameters.stiffness_time_factor)
     , eta_0(*parameters.viscosity_time_factor)
   {
     for (const auto &strain : parameters.free_strains())
-      strains.push_back(
+      free_strains.push_back(
         {strain_property<dim>(strain.components), strain.is_thermal});
     if (parameters.viscosity != ViscosityType::relaxation_time)
       return;
@@ -337,7 +337,7 @@ namespace Crevasse
                              !eta_0.is_constant() ||
                              eta_0.value(Place<dim>()) != 1.;
     if (!has_factors && tau.is_constant())
-      uniform_tau = tau.value(Place<dim>());
+      uniform_relaxation_time = tau.value(Place<dim>());
   }
 
 

@@ -216,11 +216,11 @@ namespace Crevasse
     require_materials(scene, *mesh);
     // What the tables say must be what is computed.
     Assert((Effects::first_on(effects.free_strains) != nullptr) ==
-             material.has_thermal_strain(),
+             material.has_thermal_strain,
            ExcInternalError());
-    Assert(effects.varying_stiffness.on || !material.stiffness_varies(),
+    Assert(effects.varying_stiffness.on || !material.stiffness_varies,
            ExcInternalError());
-    Assert(effects.varying_viscosity.on || !material.fluidity_varies(),
+    Assert(effects.varying_viscosity.on || !material.fluidity_varies,
            ExcInternalError());
   }
 
@@ -272,7 +272,7 @@ namespace Crevasse
   {
     const std::string where = wanted_by + ": the stiffness at the crack tip " +
                               Text::from_point(tip.position);
-    const auto stiffness = limit_at(tip, mesh, law.stiffness(), temperature, t);
+    const auto stiffness = limit_at(tip, mesh, law.stiffness, temperature, t);
     if (!stiffness)
       throw SceneError(where +
                        " is not the same on all sides of it: the fields "
@@ -292,14 +292,14 @@ namespace Crevasse
   unilateral_bounds(const ContactBoundary<dim> &lip, const Space<dim> &space)
   {
     UnilateralBounds bounds;
-    for (const LipNode<dim> &node : lip.nodes())
+    for (const LipNode<dim> &node : lip.nodes)
       {
         bounds.dofs.push_back(node.dof);
         bounds.sign.push_back(node.sign);
         bounds.gap.push_back(node.gap);
       }
     if (space.singular_shapes() != nullptr &&
-        space.locally_owned_unknowns().is_element(space.singular_unknown(0)))
+        space.locally_owned_unknowns.is_element(space.singular_unknown(0)))
       {
         bounds.dofs.push_back(space.singular_unknown(0));
         bounds.sign.push_back(1.);

@@ -36,7 +36,7 @@ namespace Crevasse
       collectively(body.space.communicator(), [&]() {
         values = std::make_shared<Values>(material,
                                           kappa(c, material),
-                                          body.points.n_local_points());
+                                          body.points.n_local_points);
       });
       return values;
     }
@@ -52,17 +52,17 @@ namespace Crevasse
                                               const double         largest_load,
                                               Log                 &log,
                                               dealii::TimerOutput &phases)
-    : scene(scene)
+    : settings{scene.contact,
+               scene.linear_solver,
+               choice.linear,
+               choice.contact,
+               phases,
+               {},
+               largest_load}
+    , scene(scene)
     , body(body)
     , log(log)
     , bounds(unilateral_bounds(body.lip, body.space))
-    , solver_settings{scene.contact,
-                      scene.linear_solver,
-                      choice.linear,
-                      choice.contact,
-                      phases,
-                      {},
-                      largest_load}
     , memory(body.space.communicator(),
              1024. * 1024. * scene.linear_solver.memory_for_instants,
              log)
@@ -79,13 +79,13 @@ namespace Crevasse
       requests.erase(requests.end() - 2);
     })
   {
-    solver_settings.relaxation_factor = [this, &steps](const SparseMatrix &A) {
+    settings.relaxation_factor = [this, &steps](const SparseMatrix &A) {
       if (!sor_factor)
         sor_factor = relaxation_factor(
           A, loads_at(this->body, instant_of_largest_load(this->body, steps)));
       return *sor_factor;
     };
-    if (!body.material.stiffness_varies())
+    if (!body.material.stiffness_varies)
       only_system = make_system(*body.material.at(0.).stiffness);
     log.line("  solver: " + system_at(0.).contact_solver().description());
   }
@@ -97,12 +97,8 @@ namespace Crevasse
   ContactSystemCache<dim>::make_system(
     const typename MaterialState<dim>::Matrices &stiffness) const
   {
-    auto system = std::make_shared<ContactSystem<dim>>(solver_settings,
-                                                       body.space,
-                                                       body.points,
-                                                       stiffness,
-                                                       bounds,
-                                                       last_system.get());
+    auto system = std::make_shared<ContactSystem<dim>>(
+      settings, body.space, body.points, stiffness, bounds, last_system.get());
     if (last_system != nullptr)
       system->contact_solver().start_from(
         last_system->contact_solver().closed_bounds());
@@ -116,8 +112,8 @@ namespace Crevasse
   ContactSystemCache<dim>::material_at(const double t)
   {
     const MaterialField<dim> &field = body.material;
-    const bool varies = field.stiffness_varies() || field.fluidity_varies() ||
-                        field.thermal_strain_varies();
+    const bool varies = field.stiffness_varies || field.fluidity_varies ||
+                        field.thermal_strain_varies;
     // The only state of a material that does not vary is at t = 0.
     const auto state = materials.at({varies ? t : 0., 0.}, [&]() {
       return std::make_shared<MaterialState<dim>>(field.at(t));
@@ -239,7 +235,7 @@ namespace Crevasse
                                     const MaterialState<dim> &material) const
   {
     const bool varies =
-      body.material.stiffness_varies() || body.material.fluidity_varies();
+      body.material.stiffness_varies || body.material.fluidity_varies;
     return {varies ? t : 0., kappa(c, material)};
   }
 
@@ -258,14 +254,14 @@ namespace Crevasse
     if (forces.linfty_norm() == 0.)
       {
         forces = 1.;
-        body.space.constraints().set_zero(forces);
+        body.space.constraints.set_zero(forces);
       }
     const double norm = forces.linfty_norm();
 
     log.line("  searching for the relaxation factor of projected SOR");
     // As the paper does, without constraints; eight digits show the asymptotic
     // contraction.
-    TimerOutput::Scope     phase(solver_settings.phases, "relaxation factor");
+    TimerOutput::Scope     phase(settings.phases, "relaxation factor");
     const UnilateralBounds none;
     const SignoriniProblem unconstrained(matrix, none);
     return Sweep(unconstrained)

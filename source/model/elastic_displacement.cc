@@ -46,24 +46,24 @@ namespace Crevasse
 
     // A closed lip is a symmetry plane. The other space's constraints agree
     // with this one's but for the lip, where the loads then do not count.
-    BoundaryRoles roles = body.space.roles();
+    BoundaryRoles roles = body.space.roles;
     roles.symmetry.insert(roles.contact.begin(), roles.contact.end());
     roles.contact.clear();
     const SingularShapes *const shapes = body.space.singular_shapes();
-    const Space<dim>            closed_space(body.space.shared_mesh(),
-                                  body.space.finite_element().degree,
+    const Space<dim>            closed_space(body.space.triangulation,
+                                  body.space.finite_element.degree,
                                   roles,
                                   fixed_points<dim>(scene),
-                                  body.space.volumetric_strain(),
+                                  body.space.volumetric_strain,
                                   shapes != nullptr ? shapes->functions
                                                                : SingularFunctions());
-    ContactSystem<dim>          closed(systems.settings(),
+    ContactSystem<dim>          closed(systems.settings,
                               closed_space,
                               body.points,
                               *body.material.at(0.).stiffness,
                               none);
     Vector                      closed_loads(loads);
-    closed_space.constraints().set_zero(closed_loads);
+    closed_space.constraints.set_zero(closed_loads);
     const Vector displacement = solution(closed.contact_solver(), closed_loads);
     systems.add(closed.statistics());
     return displacement;

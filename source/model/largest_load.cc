@@ -111,7 +111,7 @@ namespace Crevasse
                               loads);
           largest = std::max(largest, loads.linfty_norm());
         }
-    if (body.material.has_thermal_strain())
+    if (body.material.has_thermal_strain)
       for (unsigned int k = 0; k < steps.n_steps(); ++k)
         largest =
           std::max(largest, largest_thermal_load(body, steps.instant(k)));
@@ -199,18 +199,18 @@ namespace Crevasse
       // instant.
       const auto differ =
         [&](const auto &x, const auto &y, const double scale) {
-          for (std::size_t p = 0; p < body.points.n_local_points(); ++p)
+          for (std::size_t p = 0; p < body.points.n_local_points; ++p)
             if ((x[p] - y[p]).norm() >
                 negligible * std::max({x[p].norm(), y[p].norm(), scale}))
               return true;
           return false;
         };
       bool jumps =
-        (body.material.stiffness_varies() &&
+        (body.material.stiffness_varies &&
          differ(*a.stiffness, *b.stiffness, 0.)) ||
-        (body.material.thermal_strain_varies() &&
+        (body.material.thermal_strain_varies &&
          differ(*a.thermal_strain, *b.thermal_strain, thermal_strain));
-      if (body.material.fluidity_varies())
+      if (body.material.fluidity_varies)
         for (std::size_t i = 0; i < a.fluidity.size(); ++i)
           jumps = jumps || differ(*a.fluidity[i], *b.fluidity[i], 0.);
       return dealii::Utilities::MPI::max(jumps ? 1 : 0,

@@ -64,8 +64,7 @@ namespace Crevasse
   double
   n_unknowns_of_first_mesh(const Body<dim> &body)
   {
-    return double(dim) *
-           Utilities::pow(body.space.finite_element().degree, dim) *
+    return double(dim) * Utilities::pow(body.space.finite_element.degree, dim) *
            body.space.mesh().n_cells(0);
   }
 
@@ -104,9 +103,9 @@ namespace Crevasse
         Cholesky::require_one_process(communicator);
       if (choice.type == LinearSolverType::amg)
         require_work_for_ml<dim>(
-          Utilities::MPI::max(
-            double(body.space.locally_owned_unknowns().n_elements()),
-            communicator),
+          Utilities::MPI::max(double(
+                                body.space.locally_owned_unknowns.n_elements()),
+                              communicator),
           n_unknowns,
           scene.discretisation.degree,
           n_ranks);
@@ -160,7 +159,7 @@ namespace Crevasse
   {
     const MPI_Comm    communicator = body.space.communicator();
     const std::size_t n_bounds =
-      Utilities::MPI::sum(body.lip.nodes().size(), communicator);
+      Utilities::MPI::sum(body.lip.nodes.size(), communicator);
     const LinearSolverChoice  linear = choose_linear(scene, body);
     const ContactSolverChoice contact =
       choose_contact(scene.contact, linear.type, n_bounds);

@@ -193,7 +193,7 @@ namespace Crevasse
     {
       const auto       &eta          = viscosity.sum;
       const auto       &K            = *material.stiffness;
-      const std::size_t n_points     = body.points.n_local_points();
+      const std::size_t n_points     = body.points.n_local_points;
       const MPI_Comm    communicator = body.space.communicator();
 
       const double tau =
@@ -219,7 +219,7 @@ namespace Crevasse
       return "without viscosity nothing flows";
     if (body.law.has_spring())
       return "the elastic spring of the chain bears the mean load";
-    if (body.material.fluidity_varies())
+    if (body.material.fluidity_varies)
       return "the viscosity varies in time, and not by [Material] Viscosity "
              "time factor alone";
     const MaterialState<dim> material = body.material.at(0.);
@@ -303,7 +303,7 @@ namespace Crevasse
     const MaterialState<dim>      material = body.material.at(0.);
     std::optional<Viscosity<dim>> viscosity;
     collectively(body.space.communicator(), [&]() {
-      viscosity = viscosity_of<dim>(material, body.points.n_local_points());
+      viscosity = viscosity_of<dim>(material, body.points.n_local_points);
     });
 
     // The solver is that of ∫ Dᵀ η D / time.
@@ -317,7 +317,7 @@ namespace Crevasse
     Vector                              load = mean_load;
     double                              time = 1., factor = 1.;
     ContactSolver                      *contact_solver;
-    SolverSettings                      settings = systems.settings();
+    SolverSettings                      settings = systems.settings;
     std::unique_ptr<ContactSystem<dim>> own;
     if (const auto tau = uniform_relaxation_time(body, *viscosity, material);
         tau && is_closed)

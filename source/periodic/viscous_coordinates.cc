@@ -73,19 +73,19 @@ namespace Crevasse
         roots.push_back(combine(
           *material.stiffness,
           *material.fluidity[i],
-          points.n_local_points(),
+          points.n_local_points,
           [&](const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H) {
             const VoigtMatrix<dim> creep =
               creep_time * (material.plane_stress ? in_plane<dim>(H) : H);
             return root<dim>(inverse<dim>(creep + least / w * inverse<dim>(K)));
           }));
         inverses.push_back(Crevasse::transform(roots.back(),
-                                               points.n_local_points(),
+                                               points.n_local_points,
                                                inverse_of_upper<dim>));
       }
     CellValues<dim> cell_values(space, update_JxW_values);
-    weights.resize(points.n_local_points());
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    weights.resize(points.n_local_points);
+    for (const auto &cell : space.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const FEValues<dim> &values = cell_values.reinit(cell);

@@ -49,7 +49,7 @@ namespace Crevasse
       return "there is a " + force->name + ", which the integral does not know";
     const MaterialState<2> material = body.material.at(0.);
     collectively(body.space.communicator(), [&]() {
-      viscosity = viscosity_of<2>(material, body.points.n_local_points());
+      viscosity = viscosity_of<2>(material, body.points.n_local_points);
     });
     viscous_region = intensity.region.uniform(intensity.points, viscosity->sum);
     return viscous_region->radius > 0.
@@ -64,7 +64,7 @@ namespace Crevasse
   CrackTipAnalysis::describe() const
   {
     const std::string &why = intensity.why_no_integral();
-    return "  crack tip: " + Text::from_point(intensity.region.tip().position) +
+    return "  crack tip: " + Text::from_point(intensity.region.tip.position) +
            ", K_I by " + intensity.method() +
            (why.empty() ? "" : " (" + why + ")") +
            (growth_law.empty() ? "" : "; " + growth_law);
@@ -101,7 +101,7 @@ namespace Crevasse
   void
   CrackTipAnalysis::require_no_force_at_tip(const StepList &steps) const
   {
-    const CrackTip &tip                 = intensity.region.tip();
+    const CrackTip &tip                 = intensity.region.tip;
     bool            is_held_along_crack = false;
     for (const FixedPoint<2> &fixed : fixed_points<2>(scene))
       for (unsigned int d = 0; d < 2; ++d)
@@ -109,7 +109,7 @@ namespace Crevasse
           is_held_along_crack ||
           (fixed.components[d] && std::abs(tip.ahead[d]) > 0.5 &&
            fixed.point.distance(tip.position) <
-             1e-6 * intensity.region.cell_radius());
+             1e-6 * intensity.region.cell_radius);
     if (!is_held_along_crack)
       return;
     const unsigned int axis       = std::abs(tip.ahead[0]) > 0.5 ? 0 : 1;
@@ -204,8 +204,8 @@ namespace Crevasse
     auto &tip                  = summary["crack_tip"];
     tip["method"]              = intensity.method();
     tip["why"]                 = intensity.why_no_integral();
-    tip["position"]            = {intensity.region.tip().position[0],
-                                  intensity.region.tip().position[1]};
+    tip["position"]            = {intensity.region.tip.position[0],
+                                  intensity.region.tip.position[1]};
     tip["radius"]              = intensity.radius();
     tip["K_I"]                 = {{"largest", history.largest()},
                                   {"smallest", history.least()}};

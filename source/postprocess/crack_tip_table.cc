@@ -22,7 +22,7 @@ namespace Crevasse
     , log(log)
     , has_singular_function(analysis.body.space.singular_shapes() != nullptr &&
                             !analysis.body.effects.viscosity.on &&
-                            !analysis.body.material.stiffness_varies())
+                            !analysis.body.material.stiffness_varies)
   {
     if (file.name.empty())
       return;

@@ -41,12 +41,12 @@ namespace Crevasse
   FieldGrid<dim>::FieldGrid(const Space<dim>          &space,
                             const StressRecovery<dim> &recovery)
     : recovery(recovery)
-    , nodes_per_cell(recovery.dof_handler().get_fe().n_dofs_per_cell())
+    , nodes_per_cell(recovery.dof_handler.get_fe().n_dofs_per_cell())
     , points(space.mesh().n_active_cells() * nodes_per_cell)
   {
-    const FiniteElement<dim> &fe  = recovery.dof_handler().get_fe();
+    const FiniteElement<dim> &fe  = recovery.dof_handler.get_fe();
     const auto    corners_of_cell = corners_between_nodes<dim>(fe.degree);
-    FEValues<dim> nodes(space.mapping(),
+    FEValues<dim> nodes(space.mapping,
                         fe,
                         Quadrature<dim>(fe.get_unit_support_points()),
                         update_quadrature_points);
@@ -55,7 +55,7 @@ namespace Crevasse
     std::map<unsigned int,
              std::unordered_map<types::global_dof_index, unsigned int>>
       known;
-    for (const auto &cell : owned_cells(recovery.dof_handler()))
+    for (const auto &cell : owned_cells(recovery.dof_handler))
       {
         nodes.reinit(cell);
         cell->get_dof_indices(dofs);

@@ -99,18 +99,18 @@ namespace Crevasse
                    const std::vector<double>  &contact_forces)
   {
     Vector at_dofs = space.ghosted_vector();
-    for (unsigned int k = 0; k < lip.nodes().size(); ++k)
-      at_dofs(lip.nodes()[k].dof) = contact_forces[k] / lip.nodes()[k].weight;
+    for (unsigned int k = 0; k < lip.nodes.size(); ++k)
+      at_dofs(lip.nodes[k].dof) = contact_forces[k] / lip.nodes[k].weight;
     lip.spread_to_held_nodes(at_dofs);
 
-    Vector               pressure = make_vector(recovery.dof_handler());
-    const FESystem<dim> &fe       = space.finite_element();
+    Vector               pressure = make_vector(recovery.dof_handler);
+    const FESystem<dim> &fe       = space.finite_element;
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<types::global_dof_index> nodes(dofs.size() / dim);
-    for (const auto &cell : owned_cells(recovery.dof_handler()))
+    for (const auto &cell : owned_cells(recovery.dof_handler))
       {
         cell->get_dof_indices(nodes);
-        same_cell(cell->id(), space.dof_handler())->get_dof_indices(dofs);
+        same_cell(cell->id(), space.dof_handler)->get_dof_indices(dofs);
         // Only the normal component of a lip node is not zero.
         for (unsigned int i = 0; i < dofs.size(); ++i)
           if (const auto node = nodes[fe.system_to_component_index(i).second];
@@ -225,7 +225,7 @@ namespace Crevasse
 
     arrays.push_back(
       grid.nodal("displacement",
-                 space.dof_handler(),
+                 space.dof_handler,
                  space.nodal_values(snapshot.state.displacement)));
     const auto stress = grid.recovered(snapshot.state.stress);
     add_components(stress, "stress");
@@ -249,7 +249,7 @@ namespace Crevasse
 
     arrays.push_back(grid.nodal(
       "contact_pressure",
-      recovery.dof_handler(),
+      recovery.dof_handler,
       contact_pressure(space, recovery, lip, snapshot.state.contact_forces)));
     return arrays;
   }

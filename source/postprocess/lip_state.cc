@@ -17,8 +17,8 @@ namespace Crevasse
                 const std::vector<double>  &forces)
   {
     double sum = 0.;
-    for (unsigned int k = 0; k < lip.nodes().size(); ++k)
-      sum += lip.nodes()[k].force(forces[k]);
+    for (unsigned int k = 0; k < lip.nodes.size(); ++k)
+      sum += lip.nodes[k].force(forces[k]);
     return sum;
   }
 
@@ -33,9 +33,9 @@ namespace Crevasse
 
     std::vector<double> sums = {0., contact_force(lip, state.contact_forces)};
     std::vector<double> maxima(2);
-    for (unsigned int k = 0; k < lip.nodes().size(); ++k)
+    for (unsigned int k = 0; k < lip.nodes.size(); ++k)
       {
-        const LipNode<dim> &node    = lip.nodes()[k];
+        const LipNode<dim> &node    = lip.nodes[k];
         const double        g       = state.contact_forces[k];
         const double        opening = node.opening(state.displacement);
         sums[0] += opening <= touching ? 1. : 0.;

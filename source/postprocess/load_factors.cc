@@ -31,19 +31,19 @@ namespace Crevasse
     require_suitable_body(const Body<dim> &body, const ComparedLip comparison)
     {
       bool has_gap = false;
-      for (const LipNode<dim> &node : body.lip.nodes())
+      for (const LipNode<dim> &node : body.lip.nodes)
         has_gap = has_gap || node.gap != 0.;
       demand(Utilities::MPI::max(has_gap ? 1 : 0, body.space.communicator()) ==
                0,
              comparison,
              "the closed forms hold for a lip without initial opening; here "
              "[Boundary] Gap is not 0.");
-      demand(!body.material.stiffness_varies() &&
-               !body.material.has_thermal_strain(),
+      demand(!body.material.stiffness_varies &&
+               !body.material.has_thermal_strain,
              comparison,
              "the closed forms hold for a constant stiffness and without "
              "thermal strain.");
-      demand(!body.effects.viscosity.on || body.law.uniform_relaxation_time(),
+      demand(!body.effects.viscosity.on || body.law.uniform_relaxation_time,
              comparison,
              "the closed forms hold for a viscosity in proportion to the "
              "stiffness ([Material] Viscosity = relaxation time), all "
@@ -123,7 +123,7 @@ namespace Crevasse
         if (rule.weights[s] != 0.)
           integral += steps.step(k) * rule.weights[s] *
                       factor(steps.instant(k) + rule.nodes[s] * steps.step(k));
-    result.drift = integral / *body.law.uniform_relaxation_time();
+    result.drift = integral / *body.law.uniform_relaxation_time;
     return result;
   }
 

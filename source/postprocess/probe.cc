@@ -93,13 +93,13 @@ namespace Crevasse
     Place        place;
     unsigned int least = numbers::invalid_unsigned_int, most = 0;
     for (const auto &[cell, unit_point] :
-         GridTools::find_all_active_cells_around_point(space.mapping(),
-                                                       space.dof_handler(),
+         GridTools::find_all_active_cells_around_point(space.mapping,
+                                                       space.dof_handler,
                                                        probe.point))
       if (cell->is_locally_owned())
         {
           const unsigned int face =
-            lip_face<dim>(cell, unit_point, space.roles());
+            lip_face<dim>(cell, unit_point, space.roles);
           Order                order{{0., face == no_face ? 1. : 0.}};
           const Tensor<1, dim> offset = cell->center() - probe.point;
           for (unsigned int d = 0; recovery.has_interfaces() && d < dim; ++d)
@@ -127,7 +127,7 @@ namespace Crevasse
     place.found = mine == first;
     if (Utilities::MPI::min(least, communicator) <
         Utilities::MPI::max(most, communicator))
-      side =
+      side_of_interface =
         Utilities::MPI::sum(place.found ? Tensor<1, dim>(place.cell->center())
                                         : Tensor<1, dim>(),
                             communicator);
@@ -141,7 +141,7 @@ namespace Crevasse
   ProbeEvaluator<dim>::find_displacement_weights(const Place      &place,
                                                  const Space<dim> &space)
   {
-    const FESystem<dim> &fe = space.finite_element();
+    const FESystem<dim> &fe = space.finite_element;
     for (unsigned int d = 0; d < dim; ++d)
       {
         Vector weights = space.ghosted_vector();
@@ -150,15 +150,15 @@ namespace Crevasse
             const auto values = shape_values<dim>(place.cell, place.unit_point);
             for (unsigned int i = 0; i < values.size(); ++i)
               if (fe.system_to_component_index(i).first == d)
-                space.constraints().distribute_local_to_global(values[i].first,
-                                                               values[i].second,
-                                                               weights);
+                space.constraints.distribute_local_to_global(values[i].first,
+                                                             values[i].second,
+                                                             weights);
           }
         if constexpr (dim == 2)
           if (const SingularShapes *shapes = space.singular_shapes();
               shapes != nullptr && place.found)
             {
-              FEValues<dim> at_place(space.mapping(),
+              FEValues<dim> at_place(space.mapping,
                                      fe,
                                      Quadrature<dim>(place.unit_point),
                                      update_values | update_quadrature_points);
@@ -188,7 +188,7 @@ namespace Crevasse
       weights = shape_values<dim>({&place.cell->get_triangulation(),
                                    place.cell->level(),
                                    place.cell->index(),
-                                   &recovery.dof_handler()},
+                                   &recovery.dof_handler},
                                   place.unit_point);
     stress_weights =
       recovery.weights_of(weights,
@@ -207,9 +207,9 @@ namespace Crevasse
     collectively(communicator, [&]() {
       if (!place.found || f == no_face)
         return;
-      is_on_lip               = true;
-      const FESystem<dim> &fe = space.finite_element();
-      FEFaceValues<dim>    face(space.mapping(),
+      on_lip                  = true;
+      const FESystem<dim> &fe = space.finite_element;
+      FEFaceValues<dim>    face(space.mapping,
                              fe,
                              QMidpoint<dim - 1>(),
                              update_normal_vectors);
@@ -223,18 +223,18 @@ namespace Crevasse
               std::abs(normal[fe.system_to_component_index(i).first]) < 0.5)
             continue;
           weights(values[i].first) += value;
-          gap += value * lip.gap_at(space.mapping().transform_unit_to_real_cell(
+          gap += value * lip.gap_at(space.mapping.transform_unit_to_real_cell(
                            place.cell, fe.unit_support_point(i)));
         }
     });
-    is_on_lip = Utilities::MPI::max(is_on_lip ? 1 : 0, communicator) == 1;
-    normal    = Utilities::MPI::sum(normal, communicator);
-    gap       = Utilities::MPI::sum(gap, communicator);
+    on_lip = Utilities::MPI::max(on_lip ? 1 : 0, communicator) == 1;
+    normal = Utilities::MPI::sum(normal, communicator);
+    gap    = Utilities::MPI::sum(gap, communicator);
 
     weights.compress(VectorOperation::add);
     lip.gather_from_held_nodes(weights);
-    for (unsigned int k = 0; k < lip.nodes().size(); ++k)
-      if (const LipNode<dim> &node = lip.nodes()[k]; weights(node.dof) != 0.)
+    for (unsigned int k = 0; k < lip.nodes.size(); ++k)
+      if (const LipNode<dim> &node = lip.nodes[k]; weights(node.dof) != 0.)
         pressure_weights.emplace_back(k, weights(node.dof) / node.weight);
   }
 
@@ -293,7 +293,7 @@ namespace Crevasse
       names.push_back("u_" + std::to_string(d + 1));
     for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
       names.push_back(std::string("s_") + voigt_name<dim>(c));
-    if (is_on_lip)
+    if (on_lip)
       names.insert(names.end(), {"opening", "pressure"});
     return names;
   }
@@ -306,7 +306,7 @@ namespace Crevasse
   {
     std::vector<double> row = {time};
     row.insert(row.end(), values.begin(), values.end() - 1);
-    if (is_on_lip)
+    if (on_lip)
       {
         double opening = 0.;
         for (unsigned int d = 0; d < dim; ++d)

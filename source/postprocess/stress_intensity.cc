@@ -49,7 +49,7 @@ namespace Crevasse
   PlaneElasticity
   StressIntensity::find_elasticity(const double t) const
   {
-    return elasticity_at(region.tip(),
+    return elasticity_at(region.tip,
                          body.space.mesh(),
                          body.law,
                          body.temperature,
@@ -64,7 +64,7 @@ namespace Crevasse
   {
     UniformRadii radii{region.largest_radius(), region.largest_radius()};
     const bool   varies =
-      body.material.stiffness_varies() || body.material.fluidity_varies();
+      body.material.stiffness_varies || body.material.fluidity_varies;
     for (const double t : instants_of_variation(varies, steps))
       {
         if (radii.stiffness == 0.)
@@ -98,10 +98,10 @@ namespace Crevasse
     if (wish == Method::williams_fit)
       return setting;
     for (const double t :
-         instants_of_variation(body.material.fluidity_varies(), steps))
-      for (const auto &branch : body.law.branches())
+         instants_of_variation(body.material.fluidity_varies, steps))
+      for (const auto &branch : body.law.branches)
         {
-          const auto limit = limit_at(region.tip(),
+          const auto limit = limit_at(region.tip,
                                       body.space.mesh(),
                                       branch.fluidity,
                                       body.temperature,
@@ -131,14 +131,14 @@ namespace Crevasse
       return region.aligned_radius(uniform.creep > 0. ? uniform.creep : most);
     constexpr double rounding = 1e-10;
     if (wish > most * (1. + rounding) ||
-        wish < region.cell_radius() * (1. - rounding))
+        wish < region.cell_radius * (1. - rounding))
       {
         std::ostringstream message;
         message << "[Crack tip] Radius = " << wish << ": must be at most "
                 << most
                 << ", where another boundary or another stiffness begins, and "
                    "at least "
-                << region.cell_radius()
+                << region.cell_radius
                 << ", where the cells at the tip end; or 0.";
         throw SceneError(message.str());
       }
@@ -163,7 +163,7 @@ namespace Crevasse
     };
     return {over_square(square, 2),
             over_square(std::max(region.aligned_radius(0.5 * square),
-                                 region.cell_radius()),
+                                 region.cell_radius),
                         3)};
   }
 
@@ -175,7 +175,7 @@ namespace Crevasse
   {
     if (!body.effects.viscosity.on)
       return size;
-    const double several = cells * region.cell_radius();
+    const double several = cells * region.cell_radius;
     if (uniform.creep == 0.)
       return region.aligned_radius(std::min(0.5 * size, several));
     const double most = std::min(uniform.creep, size);
@@ -208,7 +208,7 @@ namespace Crevasse
     constexpr double part = 0.5;
     return std::min(largest_radius(),
                     std::max({least,
-                              2. * region.cell_radius(),
+                              2. * region.cell_radius,
                               is_disturbed() ? 0. : part * uniform.creep}));
   }
 

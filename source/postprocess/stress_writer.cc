@@ -73,7 +73,7 @@ namespace Crevasse
     CellValues<dim> cell_values(body.space, update_quadrature_points);
     std::vector<CellId::binary_type> cells;
     std::vector<double>              coordinates;
-    for (const auto &cell : body.space.dof_handler().active_cell_iterators())
+    for (const auto &cell : body.space.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         for (const Point<dim> &point :
              cell_values.reinit(cell).get_quadrature_points())

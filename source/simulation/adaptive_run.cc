@@ -155,8 +155,8 @@ namespace Crevasse
         run_stage(*setup, output, {estimate.get()}, state, summary);
         if (state.stage.ends_run)
           return;
-        const dealii::Vector<float> squares = estimate->estimator().squares();
-        const double error = estimate->estimator().relative_error();
+        const dealii::Vector<float> squares = estimate->estimator.squares();
+        const double error = estimate->estimator.relative_error();
         estimate.reset(); // before the space that it refers to
         readapt(squares, error, state);
         state.fourier_failed = false;
@@ -186,7 +186,7 @@ namespace Crevasse
   {
     Timer              timer;
     const Body<dim>   &old        = setup->body;
-    const unsigned int n_branches = old.law.branches().size();
+    const unsigned int n_branches = old.law.branches.size();
 
     const FieldNorms<dim> before =
       field_norms(old.space, state.viscous_strain, n_branches);

@@ -32,7 +32,7 @@ namespace Crevasse
         choice.method == PeriodicMethodType::anderson
           ? 2 * (setup.scene.periodic_state.anderson_depth + 2)
           : 0;
-      const unsigned int n_branches = setup.body.law.branches().size();
+      const unsigned int n_branches = setup.body.law.branches.size();
       return setup.steps.n_steps() + 4 + 5 * n_branches +
              of_anderson * n_branches;
     }
@@ -83,7 +83,7 @@ namespace Crevasse
       if (start.direct)
         r = start.direct->motion.viscous_strain.front();
       else if (body.effects.viscosity.on && r.size() == 0)
-        body.points.initialize(r, body.law.branches().size());
+        body.points.initialize(r, body.law.branches.size());
     }
 
 
@@ -142,7 +142,7 @@ namespace Crevasse
                   const UnilateralBounds   &bounds)
     {
       const PeriodicStart &start = work.start;
-      return {work.setup.body.points.n_local_points(),
+      return {work.setup.body.points.n_local_points,
               material,
               start.flow ? &*start.flow : nullptr,
               start.split.is_split,

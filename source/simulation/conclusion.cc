@@ -240,7 +240,7 @@ namespace Crevasse
       // exact as the solver finds them.
       constexpr double far = 0.5, part_of_load = 0.05, rounding = 1e-10;
       const MPI_Comm   communicator = setup.body.space.communicator();
-      const auto       n_nodes      = setup.body.lip.nodes().size();
+      const auto       n_nodes      = setup.body.lip.nodes.size();
       const double     measured = secular["mean_contact_force_of_last_period"];
       const double     expected =
         Utilities::MPI::sum(contact_force(setup.body.lip,

@@ -28,11 +28,11 @@ namespace Crevasse
       const Scene          &scene   = setup.scene;
       const PeriodicChoice &choice  = setup.periodic_choice;
       const double          n_steps = setup.steps.n_steps();
-      const double vector = body.space.locally_owned_unknowns().n_elements();
+      const double vector = body.space.locally_owned_unknowns.n_elements();
       const double stress =
-        n_stress_components<dim> * double(body.points.n_local_points());
+        n_stress_components<dim> * double(body.points.n_local_points);
       const double strain =
-        body.effects.viscosity.on ? body.law.branches().size() * stress : 0.;
+        body.effects.viscosity.on ? body.law.branches.size() * stress : 0.;
       // The stress of all samples of a period, compared with the next; stages
       // and work space.
       double values = (n_steps + 8.) * stress + 5. * strain + 30. * vector;
@@ -61,7 +61,7 @@ namespace Crevasse
       double                 one  = bytes_of_solver<dim>(type,
                                         body.space.n_unknowns(),
                                         n_unknowns_of_first_mesh(body),
-                                        body.space.finite_element().degree,
+                                        body.space.finite_element.degree,
                                         n_ranks) /
                    n_ranks;
       // Without a matrix, K of each point in double and in single precision.
@@ -69,15 +69,15 @@ namespace Crevasse
       if (type == LinearSolverType::gmg &&
           body.material.at(0.).stiffness->is_individual())
         one +=
-          0.75 * n * (n + 1) * sizeof(double) * body.points.n_local_points();
+          0.75 * n * (n + 1) * sizeof(double) * body.points.n_local_points;
       // Σ, the same along the normals, and the factor of the open nodes.
       if (setup.solvers.contact.type == ContactSolverType::condensed_active_set)
         {
-          const double n_lip = Utilities::MPI::sum(body.lip.nodes().size(),
+          const double n_lip = Utilities::MPI::sum(body.lip.nodes.size(),
                                                    body.space.communicator());
           one += 3. * sizeof(double) * n_lip * n_lip;
         }
-      if (!body.material.stiffness_varies())
+      if (!body.material.stiffness_varies)
         return one;
       constexpr double mebibyte = 1024. * 1024.;
       return one +
@@ -149,7 +149,7 @@ namespace Crevasse
         {"libraries", n_ranks == 1 ? 180e6 : 195e6, "take fewer processes"},
         {"mesh",
          double(space.mesh().memory_consumption() +
-                space.dof_handler().memory_consumption()),
+                space.dof_handler.memory_consumption()),
          "make it coarser"},
         {"fields",
          bytes_of_fields(setup),
@@ -249,7 +249,7 @@ namespace Crevasse
             {"unknowns", body.space.n_unknowns()},
             {"quadrature_points", body.points.n_points()},
             {"contact_nodes",
-             Utilities::MPI::sum(body.lip.nodes().size(), communicator)},
+             Utilities::MPI::sum(body.lip.nodes.size(), communicator)},
             {"cells_of_ranks",
              Utilities::MPI::gather(communicator,
                                     mesh.n_locally_owned_active_cells())},
@@ -361,7 +361,7 @@ namespace Crevasse
     if (setup.crack_tip != nullptr)
       log.line(setup.crack_tip->describe());
     for (const auto &probe : setup.probes)
-      if (const auto &side = probe.side_of_interface())
+      if (const auto &side = probe.side_of_interface)
         log.line("  probe " + probe.name() +
                  ": lies between materials, and has the stress of the cell "
                  "around " +

@@ -57,7 +57,7 @@ namespace
             std::make_unique<AmgCg>(matrix,
                                     rigid_modes(block.space),
                                     dim,
-                                    block.space.finite_element().degree > 1);
+                                    block.space.finite_element.degree > 1);
           problem = std::make_unique<SignoriniProblem>(matrix, block.bounds);
           return;
         }

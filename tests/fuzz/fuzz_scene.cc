@@ -64,10 +64,10 @@ namespace
         place.t           = t;
         place.point[0]    = t;
         place.temperature = temperature.value(place.point, t);
-        law.stiffness().at(place);
-        for (const auto &strain : law.free_strains())
+        law.stiffness.at(place);
+        for (const auto &strain : law.free_strains)
           strain.value.at(place);
-        for (const auto &branch : law.branches())
+        for (const auto &branch : law.branches)
           branch.fluidity.at(place);
         scene.boundary.gap->value(place);
         for (const auto *load :

@@ -38,11 +38,7 @@ namespace Crevasse
      */
     explicit TipRegion(const Space<2> &space);
 
-    const CrackTip &
-    tip() const
-    {
-      return crack_tip;
-    }
+    const CrackTip tip;
 
     /** Where another boundary begins. */
     double
@@ -66,11 +62,7 @@ namespace Crevasse
             const PointValues<VoigtMatrix<2>> &matrices) const;
 
     /** Of the cells that have the tip as a vertex. */
-    double
-    cell_radius() const
-    {
-      return end_of_tip_cells;
-    }
+    double cell_radius = 0.;
 
     /** The largest square that cuts no cell, half to once this size; this
      * size if each of those cuts one. */
@@ -100,9 +92,8 @@ namespace Crevasse
     find_boundaries(const Space<2> &space);
 
     const MPI_Comm        communicator;
-    const CrackTip        crack_tip;
     std::vector<Interval> cells; ///< by active cell index
-    double                end = 0., end_of_tip_cells = 0.;
+    double                end = 0.;
   };
 } // namespace Crevasse
 

@@ -4,8 +4,8 @@
 #ifndef crevasse_discretisation_cell_loops_h
 #define crevasse_discretisation_cell_loops_h
 
-#include <crevasse/kernels/cell_kernels.h>
 #include <crevasse/discretisation/space.h>
+#include <crevasse/kernels/cell_kernels.h>
 
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/partitioner.h>
@@ -47,7 +47,7 @@ namespace Crevasse
     for_each_cell(const Function &f) const
     {
       unsigned int k = 0;
-      for (const auto &cell : owned_cells(space.dof_handler()))
+      for (const auto &cell : owned_cells(space.dof_handler))
         if (space.rule(cell) == 0)
           f(cell, k++);
     }

@@ -22,7 +22,7 @@ namespace Crevasse
                    const Space<dim>                 &space)
   {
     std::vector<dealii::FullMatrix<double>> matrices;
-    for (const dealii::Quadrature<dim> &rule : space.quadratures())
+    for (const dealii::Quadrature<dim> &rule : space.quadratures)
       {
         matrices.emplace_back(fe.n_dofs_per_cell(), rule.size());
         dealii::FETools::compute_projection_from_quadrature_points_matrix(
@@ -34,11 +34,12 @@ namespace Crevasse
   /** The same cell of another mesh with the same cells, with its dofs. */
   template <int dim>
   typename dealii::DoFHandler<dim>::cell_iterator
-  same_cell(const dealii::CellId &name, const dealii::DoFHandler<dim> &dofs)
+  same_cell(const dealii::CellId          &name,
+            const dealii::DoFHandler<dim> &dof_handler)
   {
-    const auto &mesh = dofs.get_triangulation();
+    const auto &mesh = dof_handler.get_triangulation();
     const auto  cell = mesh.create_cell_iterator(name);
-    return {&mesh, cell->level(), cell->index(), &dofs};
+    return {&mesh, cell->level(), cell->index(), &dof_handler};
   }
 
   /**
@@ -56,8 +57,8 @@ namespace Crevasse
 
     /** @param mesh that must outlive this object, but may be refined. */
     CellPolynomials(const Mesh<dim> &mesh, const unsigned int degree)
-      : fe(dealii::FE_DGQ<dim>(degree), n_components)
-      , dofs(mesh)
+      : dof_handler(mesh)
+      , fe(dealii::FE_DGQ<dim>(degree), n_components)
     {
       distribute();
     }
@@ -66,22 +67,18 @@ namespace Crevasse
     void
     distribute()
     {
-      dofs.distribute_dofs(fe);
+      dof_handler.distribute_dofs(fe);
     }
 
     /** Of the coefficients of one vector at a point; their components are those
      * of a QuadratureField. */
-    const dealii::DoFHandler<dim> &
-    dof_handler() const
-    {
-      return dofs;
-    }
+    dealii::DoFHandler<dim> dof_handler;
 
     /** A vector of coefficients, with those of the ghost cells. */
     Vector
     coefficients() const
     {
-      return make_vector(dofs);
+      return make_vector(dof_handler);
     }
 
     /** Fits the values of one branch, and sets ghost values. Collective.
@@ -100,7 +97,7 @@ namespace Crevasse
         fe.n_dofs_per_cell());
       coefficients.zero_out_ghost_values();
       coefficients = 0.;
-      for (const auto &cell : owned_cells(dofs))
+      for (const auto &cell : owned_cells(dof_handler))
         {
           cell->get_dof_indices(indices);
           const auto       &matrix = matrices[space.rule(cell)];
@@ -129,9 +126,9 @@ namespace Crevasse
       const dealii::FiniteElement<dim>            &scalar = fe.base_element(0);
       std::vector<dealii::types::global_dof_index> indices(
         fe.n_dofs_per_cell());
-      for (const auto &cell : owned_cells(space.dof_handler()))
+      for (const auto &cell : owned_cells(space.dof_handler))
         {
-          same_cell(cell->id(), dofs)->get_dof_indices(indices);
+          same_cell(cell->id(), dof_handler)->get_dof_indices(indices);
           const dealii::Quadrature<dim> &rule = space.quadrature(cell);
           const std::size_t first = n_branches * points.offset(cell);
           for (unsigned int q = 0; q < rule.size(); ++q)
@@ -150,7 +147,6 @@ namespace Crevasse
 
   private:
     const dealii::FESystem<dim> fe;
-    dealii::DoFHandler<dim>     dofs;
   };
 } // namespace Crevasse
 

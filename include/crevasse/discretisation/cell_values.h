@@ -18,9 +18,9 @@ namespace Crevasse
     /** @param space must outlive this object. */
     CellValues(const Space<dim> &space, const dealii::UpdateFlags flags)
       : space(space)
-      , mapping(space.mapping())
-      , finite_element(space.finite_element())
-      , values(mapping, finite_element, space.quadratures(), flags)
+      , mapping(space.mapping)
+      , finite_element(space.finite_element)
+      , values(mapping, finite_element, space.quadratures, flags)
     {
     }
 
@@ -49,7 +49,7 @@ namespace Crevasse
   {
     CellValues<dim> cell_values(space, flags);
     std::size_t     p = 0;
-    for (const auto &cell : owned_cells(space.dof_handler()))
+    for (const auto &cell : owned_cells(space.dof_handler))
       {
         const dealii::FEValues<dim> &values = cell_values.reinit(cell);
         for (const unsigned int q : values.quadrature_point_indices())

@@ -74,11 +74,7 @@ namespace Crevasse
     ContactBoundary(const Space<dim> &space, Expression &&gap_formula);
 
     /** The free nodes, in the order of their dofs. */
-    const std::vector<LipNode<dim>> &
-    nodes() const
-    {
-      return lip_nodes;
-    }
+    std::vector<LipNode<dim>> nodes;
 
     /** The least u_N at any point of the lip. @throw SceneError if it is not
      * finite or positive. */
@@ -135,8 +131,7 @@ namespace Crevasse
 
     const Expression gap;
     const double rounding; ///< of coordinates, seen where a gap closes at a tip
-    std::vector<LipNode<dim>> lip_nodes;
-    std::vector<HeldNode>     held_nodes;
+    std::vector<HeldNode> held_nodes;
   };
 } // namespace Crevasse
 

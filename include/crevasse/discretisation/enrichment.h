@@ -99,10 +99,10 @@ namespace Crevasse
     nodal.update_ghost_values();
     for (const SpecialCell &cell : special_cells)
       {
-        space.constraints().get_dof_values(nodal,
-                                           cell.indices.begin(),
-                                           local_values.begin(),
-                                           local_values.end());
+        space.constraints.get_dof_values(nodal,
+                                         cell.indices.begin(),
+                                         local_values.begin(),
+                                         local_values.end());
         for (unsigned int q = 0; q < cell.weights.size(); ++q)
           {
             VoigtVector<2> strain;
@@ -135,10 +135,10 @@ namespace Crevasse
                 local_values[i] += stress[voigt_index<2>(components[i], d)] *
                                    cell.gradients[q * n + i][d];
           }
-        space.constraints().distribute_local_to_global(local_values.begin(),
-                                                       local_values.end(),
-                                                       cell.indices.begin(),
-                                                       nodal);
+        space.constraints.distribute_local_to_global(local_values.begin(),
+                                                     local_values.end(),
+                                                     cell.indices.begin(),
+                                                     nodal);
       }
   }
 } // namespace Crevasse

@@ -86,28 +86,11 @@ namespace Crevasse
     set_factors(const double t, MaterialState<dim> &state) const;
 
     // What depends on time, besides the factors.
-    bool
-    stiffness_varies() const
-    {
-      return stiffness_is_free;
-    }
-    bool
-    fluidity_varies() const
-    {
-      return std::find(fluidity_is_free.begin(),
-                       fluidity_is_free.end(),
-                       true) != fluidity_is_free.end();
-    }
-    bool
-    thermal_strain_varies() const
-    {
-      return thermal_strain_is_free;
-    }
-    bool
-    has_thermal_strain() const
-    {
-      return !free_strains.empty();
-    }
+    bool stiffness_varies;
+    bool fluidity_varies       = false;
+    bool thermal_strain_varies = false;
+
+    bool has_thermal_strain;
 
     /** A number for each cell of this rank, from 0 on: that of its material, as
      * the mesh file and, where formulas are constant in most cells, the moduli
@@ -209,9 +192,7 @@ namespace Crevasse
     const std::vector<const FreeStrain *> free_strains; ///< not 0
 
     // Whether these depend on time.
-    const bool        stiffness_is_free;
     std::vector<bool> fluidity_is_free; ///< of each branch
-    const bool        thermal_strain_is_free;
 
     std::size_t                     n_points;
     std::vector<dealii::Point<dim>> locations; ///< empty if of no importance

@@ -32,15 +32,16 @@ namespace Crevasse
     explicit QuadratureField(const Space<dim> &space)
       : offsets(space.mesh().n_active_cells(),
                 dealii::numbers::invalid_unsigned_int)
-      , n_local(0)
+      , n_local_points(0)
       , communicator(space.communicator())
     {
       for (const auto &cell : owned_cells(space.mesh()))
         {
-          offsets[cell->active_cell_index()] = n_local * n_components;
-          n_local += space.quadrature(cell).size();
+          offsets[cell->active_cell_index()] = n_local_points * n_components;
+          n_local_points += space.quadrature(cell).size();
         }
-      partitioner = make_partitioner(n_local * n_components, communicator);
+      partitioner =
+        make_partitioner(n_local_points * n_components, communicator);
     }
 
     /** Gives @p field this layout, all zero. Collective, and throws as the
@@ -56,7 +57,8 @@ namespace Crevasse
         field.reinit(partitioner);
       else
         field.reinit(
-          make_partitioner(n_local * n_components * n_branches, communicator));
+          make_partitioner(n_local_points * n_components * n_branches,
+                           communicator));
     }
 
     /** Where the first point of a locally owned cell begins, as local index. */
@@ -77,11 +79,7 @@ namespace Crevasse
     }
 
     /** Points of this rank, and of all ranks. */
-    std::size_t
-    n_local_points() const
-    {
-      return n_local;
-    }
+    std::size_t n_local_points;
     std::size_t
     n_points() const
     {
@@ -127,7 +125,6 @@ namespace Crevasse
     }
 
     std::vector<std::size_t> offsets; // by active cell index
-    std::size_t              n_local;
     const MPI_Comm           communicator;
     std::shared_ptr<dealii::Utilities::MPI::Partitioner> partitioner;
   };

@@ -55,7 +55,7 @@ namespace Crevasse
    * The displacement space: Q1 or Q2 elements on a distributed mesh, with the
    * linear constraints of hanging nodes, clamped parts, symmetry planes and
    * fixed points. Displacement vectors hold zeros in their constrained
-   * entries; constraints().distribute() fills these for output.
+   * entries; constraints.distribute() fills these for output.
    *
    * Where there are singular functions at the crack tip, displacement vectors
    * end with their coefficients, which the last rank owns; they are unknowns
@@ -92,45 +92,21 @@ namespace Crevasse
     {
       return *triangulation;
     }
+
+    // Set by the constructor.
+
     /** For another space on the same mesh; its dofs are numbered alike. */
-    std::shared_ptr<const Mesh<dim>>
-    shared_mesh() const
-    {
-      return triangulation;
-    }
-    const dealii::DoFHandler<dim> &
-    dof_handler() const
-    {
-      return dofs;
-    }
-    const dealii::FESystem<dim> &
-    finite_element() const
-    {
-      return fe;
-    }
+    const std::shared_ptr<const Mesh<dim>> triangulation;
+    const dealii::FESystem<dim>            finite_element;
+    dealii::DoFHandler<dim>                dof_handler;
     /** Of the degree of the elements if cells have curved edges, else linear.
      */
-    const dealii::Mapping<dim> &
-    mapping() const
-    {
-      return cell_mapping;
-    }
-    const dealii::AffineConstraints<double> &
-    constraints() const
-    {
-      return affine_constraints;
-    }
-    const BoundaryRoles &
-    roles() const
-    {
-      return boundary_roles;
-    }
+    const dealii::MappingQ<dim>       mapping;
+    dealii::AffineConstraints<double> constraints;
+    const BoundaryRoles               roles;
     /** What D takes from displacements of this space. */
-    VolumetricStrain
-    volumetric_strain() const
-    {
-      return volumetric;
-    }
+    const VolumetricStrain volumetric_strain;
+
     MPI_Comm
     communicator() const
     {
@@ -149,7 +125,7 @@ namespace Crevasse
     dealii::types::global_dof_index
     singular_unknown(const unsigned int k) const
     {
-      return dofs.n_dofs() + k;
+      return dof_handler.n_dofs() + k;
     }
 
     /** Degrees of freedom of the nodes and coefficients of singular functions.
@@ -157,20 +133,12 @@ namespace Crevasse
     dealii::types::global_dof_index
     n_unknowns() const
     {
-      return dofs.n_dofs() + (shapes == nullptr ? 0 : shapes->size());
+      return dof_handler.n_dofs() + (shapes == nullptr ? 0 : shapes->size());
     }
 
     /** Those that belong to this rank, and those of the cells that it sees. */
-    const dealii::IndexSet &
-    locally_owned_unknowns() const
-    {
-      return owned_unknowns;
-    }
-    const dealii::IndexSet &
-    locally_relevant_unknowns() const
-    {
-      return relevant_unknowns;
-    }
+    dealii::IndexSet locally_owned_unknowns;
+    dealii::IndexSet locally_relevant_unknowns;
 
     /** The degrees of freedom of a cell, followed by the unknowns of the
      * singular functions, which reach everywhere. */
@@ -198,11 +166,7 @@ namespace Crevasse
      * there are others: Gauss with 5 points near the tip and, for each of its
      * vertices, one for a cell that has the tip there (Duffy's
      * transformation). */
-    const dealii::hp::QCollection<dim> &
-    quadratures() const
-    {
-      return rules;
-    }
+    dealii::hp::QCollection<dim> quadratures;
 
     /** Which of these a cell has. */
     unsigned int
@@ -217,7 +181,7 @@ namespace Crevasse
     quadrature(const typename dealii::Triangulation<dim>::active_cell_iterator
                  &cell) const
     {
-      return rules[rule(cell)];
+      return quadratures[rule(cell)];
     }
     const dealii::Quadrature<dim - 1> &
     face_quadrature() const
@@ -239,7 +203,7 @@ namespace Crevasse
     bool
     is_tied(const dealii::types::global_dof_index dof) const
     {
-      const auto *entries = affine_constraints.get_constraint_entries(dof);
+      const auto *entries = constraints.get_constraint_entries(dof);
       return entries != nullptr && !entries->empty();
     }
     /** Fixed points at the nearest vertices whose unknowns are not tied,
@@ -259,22 +223,13 @@ namespace Crevasse
     void
     constrain(const FixedPoint<dim> &fixed_point);
 
-    const std::shared_ptr<const Mesh<dim>> triangulation;
-    const dealii::MappingQ<dim>            cell_mapping;
-    const dealii::FESystem<dim>            fe;
-    const dealii::QGauss<dim - 1>          face_rule;
-    const BoundaryRoles                    boundary_roles;
-    const std::vector<FixedPoint<dim>>     supports;
-    const VolumetricStrain                 volumetric;
-    dealii::DoFHandler<dim>                dofs;
-    dealii::AffineConstraints<double>      affine_constraints;
+    const dealii::QGauss<dim - 1>      face_rule;
+    const std::vector<FixedPoint<dim>> supports;
 
     std::unique_ptr<const SingularShapes> shapes; ///< of singular functions
-    dealii::IndexSet                      owned_unknowns, relevant_unknowns;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
-                                 partitioner; ///< of both
-    dealii::hp::QCollection<dim> rules;
-    std::vector<std::uint8_t>    rule_of_cell; ///< empty: all have the first
+                              partitioner;  ///< of both
+    std::vector<std::uint8_t> rule_of_cell; ///< empty: all have the first
 
     mutable std::shared_ptr<const CellLoops<dim>> loops; ///< once asked for
   };

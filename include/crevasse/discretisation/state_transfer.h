@@ -79,12 +79,12 @@ namespace Crevasse
                   const Vector               &viscous_strain,
                   const unsigned int          n_branches)
       : mesh(mesh)
-      , polynomials(mesh, space.finite_element().degree)
+      , polynomials(mesh, space.finite_element.degree)
       , displacement_dofs(mesh)
       , branches(n_branches, polynomials.coefficients())
     {
       // Numbered as the dofs of the space.
-      displacement_dofs.distribute_dofs(space.finite_element());
+      displacement_dofs.distribute_dofs(space.finite_element);
       nodal = make_vector(displacement_dofs);
       nodal.copy_locally_owned_data_from(space.nodal_values(displacement));
       nodal.update_ghost_values();
@@ -101,7 +101,7 @@ namespace Crevasse
       using Transfer =
         dealii::parallel::distributed::SolutionTransfer<dim, Vector>;
       Transfer                    of_displacement(displacement_dofs);
-      Transfer                    of_strain(polynomials.dof_handler());
+      Transfer                    of_strain(polynomials.dof_handler);
       std::vector<const Vector *> before;
       for (const Vector &branch : branches)
         before.push_back(&branch);
@@ -135,9 +135,9 @@ namespace Crevasse
          Vector                     &displacement,
          Vector                     &viscous_strain) const
     {
-      const unsigned int n = space.finite_element().n_dofs_per_cell();
+      const unsigned int n = space.finite_element.n_dofs_per_cell();
       std::vector<dealii::types::global_dof_index> from(n), to(n);
-      for (const auto &cell : owned_cells(space.dof_handler()))
+      for (const auto &cell : owned_cells(space.dof_handler))
         {
           same_cell(cell->id(), displacement_dofs)->get_dof_indices(from);
           cell->get_dof_indices(to);
@@ -145,7 +145,7 @@ namespace Crevasse
             if (displacement.in_local_range(to[i]))
               displacement(to[i]) = nodal(from[i]);
         }
-      space.constraints().set_zero(displacement);
+      space.constraints.set_zero(displacement);
       for (unsigned int branch = 0; branch < branches.size(); ++branch)
         polynomials.evaluate(space,
                              points,

@@ -37,7 +37,7 @@ namespace Crevasse
     reinit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell)
     {
       values = &cell_values.reinit(cell);
-      if (space.volumetric_strain() == VolumetricStrain::mean)
+      if (space.volumetric_strain == VolumetricStrain::mean)
         find_mean_dilatations();
       if constexpr (dim == 2)
         if (const SingularShapes *shapes = space.singular_shapes())
@@ -52,7 +52,7 @@ namespace Crevasse
     void
     at_point(const unsigned int q, std::vector<VoigtVector<dim>> &strains) const
     {
-      const dealii::FESystem<dim> &fe = space.finite_element();
+      const dealii::FESystem<dim> &fe = space.finite_element;
       strains.assign(fe.n_dofs_per_cell(), VoigtVector<dim>());
       for (unsigned int i = 0; i < strains.size(); ++i)
         {
@@ -73,7 +73,7 @@ namespace Crevasse
     void
     find_mean_dilatations()
     {
-      const dealii::FESystem<dim> &fe     = space.finite_element();
+      const dealii::FESystem<dim> &fe     = space.finite_element;
       double                       volume = 0.;
       mean_dilatations.assign(fe.n_dofs_per_cell(), 0.);
       for (const unsigned int q : values->quadrature_point_indices())
@@ -118,18 +118,15 @@ namespace Crevasse
     std::vector<dealii::types::global_dof_index> indices;
     if (matrix.m() == 0)
       {
-        const dealii::IndexSet &owned = space.locally_owned_unknowns();
+        const dealii::IndexSet &owned = space.locally_owned_unknowns;
         dealii::TrilinosWrappers::SparsityPattern sparsity(
-          owned,
-          owned,
-          space.locally_relevant_unknowns(),
-          space.communicator());
-        for (const auto &cell : owned_cells(space.dof_handler()))
+          owned, owned, space.locally_relevant_unknowns, space.communicator());
+        for (const auto &cell : owned_cells(space.dof_handler))
           {
             space.get_unknowns(cell, indices);
-            space.constraints().add_entries_local_to_global(indices,
-                                                            sparsity,
-                                                            false);
+            space.constraints.add_entries_local_to_global(indices,
+                                                          sparsity,
+                                                          false);
           }
         sparsity.compress();
         matrix.reinit(sparsity);
@@ -140,7 +137,7 @@ namespace Crevasse
     ShapeStrains<dim>             shapes(space);
     std::vector<VoigtVector<dim>> strains;
     dealii::FullMatrix<double>    cell_matrix;
-    for (const auto &cell : owned_cells(space.dof_handler()))
+    for (const auto &cell : owned_cells(space.dof_handler))
       {
         const dealii::FEValues<dim> &values = shapes.reinit(cell);
         space.get_unknowns(cell, indices);
@@ -158,9 +155,9 @@ namespace Crevasse
                   cell_matrix(i, j) += stress * strains[j];
               }
           }
-        space.constraints().distribute_local_to_global(cell_matrix,
-                                                       indices,
-                                                       matrix);
+        space.constraints.distribute_local_to_global(cell_matrix,
+                                                     indices,
+                                                     matrix);
       }
     matrix.compress(dealii::VectorOperation::add);
   }

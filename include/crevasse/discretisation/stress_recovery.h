@@ -34,21 +34,21 @@ namespace Crevasse
     StressRecovery(const Space<dim>                &space,
                    const QuadratureField<dim>      &points,
                    const std::vector<unsigned int> &materials = {})
-      : space(space)
+      : dof_handler(space.mesh())
+      , space(space)
       , points(points)
       , materials(materials)
-      , nodal_dofs(space.mesh())
     {
-      const dealii::FE_Q<dim> fe(space.finite_element().degree);
-      nodal_dofs.distribute_dofs(fe);
+      const dealii::FE_Q<dim> fe(space.finite_element.degree);
+      dof_handler.distribute_dofs(fe);
       extrapolations = fitting_matrices(fe, space);
 
       dealii::IndexSet relevant;
-      dealii::DoFTools::extract_locally_relevant_dofs(nodal_dofs, relevant);
+      dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
       layout = std::make_shared<dealii::Utilities::MPI::Partitioner>(
-        nodal_dofs.locally_owned_dofs(), relevant, space.communicator());
+        dof_handler.locally_owned_dofs(), relevant, space.communicator());
       hanging_nodes.reinit(relevant);
-      dealii::DoFTools::make_hanging_node_constraints(nodal_dofs,
+      dealii::DoFTools::make_hanging_node_constraints(dof_handler,
                                                       hanging_nodes);
       hanging_nodes.close();
 
@@ -59,11 +59,7 @@ namespace Crevasse
     }
 
     /** Scalar nodal space. */
-    const dealii::DoFHandler<dim> &
-    dof_handler() const
-    {
-      return nodal_dofs;
-    }
+    dealii::DoFHandler<dim> dof_handler;
 
     /** Between 0 and n_materials - 1 */
     unsigned int
@@ -79,8 +75,8 @@ namespace Crevasse
       return n_materials > 1;
     }
 
-    /** Calls f(cell of dof_handler(), number of a node of it, value there) for
-     * the nodes of this rank's cells, in the order of dof_handler()'s element.
+    /** Calls f(cell of dof_handler, number of a node of it, value there) for
+     * the nodes of this rank's cells, in the order of dof_handler's element.
      * Collective. */
     template <typename Function>
     void
@@ -113,7 +109,7 @@ namespace Crevasse
      * it, so that following a point through time costs next to nothing.
      * Collective; each rank gets the part of its own cells.
      *
-     * @param nodal_weights (dof of dof_handler(), weight) of the point in its
+     * @param nodal_weights (dof of dof_handler, weight) of the point in its
      * cell; empty on ranks that do not own the cell.
      * @param of_cell material of this cell; without meaning on other ranks.
      */
@@ -180,8 +176,8 @@ namespace Crevasse
     for_each_cell_of(const unsigned int material, const Function &f) const
     {
       std::vector<dealii::types::global_dof_index> indices(
-        nodal_dofs.get_fe().n_dofs_per_cell());
-      for (const auto &cell : owned_cells(nodal_dofs))
+        dof_handler.get_fe().n_dofs_per_cell());
+      for (const auto &cell : owned_cells(dof_handler))
         if (material_of(cell) == material)
           {
             cell->get_dof_indices(indices);
@@ -260,7 +256,6 @@ namespace Crevasse
     const QuadratureField<dim>                                &points;
     const std::vector<unsigned int>                            materials;
     unsigned int                                               n_materials;
-    dealii::DoFHandler<dim>                                    nodal_dofs;
     dealii::AffineConstraints<double>                          hanging_nodes;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> layout;
 

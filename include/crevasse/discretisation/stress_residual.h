@@ -36,18 +36,18 @@ namespace Crevasse
       : stress(polynomials.coefficients())
       , space(space)
       , instant(t)
-      , inside(space.mapping(),
-               polynomials.dof_handler().get_fe(),
-               dealii::QGauss<dim>(space.finite_element().degree + 1),
+      , inside(space.mapping,
+               polynomials.dof_handler.get_fe(),
+               dealii::QGauss<dim>(space.finite_element.degree + 1),
                dealii::update_gradients | dealii::update_quadrature_points |
                  dealii::update_JxW_values)
-      , faces(space.mapping(),
-              polynomials.dof_handler().get_fe(),
+      , faces(space.mapping,
+              polynomials.dof_handler.get_fe(),
               space.face_quadrature(),
               dealii::update_values | dealii::update_normal_vectors |
                 dealii::update_JxW_values | dealii::update_quadrature_points)
-      , displacement(space.mapping(),
-                     space.finite_element(),
+      , displacement(space.mapping,
+                     space.finite_element,
                      space.face_quadrature(),
                      dealii::update_values)
       , gradients(inside.n_quadrature_points,
@@ -61,9 +61,8 @@ namespace Crevasse
       for (const LoadParameters::Force &force : loads.forces())
         (force.in_volume ? volume_forces : tractions)
           .push_back(*force.components);
-      for (unsigned int k = 0; k < lip.nodes().size(); ++k)
-        pressure(lip.nodes()[k].dof) =
-          contact_forces[k] / lip.nodes()[k].weight;
+      for (unsigned int k = 0; k < lip.nodes.size(); ++k)
+        pressure(lip.nodes[k].dof) = contact_forces[k] / lip.nodes[k].weight;
       lip.spread_to_held_nodes(pressure);
     }
 
@@ -145,7 +144,7 @@ namespace Crevasse
                 const unsigned int face,
                 const Function    &added)
     {
-      const BoundaryRoles &roles = space.roles();
+      const BoundaryRoles &roles = space.roles;
       const auto           id    = cell->face(face)->boundary_id();
       if (roles.clamped.count(id) > 0)
         return 0.;
@@ -155,7 +154,7 @@ namespace Crevasse
           displacement.reinit(Cell(&space.mesh(),
                                    cell->level(),
                                    cell->index(),
-                                   &space.dof_handler()),
+                                   &space.dof_handler),
                               face);
           displacement.get_function_values(pressure, pressures);
         }

@@ -45,24 +45,12 @@ namespace Crevasse
     explicit MaxwellLaw(const MaterialParameters &parameters);
 
     /** K, in units of stress, without its factor k(t). */
-    const Property<VoigtMatrix<dim>> &
-    stiffness() const
-    {
-      return K;
-    }
+    const Property<VoigtMatrix<dim>> stiffness;
 
-    const std::vector<Branch> &
-    branches() const
-    {
-      return maxwell_branches;
-    }
+    const std::vector<Branch> branches;
 
     /** The parts of f. */
-    const std::vector<FreeStrain> &
-    free_strains() const
-    {
-      return strains;
-    }
+    std::vector<FreeStrain> free_strains;
 
     // k(t) and η₀(t). @throw SceneError if they are not positive.
     double
@@ -71,11 +59,7 @@ namespace Crevasse
     viscosity_factor(const double t) const;
 
     /** Whether stiffness and viscosity have no 33 row. */
-    bool
-    is_plane_stress() const
-    {
-      return plane_stress;
-    }
+    const bool plane_stress;
 
     /** Whether part of the stiffness does not creep: then there is no secular
      * flow. */
@@ -83,7 +67,7 @@ namespace Crevasse
     has_spring() const
     {
       double creeping = 0.;
-      for (const Branch &branch : maxwell_branches)
+      for (const Branch &branch : branches)
         creeping += branch.fraction;
       constexpr double rounding = 1e-12;
       return creeping < 1. - rounding;
@@ -93,20 +77,11 @@ namespace Crevasse
      * The τ of a body with H = (τK)⁻¹, one number in space and time; nothing
      * if it is another body.
      */
-    std::optional<double>
-    uniform_relaxation_time() const
-    {
-      return uniform_tau;
-    }
+    std::optional<double> uniform_relaxation_time;
 
   private:
-    Property<VoigtMatrix<dim>> K;
-    std::vector<Branch>        maxwell_branches;
-    std::vector<FreeStrain>    strains;
-    const bool                 plane_stress;
-    Expression                 k;
-    Expression                 eta_0;
-    std::optional<double>      uniform_tau;
+    Expression k;
+    Expression eta_0;
   };
 } // namespace Crevasse
 

@@ -21,8 +21,8 @@ namespace Crevasse
   public:
     /** @param stiffness for which is_isotropic() holds. */
     explicit PlaneElasticity(const VoigtMatrix<2> &stiffness)
-      : lambda(stiffness[0][1])
-      , mu(stiffness[3][3])
+      : shear_modulus(stiffness[3][3])
+      , lambda(stiffness[0][1])
     {
     }
 
@@ -53,29 +53,25 @@ namespace Crevasse
     }
 
     /** μ */
-    double
-    shear_modulus() const
-    {
-      return mu;
-    }
+    double shear_modulus;
 
     /** κ = (λ + 3μ)/(λ + μ): 3 − 4ν in plane strain, (3 − ν)/(1 + ν) in plane
      * stress. */
     double
     kappa() const
     {
-      return (lambda + 3. * mu) / (lambda + mu);
+      return (lambda + 3. * shear_modulus) / (lambda + shear_modulus);
     }
 
     /** E' = 8μ/(κ + 1): E in plane stress, E/(1 − ν²) in plane strain. */
     double
     modulus() const
     {
-      return 8. * mu / (kappa() + 1.);
+      return 8. * shear_modulus / (kappa() + 1.);
     }
 
   private:
-    double lambda, mu;
+    double lambda;
   };
 } // namespace Crevasse
 

@@ -60,11 +60,7 @@ namespace Crevasse
     system_at(const double t);
 
     /** See SolverSettings. */
-    const SolverSettings &
-    settings() const
-    {
-      return solver_settings;
-    }
+    SolverSettings settings;
 
     /** The factor of projected SOR for a matrix: what the scene says, or the
      * best one for the given loads. */
@@ -120,8 +116,7 @@ namespace Crevasse
     Log             &log;
 
     const UnilateralBounds              bounds;
-    std::optional<double>               sor_factor; ///< once it was searched
-    SolverSettings                      solver_settings;
+    std::optional<double>               sor_factor;  ///< once it was searched
     std::shared_ptr<ContactSystem<dim>> only_system; ///< constant stiffness
     std::shared_ptr<ContactSystem<dim>> last_system;
     SolverStatistics                    of_the_past;

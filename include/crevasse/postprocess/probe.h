@@ -37,19 +37,11 @@ namespace Crevasse
     }
 
     /** Whether the point lies on the crack lip. */
-    bool
-    on_lip() const
-    {
-      return is_on_lip;
-    }
+    bool on_lip = false;
 
     /** Of a point between materials the middle of the cell whose stress it has,
      * on the left, else below, else in front. */
-    const std::optional<dealii::Point<dim>> &
-    side_of_interface() const
-    {
-      return side;
-    }
+    std::optional<dealii::Point<dim>> side_of_interface;
 
     /** Collective. */
     dealii::Tensor<1, dim>
@@ -111,11 +103,10 @@ namespace Crevasse
     void
     find_lip_weights(const Place &place, const Space<dim> &space);
 
-    const Probe<dim>                  probe;
-    const MPI_Comm                    communicator;
-    const StressRecovery<dim>        &recovery;
-    const ContactBoundary<dim>       &lip;
-    std::optional<dealii::Point<dim>> side;
+    const Probe<dim>            probe;
+    const MPI_Comm              communicator;
+    const StressRecovery<dim>  &recovery;
+    const ContactBoundary<dim> &lip;
 
     /** Of this rank's unknowns, by their local index, and lip nodes. */
     std::array<std::vector<std::pair<unsigned int, double>>, dim>
@@ -123,7 +114,6 @@ namespace Crevasse
     typename StressRecovery<dim>::PointWeights   stress_weights;
     std::vector<std::pair<unsigned int, double>> pressure_weights;
 
-    bool                   is_on_lip = false;
     dealii::Tensor<1, dim> normal; ///< inward, of the lip; 0 off it
     double                 gap = 0.;
   };

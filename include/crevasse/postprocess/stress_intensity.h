@@ -66,8 +66,8 @@ namespace Crevasse
     PlaneElasticity
     elasticity(const double t) const
     {
-      return body.material.stiffness_varies() ? find_elasticity(t)
-                                              : first_elasticity;
+      return body.material.stiffness_varies ? find_elasticity(t)
+                                            : first_elasticity;
     }
 
     /** Where another boundary or another stiffness begins. */

@@ -22,10 +22,10 @@ namespace Crevasse
                    const Body<dim>   &body,
                    const StepList    &steps,
                    const unsigned int period)
-      : body(body)
+      : estimator(body.space, body.points, body.lip, scene.loads)
+      , body(body)
       , period(period)
       , rounding(1e-12 * scene.loads.period)
-      , stress_estimator(body.space, body.points, body.lip, scene.loads)
     {
       for (const double t : instants_of_estimate(scene, body, steps))
         instants.insert(steps.within_period(steps.instant(steps.nearest(t))));
@@ -41,10 +41,10 @@ namespace Crevasse
       if (next == instants.begin())
         return;
       instants.erase(instants.begin(), next);
-      stress_estimator.look_at(sample.instant,
-                               sample.state.stress,
-                               sample.state.contact_forces,
-                               body.material.at(sample.instant));
+      estimator.look_at(sample.instant,
+                        sample.state.stress,
+                        sample.state.contact_forces,
+                        body.material.at(sample.instant));
     }
 
     void
@@ -52,21 +52,16 @@ namespace Crevasse
     {
       archive.section("estimate");
       archive.common(instants);
-      stress_estimator.serialize(archive);
+      estimator.serialize(archive);
     }
 
-    const StressEstimator<dim> &
-    estimator() const
-    {
-      return stress_estimator;
-    }
+    StressEstimator<dim> estimator;
 
   private:
-    const Body<dim>     &body;
-    const unsigned int   period;
-    const double         rounding; ///< of instants
-    StressEstimator<dim> stress_estimator;
-    std::set<double>     instants; ///< still to come
+    const Body<dim>   &body;
+    const unsigned int period;
+    const double       rounding; ///< of instants
+    std::set<double>   instants; ///< still to come
   };
 } // namespace Crevasse
 

@@ -42,7 +42,7 @@ namespace Crevasse
       if (!follows_lip)
         return;
       const Vector    &beta     = work.start.flow->velocity;
-      const auto      &nodes    = setup.body.lip.nodes();
+      const auto      &nodes    = setup.body.lip.nodes;
       constexpr double rounding = 1e-10;
       const double     opens    = rounding * beta.linfty_norm();
       for (unsigned int k = 0; k < nodes.size(); ++k)
@@ -77,7 +77,7 @@ namespace Crevasse
       for (double OpeningNode::*entry :
            {&OpeningNode::least, &OpeningNode::integral, &OpeningNode::last})
         {
-          std::vector<double> values(setup.body.lip.nodes().size());
+          std::vector<double> values(setup.body.lip.nodes.size());
           for (const OpeningNode &node : opening_nodes)
             values[node.index] = node.*entry;
           archive.on_bounds(values);
@@ -153,7 +153,7 @@ namespace Crevasse
       constexpr double rounding = 1e-9; // of the forces that are in balance
       const double pressing = rounding * sample.right_hand_side.linfty_norm();
       const bool   is_whole = sample.secular_flow == nullptr;
-      const auto  &nodes    = setup.body.lip.nodes();
+      const auto  &nodes    = setup.body.lip.nodes;
       const std::vector<double> &forces = sample.state.contact_forces;
       const double half_step            = 0.5 * (sample.instant - last_instant);
       for (OpeningNode &opening : opening_nodes)
@@ -187,7 +187,7 @@ namespace Crevasse
     largest_closing_rate(const double accuracy) const
     {
       double closing = 0.;
-      for (const LipNode<dim> &node : setup.body.lip.nodes())
+      for (const LipNode<dim> &node : setup.body.lip.nodes)
         closing = std::max(closing, -node.sign * gain(node.dof));
       closing = dealii::Utilities::MPI::max(closing, communicator);
       // Where the lip never opens, solves move its nodes by what they leave.
@@ -211,7 +211,7 @@ namespace Crevasse
           auto        &entry    = secular["per_probe"][probe.name()];
           const double pressure = probe.pressure(mean.contact_forces);
           entry["beta"] = components(probe.displacement(mean.displacement));
-          if (probe.on_lip())
+          if (probe.on_lip)
             entry["mean_pressure"] = pressure;
         }
     }
@@ -227,7 +227,7 @@ namespace Crevasse
       for (const OpeningNode &opening : opening_nodes)
         {
           const double swing = opening.integral / last_instant - opening.least;
-          const double gap   = setup.body.lip.nodes()[opening.index].gap;
+          const double gap   = setup.body.lip.nodes[opening.index].gap;
           onset              = std::max(onset, (gap + swing) / opening.rate);
         }
       onset = dealii::Utilities::MPI::max(onset, communicator);

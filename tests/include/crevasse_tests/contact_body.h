@@ -34,7 +34,7 @@ public:
     , lip(space, Crevasse::Expression("0"))
     , usual_traction(traction)
   {
-    for (const auto &node : lip.nodes())
+    for (const auto &node : lip.nodes)
       {
         bounds.dofs.push_back(node.dof);
         bounds.sign.push_back(node.sign);

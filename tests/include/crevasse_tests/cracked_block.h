@@ -105,7 +105,7 @@ private:
       Crevasse::isotropic_stiffness<dim>(13000., 0.2, dim == 2);
     if (jump == 1.)
       return Crevasse::PointValues<Matrix>(soft);
-    std::vector<std::uint32_t> which(this->points.n_local_points());
+    std::vector<std::uint32_t> which(this->points.n_local_points);
     for (const auto &cell : this->space.mesh().active_cell_iterators())
       if (cell->is_locally_owned())
         {

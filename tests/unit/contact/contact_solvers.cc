@@ -223,7 +223,7 @@ namespace
     AmgCg                  amg(plate.matrix,
               rigid_modes(plate.space),
               dim,
-              plate.space.finite_element().degree > 1);
+              plate.space.finite_element.degree > 1);
     const double           tolerance = 1e-12;
 
     Solvers solvers;

@@ -47,12 +47,12 @@ namespace
       q, [&](const std::size_t point, const VoigtVector<dim> &strain) {
         QuadratureField<dim>::set(strains, point, strain);
       });
-    dealii::FEValues<dim> values(space.mapping(),
-                                 space.finite_element(),
-                                 space.quadratures()[0],
+    dealii::FEValues<dim> values(space.mapping,
+                                 space.finite_element,
+                                 space.quadratures[0],
                                  dealii::update_JxW_values);
     double                sum = 0.;
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    for (const auto &cell : space.dof_handler.active_cell_iterators())
       {
         values.reinit(cell);
         for (const unsigned int k : values.quadrature_point_indices())
@@ -98,7 +98,7 @@ namespace
     strain_operator.initialize(matrix_free);
     points.initialize(stress);
     fill_at_random(q);
-    space.constraints().set_zero(q);
+    space.constraints.set_zero(q);
 
     SparseMatrix                        matrix;
     const PointValues<VoigtMatrix<dim>> stiffness(K);
@@ -213,11 +213,11 @@ namespace
     };
     Vector field;
     points.initialize(field);
-    dealii::FEValues<dim> values(space.mapping(),
-                                 space.finite_element(),
-                                 space.quadratures()[0],
+    dealii::FEValues<dim> values(space.mapping,
+                                 space.finite_element,
+                                 space.quadratures[0],
                                  dealii::update_quadrature_points);
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    for (const auto &cell : space.dof_handler.active_cell_iterators())
       {
         values.reinit(cell);
         for (const unsigned int q : values.quadrature_point_indices())
@@ -235,7 +235,7 @@ namespace
         double                   error = 0.;
         State                    state;
         state.stress = field;
-        state.contact_forces.resize(lip.nodes().size());
+        state.contact_forces.resize(lip.nodes.size());
         const auto row = probe_row(*p, space, points, state);
         for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
           error =
@@ -244,10 +244,10 @@ namespace
         check_below(name + ": recovered at probe " + p->name(), error, 1e-12);
       }
     check(name + ": the corner lies on the lip, the inner point does not",
-          corner.on_lip() && !probe.on_lip());
+          corner.on_lip && !probe.on_lip);
 
     double size = 0.;
-    for (const LipNode<dim> &node : lip.nodes())
+    for (const LipNode<dim> &node : lip.nodes)
       size += node.weight;
     check_below(name + ": sum of the lip's weights - size",
                 std::abs(size - 1.),

@@ -205,7 +205,7 @@ namespace
     section(std::to_string(dim) + "D, Q" + std::to_string(degree) + ", " +
             name_of(viscosity));
     check("hanging nodes",
-          space.constraints().n_constraints() > 0 &&
+          space.constraints.n_constraints() > 0 &&
             space.mesh().has_hanging_nodes());
     check_below("stress error / largest stress",
                 stress_error / s.norm(),

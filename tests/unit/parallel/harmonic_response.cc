@@ -117,7 +117,7 @@ namespace
           q_size            = std::max(q_size, difference.linfty_norm());
           difference -= result.motion.displacement[j];
           q_miss = std::max(q_miss, difference.linfty_norm());
-          for (unsigned int k = 0; k < body.lip.nodes().size(); ++k)
+          for (unsigned int k = 0; k < body.lip.nodes.size(); ++k)
             {
               const double g = evolution.state().contact_forces[k];
               g_miss =
@@ -131,7 +131,7 @@ namespace
       check_below(name + ": contact forces of the samples, relative to loads",
                   dealii::Utilities::MPI::max(g_miss,
                                               body.space.communicator()) /
-                    systems.settings().largest_load,
+                    systems.settings.largest_load,
                   1e-11);
     }
 
@@ -219,7 +219,7 @@ namespace
   {
     Run                    run(edge_crack(sine, "60"), MPI_COMM_SELF);
     const auto            &body     = run.body;
-    const std::size_t      n_points = body.points.n_local_points();
+    const std::size_t      n_points = body.points.n_local_points;
     const MaterialState<2> material = body.material.at(0.);
     const Complex          kappa(0., -3.);
     const ComplexModuli<2> moduli(material, kappa, n_points);

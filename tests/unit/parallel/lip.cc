@@ -46,12 +46,12 @@ namespace
   set_displacement(const Space<dim> &space, Vector &displacement)
   {
     std::map<dealii::types::global_dof_index, dealii::Point<dim>> points;
-    dealii::DoFTools::map_dofs_to_support_points(space.mapping(),
-                                                 space.dof_handler(),
+    dealii::DoFTools::map_dofs_to_support_points(space.mapping,
+                                                 space.dof_handler,
                                                  points);
-    const auto                                  &fe = space.finite_element();
+    const auto                                  &fe = space.finite_element;
     std::vector<dealii::types::global_dof_index> indices(fe.n_dofs_per_cell());
-    for (const auto &cell : space.dof_handler().active_cell_iterators())
+    for (const auto &cell : space.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           cell->get_dof_indices(indices);
@@ -61,7 +61,7 @@ namespace
                 points[indices[i]][0] +
                 2. * fe.system_to_component_index(i).first;
         }
-    space.constraints().set_zero(displacement);
+    space.constraints.set_zero(displacement);
     displacement.update_ghost_values();
     displacement.zero_out_ghost_values(); // as after a sweep of D
   }
@@ -87,7 +87,7 @@ namespace
     State state;
     state.displacement = space.ghosted_vector();
     set_displacement(space, state.displacement);
-    for (const LipNode<dim> &node : lip.nodes())
+    for (const LipNode<dim> &node : lip.nodes)
       state.contact_forces.push_back(10. * node.weight);
     const LipState    now  = lip_state(lip, state);
     const std::string name = "Q" + std::to_string(degree);
@@ -110,7 +110,7 @@ namespace
           make_probes(parse_probes(place), space, recovery, lip);
         const auto &probe  = probes.front();
         const auto  row    = probe_row(probe, space, points, state);
-        const bool  on_lip = probe.on_lip();
+        const bool  on_lip = probe.on_lip;
         std::cout << name << ", " << place << (on_lip ? " on the lip" : "")
                   << ": u_1 " << row[1] << ", opening "
                   << (on_lip ? row[row.size() - 2] : 0.) << ", pressure "
@@ -165,7 +165,7 @@ namespace
     state.displacement = q;
 
     double least_weight = 1.;
-    for (const LipNode<dim> &node : lip.nodes())
+    for (const LipNode<dim> &node : lip.nodes)
       least_weight = std::min(least_weight, node.weight);
     const std::string name =
       std::to_string(dim) + "D, Q" + std::to_string(degree);

@@ -52,7 +52,7 @@ namespace
     Vector v;
     block.strain_operator.initialize(v);
     for (const auto i : v.locally_owned_elements())
-      v(i) = block.space.constraints().is_constrained(i)
+      v(i) = block.space.constraints.is_constrained(i)
                ? 0.
                : std::sin(phase + 7. * double(i));
     return v;
@@ -71,7 +71,7 @@ namespace
   PointValues<VoigtMatrix<dim>>
   varying(const CrackedBlock<dim> &block)
   {
-    std::vector<VoigtMatrix<dim>> values(block.points.n_local_points(),
+    std::vector<VoigtMatrix<dim>> values(block.points.n_local_points,
                                          block.stiffness[0]);
     for (std::size_t p = 0; p < values.size(); ++p)
       values[p] *= 1. + 0.5 * std::sin(double(p));
@@ -97,7 +97,7 @@ namespace
     // Where no hanging node adds to it.
     double of_diagonal = 0.;
     for (const auto i : v.locally_owned_elements())
-      if (kind.n_tip == 0 && !block.space.constraints().is_constrained(i))
+      if (kind.n_tip == 0 && !block.space.constraints.is_constrained(i))
         of_diagonal =
           std::max(of_diagonal,
                    std::abs(A.diagonal()(i) / matrix.diag_element(i) - 1.));
@@ -164,7 +164,7 @@ namespace
                  block.bounds.dofs);
     std::vector<dealii::types::global_dof_index> held;
     for (std::size_t k = 0; k < block.bounds.dofs.size(); k += 2)
-      if (!block.space.constraints().is_constrained(block.bounds.dofs[k]))
+      if (!block.space.constraints.is_constrained(block.bounds.dofs[k]))
         held.push_back(block.bounds.dofs[k]);
     gmg.hold(held);
 
@@ -191,7 +191,7 @@ namespace
     constexpr double                  unit = 1e60;
     const PointValues<VoigtMatrix<2>> in_other_units =
       transform(block.stiffness,
-                block.points.n_local_points(),
+                block.points.n_local_points,
                 [&](const VoigtMatrix<2> &K) -> VoigtMatrix<2> {
                   return unit * K;
                 });

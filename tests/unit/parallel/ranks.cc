@@ -34,8 +34,8 @@ namespace
   by_place(const PlateOnPlane<dim> &plate, const Vector &q)
   {
     std::map<dealii::types::global_dof_index, dealii::Point<dim>> points;
-    const auto &dofs = plate.space.dof_handler();
-    dealii::DoFTools::map_dofs_to_support_points(plate.space.mapping(),
+    const auto &dofs = plate.space.dof_handler;
+    dealii::DoFTools::map_dofs_to_support_points(plate.space.mapping,
                                                  dofs,
                                                  points);
     std::map<PointOrder, double> entries;
@@ -44,7 +44,7 @@ namespace
         dealii::ComponentMask mask(dim, false);
         mask.set(component, true);
         for (const auto dof : dealii::DoFTools::extract_dofs(dofs, mask))
-          if (!plate.space.constraints().is_constrained(dof))
+          if (!plate.space.constraints.is_constrained(dof))
             {
               std::array<long, 3> place{};
               for (unsigned int d = 0; d < dim; ++d)

@@ -77,11 +77,11 @@ namespace
     void
     for_each_value(const Function &f)
     {
-      dealii::FEValues<dim> values(space.mapping(),
-                                   space.finite_element(),
-                                   space.quadratures()[0],
+      dealii::FEValues<dim> values(space.mapping,
+                                   space.finite_element,
+                                   space.quadratures[0],
                                    dealii::update_quadrature_points);
-      for (const auto &cell : space.dof_handler().active_cell_iterators())
+      for (const auto &cell : space.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned())
           {
             values.reinit(cell);
@@ -163,11 +163,11 @@ namespace
       before->strain.local_element(place) =
         is_polynomial ? polynomial<dim>(point, degree, k) : uniform(generator);
     });
-    dealii::VectorTools::interpolate(before->space.mapping(),
-                                     before->space.dof_handler(),
+    dealii::VectorTools::interpolate(before->space.mapping,
+                                     before->space.dof_handler,
                                      Displacement<dim>(degree),
                                      before->displacement);
-    before->space.constraints().set_zero(before->displacement);
+    before->space.constraints.set_zero(before->displacement);
     const FieldNorms<dim> norms_before =
       field_norms(before->space, before->strain, n_branches);
     const auto cells_before = mesh->n_global_active_cells();
@@ -214,11 +214,11 @@ namespace
                 1e-12);
     Vector expected;
     after.strain_operator.initialize(expected);
-    dealii::VectorTools::interpolate(after.space.mapping(),
-                                     after.space.dof_handler(),
+    dealii::VectorTools::interpolate(after.space.mapping,
+                                     after.space.dof_handler,
                                      Displacement<dim>(degree),
                                      expected);
-    after.space.constraints().set_zero(expected);
+    after.space.constraints.set_zero(expected);
     expected -= after.displacement;
     check_below(name + ": error of a polynomial displacement",
                 expected.linfty_norm(),

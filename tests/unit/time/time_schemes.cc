@@ -525,8 +525,8 @@ namespace
   relaxation_rate(const MaterialParameters &material)
   {
     const MaxwellLaw<2> law(material);
-    return relaxation_rates<2>(law.branches()[0].fluidity.at(Place<2>()),
-                               law.stiffness().at(Place<2>()))
+    return relaxation_rates<2>(law.branches[0].fluidity.at(Place<2>()),
+                               law.stiffness.at(Place<2>()))
       .largest;
   }
 
