@@ -8,12 +8,14 @@
 #include <deal.II/base/point.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/functional/hash.hpp>
+#include <cmath>
+#include <limits>
 #include <mutex>
+#include <numeric>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace Crevasse
 {
@@ -36,8 +38,25 @@ namespace Crevasse
       std::array<double, dim + 1> weights;
     };
 
-    SimplexLocator(std::vector<dealii::Point<dim>> vertices,
-                   std::vector<Simplex>            simplices);
+    SimplexLocator(std::vector<dealii::Point<dim>> all_vertices,
+                   std::vector<Simplex>            all_simplices)
+      : vertices(std::move(all_vertices))
+      , simplices(std::move(all_simplices))
+    {
+      std::vector<Box> all;
+      for (std::size_t i = 0; i < simplices.size(); ++i)
+        {
+          std::vector<dealii::Point<dim>> corners;
+          for (const unsigned int vertex : simplices[i])
+            corners.push_back(vertices[vertex]);
+          dealii::BoundingBox<dim> box(corners);
+          const auto &[lower, upper] = box.get_boundary_points();
+          diameters.push_back(lower.distance(upper));
+          box.extend(largest_gap * diameters.back());
+          all.emplace_back(box, i);
+        }
+      boxes = dealii::pack_rtree(all);
+    }
 
     std::size_t
     n_vertices() const
@@ -52,7 +71,24 @@ namespace Crevasse
     bool
     interpolate(const dealii::Point<dim>  &point,
                 const std::vector<double> &values,
-                double                    &value) const;
+                double                    &value) const
+    {
+      Coordinates coordinates;
+      for (unsigned int d = 0; d < dim; ++d)
+        coordinates[d] = point[d];
+
+      const std::lock_guard<std::mutex> lock(guard);
+      auto                              place = known.find(coordinates);
+      if (place == known.end())
+        place = known.emplace(coordinates, find(point)).first;
+      const Location &location = place->second;
+      if (location.weights == std::array<double, dim + 1>())
+        return false;
+      value = 0.;
+      for (unsigned int i = 0; i <= dim; ++i)
+        value += location.weights[i] * values[simplices[location.simplex][i]];
+      return true;
+    }
 
     /** Width of the gap that is bridged, in diameters of the simplex' bounding
      * box: an edge that spans the angle φ leaves φ/8. */
@@ -64,12 +100,76 @@ namespace Crevasse
 
     /** Weights that are all zero if the point lies outside. */
     Location
-    find(const dealii::Point<dim> &point) const;
+    find(const dealii::Point<dim> &point) const
+    {
+      namespace index = boost::geometry::index;
+
+      Location nearest{0, {}};
+      double   least = largest_gap;
+      for (auto box = boxes.qbegin(index::intersects(point));
+           box != boxes.qend() && least > 1e-12;
+           ++box)
+        {
+          const auto [location, distance] = project(point, box->second);
+          const double gap                = distance / diameters[box->second];
+          if (gap <= least)
+            {
+              least   = gap;
+              nearest = location;
+            }
+        }
+      return nearest;
+    }
 
     /** The place in a simplex that is nearest to the point, and the distance
      * from it; infinity for a flat simplex. */
     std::pair<Location, double>
-    project(const dealii::Point<dim> &point, const std::size_t simplex) const;
+    project(const dealii::Point<dim> &point, const std::size_t simplex) const
+    {
+      const Simplex         &corners = simplices[simplex];
+      dealii::Tensor<2, dim> jacobian;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int d = 0; d < dim; ++d)
+          jacobian[d][i] =
+            vertices[corners[i + 1]][d] - vertices[corners[0]][d];
+      Location location{simplex, {}};
+      if (!(std::abs(dealii::determinant(jacobian)) >
+            1e-14 * std::pow(diameters[simplex], dim)))
+        return {location, std::numeric_limits<double>::infinity()};
+
+      // The gradients of the barycentric coordinates, and these at the point.
+      const dealii::Tensor<2, dim> inverse = dealii::invert(jacobian);
+      std::array<dealii::Tensor<1, dim>, dim + 1> gradients;
+      std::array<double, dim + 1>                &weights = location.weights;
+      weights[0]                                          = 1.;
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          gradients[i + 1] = inverse[i];
+          gradients[0] -= inverse[i];
+          weights[i + 1] = inverse[i] * (point - vertices[corners[0]]);
+          weights[0] -= weights[i + 1];
+        }
+
+      // Perpendicularly onto each face that the point is beyond; what is left
+      // of negative weights then is beyond an edge or a corner.
+      for (unsigned int i = 0; i <= dim; ++i)
+        if (weights[i] < 0.)
+          {
+            const double step = weights[i] / gradients[i].norm_square();
+            for (unsigned int j = 0; j <= dim; ++j)
+              weights[j] -= step * (gradients[i] * gradients[j]);
+          }
+      for (double &weight : weights)
+        weight = std::max(weight, 0.);
+      const double sum = std::accumulate(weights.begin(), weights.end(), 0.);
+      dealii::Point<dim> place;
+      for (unsigned int i = 0; i <= dim; ++i)
+        {
+          weights[i] /= sum;
+          place += weights[i] * vertices[corners[i]];
+        }
+      return {location, place.distance(point)};
+    }
 
     const std::vector<dealii::Point<dim>> vertices;
     const std::vector<Simplex>            simplices;

@@ -4,16 +4,22 @@
 #ifndef crevasse_temperature_temperature_file_h
 #define crevasse_temperature_temperature_file_h
 
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+
 #include <deal.II/base/point.h>
 
-#include <string>
-#include <vector>
+#include <algorithm>
+
 
 namespace Crevasse
 {
   /** @throw SceneError that names the file. */
-  [[noreturn]] void
-  refuse_temperature(const std::string &file_name, const std::string &reason);
+  [[noreturn]] inline void
+  refuse_temperature(const std::string &file_name, const std::string &reason)
+  {
+    throw SceneError("[Loads] Temperature = " + file_name + ": " + reason);
+  }
 
   /**
    * A temperature that a file gives at some instants of the period: linear in
@@ -34,7 +40,22 @@ namespace Crevasse
 
     /** @throw SceneError if the file knows nothing about the point. */
     double
-    value(const dealii::Point<dim> &point, const double t) const;
+    value(const dealii::Point<dim> &point, const double t) const
+    {
+      // The last instant is followed by the first of the next period.
+      const std::size_t next =
+        std::upper_bound(instants.begin(), instants.end(), t) -
+        instants.begin();
+      const std::size_t n      = instants.size();
+      const std::size_t before = (next + n - 1) % n, after = next % n;
+      const double      begin  = instants[before] - (next == 0 ? period : 0.);
+      const double      end    = instants[after] + (next == n ? period : 0.);
+      const double      weight = end > begin ? (t - begin) / (end - begin) : 0.;
+      if (before == after || weight == 0.)
+        return value_at_instant(point, before);
+      return (1. - weight) * value_at_instant(point, before) +
+             weight * value_at_instant(point, after);
+    }
 
     std::size_t
     n_instants() const
@@ -46,7 +67,17 @@ namespace Crevasse
     /** To be called first of all by whoever reads the file, with the instants
      * in ascending order. @throw SceneError if one is outside of the period. */
     void
-    set_instants(std::vector<double> instants);
+    set_instants(std::vector<double> new_instants)
+    {
+      instants = std::move(new_instants);
+      if (instants.front() < 0. || instants.back() > period)
+        refuse_temperature(
+          file_name,
+          "its instants go from " + Text::from_number(instants.front()) +
+            " to " + Text::from_number(instants.back()) +
+            "; they must be within the period, from 0 to [Loads] Period = " +
+            Text::from_number(period) + ".");
+    }
 
     const std::string file_name;
 

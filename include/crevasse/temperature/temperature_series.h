@@ -4,13 +4,94 @@
 #ifndef crevasse_temperature_temperature_series_h
 #define crevasse_temperature_temperature_series_h
 
+#include <crevasse/base/text_file.h>
 #include <crevasse/temperature/simplex_locator.h>
 #include <crevasse/temperature/temperature_file.h>
 
+#include <cmath>
+#include <functional>
+#include <hdf5.h>
 #include <memory>
 
 namespace Crevasse
 {
+  /** The arrays of numbers of an HDF5 file. deal.II's classes check nothing
+   * in the optimised flavour. */
+  class NumberFile
+  {
+  public:
+    NumberFile(const std::string &name)
+      : file_name(name)
+    {
+      if (const std::string why = why_unreadable(name); !why.empty())
+        throw FileError("[Loads] Temperature = " + name + ": " + why);
+      H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // messages are ours
+      file = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+      if (file < 0)
+        throw_error(
+          "is not an HDF5 file, or a damaged one; the fields of "
+          "other programs are converted by \"crevasse temperature\".");
+    }
+
+    NumberFile(const NumberFile &) = delete;
+
+    ~NumberFile()
+    {
+      H5Fclose(file);
+    }
+
+    /** All rows of a dataset with @p n_columns, one after the other. */
+    std::vector<double>
+    read(const std::string &name, const hsize_t n_columns) const
+    {
+      const hid_t set = H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0
+                          ? H5Dopen2(file, name.c_str(), H5P_DEFAULT)
+                          : -1;
+      if (set < 0)
+        throw_error("has no dataset \"" + name + "\".");
+      const hid_t          space    = H5Dget_space(set);
+      std::vector<hsize_t> extents  = {0, 1};
+      const int            n_dims   = H5Sget_simple_extent_ndims(space);
+      const bool           is_table = n_dims == (n_columns > 1 ? 2 : 1);
+      if (is_table)
+        H5Sget_simple_extent_dims(space, extents.data(), nullptr);
+      H5Sclose(space);
+      std::vector<double> numbers;
+      if (is_table && extents[1] == n_columns)
+        numbers.resize(extents[0] * n_columns);
+      const bool is_read = !numbers.empty() && H5Dread(set,
+                                                       H5T_NATIVE_DOUBLE,
+                                                       H5S_ALL,
+                                                       H5S_ALL,
+                                                       H5P_DEFAULT,
+                                                       numbers.data()) >= 0;
+      H5Dclose(set);
+      if (!is_read)
+        throw_error("its dataset \"" + name + "\" must be rows of " +
+                    std::to_string(n_columns) + " numbers" +
+                    (name.rfind("points", 0) == 0
+                       ? ", for Dimension = " + std::to_string(n_columns)
+                       : "") +
+                    ".");
+      if (!std::all_of(numbers.begin(), numbers.end(), [](const double x) {
+            return std::isfinite(x);
+          }))
+        throw_error("its dataset \"" + name +
+                    "\" has a number that is not finite.");
+      return numbers;
+    }
+
+    [[noreturn]] void
+    throw_error(const std::string &reason) const
+    {
+      refuse_temperature(file_name, reason);
+    }
+
+  private:
+    const std::string file_name;
+    hid_t             file;
+  };
+
   /**
    * A temperature that another program has computed, on triangles (tetrahedra),
    * as `crevasse temperature` writes it. The HDF5 file has the datasets
@@ -28,7 +109,37 @@ namespace Crevasse
   {
   public:
     /** @throw SceneError that names the file and what is wrong with it. */
-    TemperatureSeries(const std::string &file_name, const double period);
+    TemperatureSeries(const std::string &file_name, const double period)
+      : TemperatureFile<dim>(file_name, period)
+    {
+      const NumberFile file(file_name);
+      const auto       times = file.read("times", 1);
+      if (std::adjacent_find(times.begin(),
+                             times.end(),
+                             std::greater_equal<>()) != times.end())
+        file.throw_error("its dataset \"times\" must be ascending.");
+      this->set_instants(times);
+
+      const auto mesh_of = file.read("mesh_of", 1);
+      if (mesh_of.size() != times.size())
+        file.throw_error(
+          "its dataset \"mesh_of\" must have as many entries as \"times\".");
+      std::map<double, std::shared_ptr<const SimplexLocator<dim>>> meshes;
+      for (std::size_t i = 0; i < times.size(); ++i)
+        {
+          auto &locator = meshes[mesh_of[i]];
+          if (locator == nullptr)
+            locator = read_simplices(file, Text::from_number(mesh_of[i]));
+          const std::string name = "theta_" + std::to_string(i);
+          snapshots.push_back({locator, file.read(name, 1)});
+          if (const std::size_t n = snapshots.back().values.size();
+              n != locator->n_vertices())
+            file.throw_error("its dataset \"" + name + "\" has " +
+                             std::to_string(n) + " rows for " +
+                             std::to_string(locator->n_vertices()) +
+                             " points.");
+        }
+    }
 
   private:
     struct Snapshot
@@ -38,10 +149,53 @@ namespace Crevasse
       std::vector<double>                        values;
     };
 
+    static std::shared_ptr<const SimplexLocator<dim>>
+    read_simplices(const NumberFile &file, const std::string &number)
+    {
+      const auto coordinates = file.read("points_" + number, dim);
+      const auto corners     = file.read("cells_" + number, dim + 1);
+
+      std::vector<dealii::Point<dim>> points(coordinates.size() / dim);
+      for (std::size_t i = 0; i < coordinates.size(); ++i)
+        points[i / dim][i % dim] = coordinates[i];
+      using Simplex = typename SimplexLocator<dim>::Simplex;
+      std::vector<Simplex> cells(corners.size() / (dim + 1));
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        {
+          if (!(corners[i] >= 0. && corners[i] < points.size()))
+            file.throw_error("its dataset \"cells_" + number +
+                             "\" has the entry " +
+                             Text::from_number(corners[i]) +
+                             "; allowed are integers from 0 to " +
+                             std::to_string(points.size() - 1) + ".");
+          cells[i / (dim + 1)][i % (dim + 1)] = corners[i];
+        }
+      return std::make_shared<const SimplexLocator<dim>>(std::move(points),
+                                                         std::move(cells));
+    }
+
     /** @throw SceneError if the point lies outside of the mesh. */
     double
     value_at_instant(const dealii::Point<dim> &point,
-                     const std::size_t         instant) const override;
+                     const std::size_t         instant) const override
+    {
+      const Snapshot &snapshot = snapshots[instant];
+      double          value    = 0.;
+      if (!snapshot.locator->interpolate(point, snapshot.values, value))
+        refuse_temperature(
+          this->file_name,
+          "the body has the point " + Text::from_point(point) +
+            ", which lies outside of the mesh" +
+            (snapshots.size() == 1
+               ? ""
+               : " of instant " + std::to_string(instant + 1) + " of " +
+                   std::to_string(snapshots.size())) +
+            ", further than " +
+            Text::from_number(SimplexLocator<dim>::largest_gap) +
+            " of the size of the cells there; the mesh must cover the "
+            "body, in the same unit of length.");
+      return value;
+    }
 
     std::vector<Snapshot> snapshots; ///< one for each instant
   };
