@@ -5,7 +5,10 @@
 #define crevasse_checkpoint_checkpoint_writer_h
 
 #include <crevasse/base/checkpointer.h>
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
 #include <crevasse/checkpoint/checkpoints.h>
+#include <crevasse/checkpoint/field_archive.h>
 #include <crevasse/model/body.h>
 
 namespace Crevasse
@@ -30,23 +33,106 @@ namespace Crevasse
                      const Body<dim>              &body,
                      const unsigned int            n_stresses,
                      const unsigned int            last_period,
-                     const Checkpoints::Serialize &header);
+                     const Checkpoints::Serialize &header)
+      : checkpoints(checkpoints)
+      , body(body)
+      , last_period(last_period)
+      , header(header)
+    {
+      checkpoints.expected_bytes = sizeof(double) * n_stress_components<dim> *
+                                   double(body.points.n_points()) * n_stresses;
+    }
 
     /** @throw StoppedOnRequest if that is asked for, with a checkpoint. */
     void
-    between_steps(const unsigned int period, const unsigned int step) override;
+    between_steps(const unsigned int period, const unsigned int step) override
+    {
+      if (checkpoints.is_resuming())
+        {
+          resume();
+          return;
+        }
+      const StopRequests::Request request = checkpoints.ask({period, step});
+      if (request == StopRequests::none)
+        return;
+      const bool is_kept = write(period, step);
+      if (request != StopRequests::stop)
+        return;
+      if (!is_kept)
+        throw FileError(
+          "Stopped on request, but no checkpoint could be written. "
+          "An older one may be there: try --resume.");
+      checkpoints.stop();
+    }
 
     /** Keeps what a run with more periods can resume from. */
     void
-    at_end_of_search(const unsigned int period) override;
+    at_end_of_search(const unsigned int period) override
+    {
+      if (period == last_period + 1 && last_period > 0)
+        write(period, 0);
+    }
 
   private:
     void
-    resume();
+    resume()
+    {
+      FieldArchive<dim> archive(std::move(checkpoints.resumed()), body);
+      serialize_parts(archive);
+      archive.section("end");
+      checkpoints.has_resumed();
+    }
 
     /** @return whether it could be written; if not, the log has the reason. */
     bool
-    write(const unsigned int period, const unsigned int step);
+    write(const unsigned int period, const unsigned int step)
+    {
+      const dealii::Timer timer;
+      const MPI_Comm      communicator = body.space.communicator();
+      const auto          on_first     = [&](const std::function<void()> &f) {
+        collectively(communicator, [&]() {
+          if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+            f();
+        });
+      };
+      CommonArchive common(communicator);
+      checkpoints.first_part(common);
+      header(common);
+      FieldArchive<dim> archive(std::move(common), body, bytes_of_cells);
+      serialize_parts(archive);
+      archive.section("end");
+      bytes_of_cells = archive.bytes_of_cells();
+
+      const CheckpointFolder &folder = checkpoints.folder;
+      CheckpointManifest      manifest;
+      manifest.period = period;
+      manifest.step   = step;
+      manifest.ranks  = dealii::Utilities::MPI::n_mpi_processes(communicator);
+      manifest.scene  = checkpoints.scene;
+      const std::size_t bytes = archive.bytes_to_save();
+      try
+        {
+          on_first([&]() { manifest.number = folder.begin(bytes); });
+          manifest.number =
+            dealii::Utilities::MPI::broadcast(communicator, manifest.number, 0);
+          const std::string path = folder.new_name(manifest.number);
+          archive.save_fields(path + Checkpoints::mesh_file);
+          on_first([&]() {
+            write_file(path + Checkpoints::common_file, archive.bytes());
+            folder.finish(manifest, checkpoints.tables);
+          });
+        }
+      catch (const FileError &error)
+        {
+          if (manifest.number > 0)
+            on_first([&]() { folder.abandon(manifest.number); });
+          checkpoints.log.warning(std::string("no checkpoint was written: ") +
+                                  error.what());
+          return false;
+        }
+      checkpoints.has_written(manifest, timer.wall_time());
+      return true;
+    }
 
     Checkpoints                 &checkpoints;
     const Body<dim>             &body;

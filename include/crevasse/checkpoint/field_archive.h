@@ -4,9 +4,12 @@
 #ifndef crevasse_checkpoint_field_archive_h
 #define crevasse_checkpoint_field_archive_h
 
+#include <crevasse/base/collectively.h>
+#include <crevasse/base/problems.h>
 #include <crevasse/checkpoint/common_archive.h>
 #include <crevasse/model/body.h>
 
+#include <filesystem>
 
 namespace Crevasse
 {
@@ -29,35 +32,172 @@ namespace Crevasse
      * vectors need up to twice the memory. */
     FieldArchive(CommonArchive                 &&common,
                  const Body<dim>                &body,
-                 const std::vector<std::size_t> &expected = {});
+                 const std::vector<std::size_t> &expected = {})
+      : CommonArchive(std::move(common))
+      , body(body)
+      , of_cells(body.space.mesh().n_active_cells())
+      , bounds(unilateral_bounds(body.lip, body.space))
+    {
+      if (!is_loading())
+        {
+          if (expected.size() == of_cells.size())
+            for (std::size_t i = 0; i < expected.size(); ++i)
+              of_cells[i].bytes.reserve(expected[i]);
+          return;
+        }
+      const unsigned int handle = mesh_of(body).register_data_attach(
+        [](const auto &, const auto) { return std::vector<char>(); }, true);
+      mesh_of(body).notify_ready_to_unpack(
+        handle, [this](const auto &cell, const auto, const auto &bytes) {
+          of_cells[cell->active_cell_index()].bytes.assign(bytes.begin(),
+                                                           bytes.end());
+        });
+    }
 
     /** Writes the mesh and all fields, after which they are gone: see
      * Triangulation::save(). Collective.
      * @throw FileError if files are not whole; deal.II's exceptions if one
      * cannot be written, after which the run cannot go on. */
     void
-    save_fields(const std::string &file_name);
+    save_fields(const std::string &file_name)
+    {
+      const std::size_t bytes = bytes_of_fields();
+      mesh_of(body).register_data_attach(
+        [this](const auto &cell, const auto) {
+          return std::move(of_cells[cell->active_cell_index()].bytes);
+        },
+        true);
+      mesh_of(body).save(file_name);
+      // p4est's ranks write one after the other: until then it is not whole.
+      const int error = MPI_Barrier(communicator());
+      AssertThrowMPI(error);
+      collectively(communicator(), [&]() {
+        if (dealii::Utilities::MPI::this_mpi_process(communicator()) == 0)
+          require_files(file_name, bytes);
+      });
+    }
 
     /** Not less than save_fields() writes, of all ranks. Collective. */
     std::size_t
-    bytes_to_save() const;
+    bytes_to_save() const
+    {
+      constexpr std::size_t bytes_of_rank = 1 << 20, bytes_of_cell = 500;
+      return bytes_of_fields() +
+             bytes_of_rank *
+               dealii::Utilities::MPI::n_mpi_processes(communicator()) +
+             bytes_of_cell * body.space.mesh().n_global_active_cells();
+    }
 
     /** Of the fields of each cell, by active cell index; before they are
      * saved. */
     std::vector<std::size_t>
-    bytes_of_cells() const;
+    bytes_of_cells() const
+    {
+      std::vector<std::size_t> bytes;
+      for (const CellData &cell : of_cells)
+        bytes.push_back(cell.bytes.size());
+      return bytes;
+    }
 
     void
-    nodal(Vector &field) override;
+    nodal(Vector &field) override
+    {
+      if (!is_there(field.size()))
+        return;
+      Vector ghosted = body.space.ghosted_vector();
+      if (is_loading())
+        body.strain_operator.initialize(field);
+      else
+        {
+          ghosted.copy_locally_owned_data_from(field);
+          ghosted.update_ghost_values();
+        }
+      std::vector<dealii::types::global_dof_index> unknowns;
+      std::vector<double>                          values;
+      for_each_cell([&](const Cell &cell) {
+        body.space.get_unknowns(cell, unknowns);
+        values.resize(unknowns.size());
+        if (!is_loading())
+          ghosted.extract_subvector_to(unknowns, values);
+        exchange_of(cell, values.data(), values.size());
+        if (is_loading())
+          for (unsigned int i = 0; i < unknowns.size(); ++i)
+            if (field.in_local_range(unknowns[i]))
+              field(unknowns[i]) = values[i];
+      });
+    }
     void
-    at_points(Vector &field) override;
+    at_points(Vector &field) override
+    {
+      if (!is_there(field.size()))
+        return;
+      constexpr unsigned int n          = n_stress_components<dim>;
+      unsigned int           n_branches = 0;
+      if (!is_loading())
+        n_branches = field.size() / (n * body.points.n_points());
+      this->common(n_branches);
+      if (is_loading())
+        body.points.initialize(field, n_branches);
+      for_each_cell([&](const Cell &cell) {
+        exchange_of(cell,
+                    field.begin() + n_branches * body.points.offset(cell),
+                    n_branches * n * body.space.quadrature(cell).size());
+      });
+    }
     void
-    on_bounds(std::vector<double> &values) override;
+    on_bounds(std::vector<double> &values) override
+    {
+      if (!is_there(values.size()))
+        return;
+      Vector field;
+      body.strain_operator.initialize(field);
+      for (std::size_t k = 0; k < values.size(); ++k)
+        field(bounds.dofs[k]) = values[k];
+      nodal(field);
+      if (!is_loading())
+        return;
+      values.clear();
+      for (const auto dof : bounds.dofs)
+        values.push_back(field(dof));
+    }
     using StateArchive::on_bounds;
     void
-    on_cells(dealii::Vector<double> &values) override;
+    on_cells(dealii::Vector<double> &values) override
+    {
+      if (is_loading())
+        values.reinit(body.space.mesh().n_active_cells());
+      for_each_cell([&](const Cell &cell) {
+        exchange_of(cell, &values(cell->active_cell_index()), 1);
+      });
+    }
 
   private:
+    /** To attach data, as SolutionTransfer does; the cells stay. */
+    static Mesh<dim> &
+    mesh_of(const Body<dim> &body)
+    {
+      return const_cast<Mesh<dim> &>(body.space.mesh());
+    }
+
+    /** On the first rank. @throw FileError if a file is not there or too small.
+     */
+    static void
+    require_files(const std::string &file_name, const std::size_t bytes)
+    {
+      for (const char *suffix : {"", ".info", "_fixed.data", "_variable.data"})
+        {
+          const std::string name = file_name + suffix;
+          std::error_code   error;
+          const std::size_t found = std::filesystem::file_size(name, error);
+          if (error)
+            throw FileError("Cannot read " + name + " (" + error.message() +
+                            ").");
+          if (found == 0 ||
+              (name == file_name + "_variable.data" && found < bytes))
+            throw FileError(name + " was not written as a whole.");
+        }
+    }
+
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
     struct CellData
@@ -68,20 +208,53 @@ namespace Crevasse
 
     /** Of all ranks. Collective. */
     std::size_t
-    bytes_of_fields() const;
+    bytes_of_fields() const
+    {
+      std::size_t bytes = 0;
+      for (const CellData &cell : of_cells)
+        bytes += cell.bytes.size();
+      return dealii::Utilities::MPI::sum(bytes, communicator());
+    }
 
     /** Whether there is anything, on any rank. */
     bool
-    is_there(const std::size_t size);
+    is_there(const std::size_t size)
+    {
+      int there = size > 0 ? 1 : 0;
+      if (!is_loading())
+        there = dealii::Utilities::MPI::max(there, communicator());
+      this->common(there);
+      return there == 1;
+    }
 
     /** Calls a function for each cell of this rank. */
     template <typename Function>
     void
-    for_each_cell(const Function &f) const;
+    for_each_cell(const Function &f) const
+    {
+      for (const auto &cell : body.space.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          f(cell);
+    }
 
     /** Adds the numbers to those of a cell, or takes the next ones. */
     void
-    exchange_of(const Cell &cell, double *values, const std::size_t n);
+    exchange_of(const Cell &cell, double *values, const std::size_t n)
+    {
+      CellData &data = of_cells[cell->active_cell_index()];
+      if (is_loading())
+        {
+          const std::size_t bytes = n * sizeof(double);
+          AssertThrow(data.next + bytes <= data.bytes.size(),
+                      dealii::ExcInternalError());
+          std::memcpy(values, data.bytes.data() + data.next, bytes);
+          data.next += bytes;
+        }
+      else
+        data.bytes.insert(data.bytes.end(),
+                          reinterpret_cast<const char *>(values),
+                          reinterpret_cast<const char *>(values + n));
+    }
 
     const Body<dim>       &body;
     std::vector<CellData>  of_cells; ///< by active cell index

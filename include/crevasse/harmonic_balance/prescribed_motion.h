@@ -4,6 +4,7 @@
 #ifndef crevasse_harmonic_balance_prescribed_motion_h
 #define crevasse_harmonic_balance_prescribed_motion_h
 
+#include <crevasse/base/state_archive.h>
 #include <crevasse/harmonic_balance/fourier_problem.h>
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/observer.h>
@@ -31,29 +32,100 @@ namespace Crevasse
                      const TimeRule        rule,
                      const double          step,
                      const double          diameter,
-                     const double          largest_load);
+                     const double          largest_load)
+      : Integrator(
+          {"harmonic balance", no_stability_limit, {{0., 1.}, {0.5, 0.5}}})
+      , motion(motion)
+      , rule(rule)
+      , step(step)
+      , diameter(diameter)
+    {
+      force.size = largest_load;
+    }
 
     void
     start(RateEquation &f,
           const double  t,
           const Vector &r,
-          Vector       &rate) override;
+          Vector       &rate) override
+    {
+      f.rate(t, r, rate);
+      if (number(t) == 0)
+        first_rate = rate;
+      viscous_strain.size =
+        std::max(viscous_strain.size, step * rate.linfty_norm());
+      if (is_continuing)
+        compare_step(number(t), r, rate);
+      last_rate = rate;
+    }
 
     /** Only from the beginning of one step to the next. */
     void
-    advance(const TimeStep &step) override;
+    advance(const TimeStep &step) override
+    {
+      is_continuing           = true;
+      const unsigned int next = number(step.t) + 1;
+      step.r = motion.viscous_strain[next % motion.viscous_strain.size()];
+      if (next == motion.viscous_strain.size())
+        compare_step(next, step.r, first_rate);
+    }
 
     void
-    observe(const Sample &sample) override;
+    observe(const Sample &sample) override
+    {
+      const unsigned int j = sample.step % motion.displacement.size();
+      const Vector      &q = sample.state.displacement;
+      for (unsigned int i = 0; i < q.locally_owned_size(); ++i)
+        displacement.add(q.local_element(i),
+                         motion.displacement[j].local_element(i));
+      // Under constant loads nothing but the flow is there.
+      if (sample.secular_flow != nullptr)
+        displacement.size =
+          std::max(displacement.size,
+                   motion.displacement.size() * step *
+                     sample.secular_flow->velocity.linfty_norm());
+      // A lip that nothing presses bears what rounding leaves of the loads.
+      for (const double b : sample.right_hand_side)
+        force.size = std::max(force.size, std::abs(b));
+      for (unsigned int k = 0; k < sample.state.contact_forces.size(); ++k)
+        force.add(sample.state.contact_forces[k], motion.contact_forces[j][k]);
+    }
 
     void
-    serialize(StateArchive &archive) override;
+    serialize(StateArchive &archive) override
+    {
+      archive.section("given motion");
+      archive.common(is_continuing);
+      archive.at_points(first_rate);
+      archive.at_points(last_rate);
+      for (Difference *difference : {&displacement, &force, &viscous_strain})
+        {
+          archive.maximum(difference->largest);
+          archive.maximum(difference->size);
+        }
+    }
 
     /** Largest difference of displacement, contact force or, by the trapezoidal
      * rule, viscous strain to what the motion says, relative to the largest
      * value of its kind. Collective; for a whole period. */
     double
-    largest_defect() const;
+    largest_defect() const
+    {
+      const MPI_Comm communicator =
+        motion.displacement.front().get_mpi_communicator();
+      // Where nothing is stressed viscous strains are what rounding leaves.
+      Difference strain = viscous_strain;
+      strain.size       = std::max(strain.size, displacement.size / diameter);
+      double worst      = 0.;
+      for (Difference all : {displacement, force, strain})
+        {
+          all.largest = dealii::Utilities::MPI::max(all.largest, communicator);
+          all.size    = dealii::Utilities::MPI::max(all.size, communicator);
+          if (all.size > 0.)
+            worst = std::max(worst, all.largest / all.size);
+        }
+      return worst;
+    }
 
   private:
     const PeriodicMotion &motion;
@@ -69,7 +141,16 @@ namespace Crevasse
     /** Takes the defect of the trapezoidal rule in the step that ends at
      * instant @p end. */
     void
-    compare_step(const unsigned int end, const Vector &r, const Vector &rate);
+    compare_step(const unsigned int end, const Vector &r, const Vector &rate)
+    {
+      if (rule != TimeRule::trapezoid)
+        return;
+      defect = r;
+      defect -= motion.viscous_strain[end - 1];
+      defect.add(-0.5 * step, last_rate, -0.5 * step, rate);
+      viscous_strain.largest =
+        std::max(viscous_strain.largest, defect.linfty_norm());
+    }
 
     const double step, diameter;
     Vector       first_rate, last_rate, defect;

@@ -4,6 +4,7 @@
 #ifndef crevasse_periodic_march_h
 #define crevasse_periodic_march_h
 
+#include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/observed_periods.h>
 
 namespace Crevasse
@@ -25,7 +26,36 @@ namespace Crevasse
   march(ObservedPeriods<dim> &periods,
         const double          tolerance,
         const double          slowness,
-        Vector               &r);
+        Vector               &r)
+  {
+    Contraction              contraction;
+    bool                     is_first = true;
+    const SerializationScope part(periods.checkpointer(),
+                                  [&](StateArchive &archive) {
+                                    archive.section("march");
+                                    contraction.serialize(archive);
+                                    archive.common(is_first);
+                                  });
+    periods.ignore_drift_while_opening();
+    for (; periods.may_go_on(); is_first = false)
+      {
+        const double change = periods.compute(r);
+        if (!periods.has_memory())
+          {
+            periods.report(0.);
+            return ConvergenceStatus::converged;
+          }
+        // max() gives back its first argument if that is nan.
+        const double error = std::max({contraction.add(change, !is_first),
+                                       (slowness - 1.) * change,
+                                       periods.return_defect()});
+        periods.report(error);
+        if (tolerance > 0. && error <= tolerance)
+          return ConvergenceStatus::converged;
+      }
+    periods.stop_before(r);
+    return ConvergenceStatus::out_of_periods;
+  }
 } // namespace Crevasse
 
 #endif

@@ -6,6 +6,7 @@
 
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/discretisation/material_field.h>
+#include <crevasse/periodic/contraction.h>
 #include <crevasse/time/secular_flow.h>
 
 namespace Crevasse
@@ -31,14 +32,71 @@ namespace Crevasse
     double
     operator()(const Vector &before,
                const Vector &after,
-               const double  largest_stress) const;
+               const double  largest_stress) const
+    {
+      using Field               = QuadratureField<dim>;
+      constexpr double rounding = 1e-12, resolved = 10.;
+      // What is left, what it is left of, and what it makes of the mean stress.
+      double      largest[3] = {};
+      std::size_t offset     = 0;
+      for (std::size_t point = 0; point < n_points; ++point)
+        for (unsigned int i = 0; i < material.fractions.size(); ++i)
+          {
+            const VoigtMatrix<dim> K = material.stiffness_factor *
+                                       material.fractions[i] *
+                                       (*material.stiffness)[point];
+            const VoigtVector<dim> strain = Field::get(after, offset);
+            VoigtVector<dim>       left   = strain - Field::get(before, offset);
+            if (flow != nullptr && !is_split)
+              left -= period * Field::get(flow->strain_rate, offset);
+            const VoigtVector<dim> stress = K * left;
+            const double           size   = largest_entry(stress);
+            const double           relaxed =
+              largest_entry(K * ((*material.fluidity[i])[point] * stress)) *
+              period * mean_fluidity_factor;
+            largest[1] = std::max(largest[1], largest_entry(K * strain));
+            if (size > 0.)
+              {
+                // Rounding of the mean stress leaves T/τ times that.
+                const double rate = relaxed / size;
+                largest[0] = std::max(largest[0], size / std::max(1., rate));
+                largest[2] =
+                  std::max(largest[2], size * slowness_of_relaxation(rate));
+              }
+            offset += Field::n_components;
+          }
+      dealii::Utilities::MPI::max(largest,
+                                  before.get_mpi_communicator(),
+                                  largest);
+      if (largest[0] <= rounding * std::max(largest_stress, largest[1]))
+        return 0.;
+      return resolved * largest[2] / largest_stress;
+    }
 
     /** Whether all of the lip stands open and opens from the one displacement
      * to the next, a period later: a strain that bears no stress brings it no
      * nearer to contact then, and what bears stress shows by its change. Not so
      * with an elastic spring, in which all strain makes stress. Collective. */
     bool
-    lip_opens(const Vector &before, const Vector &after) const;
+    lip_opens(const Vector &before, const Vector &after) const
+    {
+      constexpr double rounding = 1e-10;
+      if (material.spring > rounding)
+        return false;
+      const double small = rounding * after.linfty_norm();
+      bool         opens = true;
+      for (unsigned int k = 0; k < bounds.dofs.size(); ++k)
+        {
+          const auto dof  = bounds.dofs[k];
+          double     gain = after(dof) - before(dof);
+          if (flow != nullptr && is_split)
+            gain += period * flow->velocity(dof);
+          opens = opens && bounds.sign[k] * gain >= -small &&
+                  bounds.sign[k] * after(dof) - bounds.gap[k] > small;
+        }
+      return dealii::Utilities::MPI::min(opens ? 1 : 0,
+                                         after.get_mpi_communicator()) == 1;
+    }
 
     const std::size_t n_points; ///< of this rank
     /** That makes it a stress; of what varies in time, at one instant. */
@@ -50,6 +108,17 @@ namespace Crevasse
     const double            mean_fluidity_factor;
     const double            period;
     const UnilateralBounds &bounds; ///< of the lip
+
+  private:
+    template <int n>
+    static double
+    largest_entry(const dealii::Tensor<1, n> &values)
+    {
+      double largest = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        largest = std::max(largest, std::abs(values[i]));
+      return largest;
+    }
   };
 } // namespace Crevasse
 

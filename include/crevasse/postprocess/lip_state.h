@@ -7,6 +7,10 @@
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/time/state.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
 namespace Crevasse
 {
   /** The crack lip at one instant, over all ranks. */
@@ -24,14 +28,39 @@ namespace Crevasse
   template <int dim>
   double
   contact_force(const ContactBoundary<dim> &lip,
-                const std::vector<double>  &forces);
+                const std::vector<double>  &forces)
+  {
+    double sum = 0.;
+    for (unsigned int k = 0; k < lip.nodes.size(); ++k)
+      sum += lip.nodes[k].force(forces[k]);
+    return sum;
+  }
 
   /** A node is closed where its opening vanishes against the largest
    * displacement of the body; with no displacement at all the lip touches.
    * Collective. */
   template <int dim>
   LipState
-  lip_state(const ContactBoundary<dim> &lip, const State &state);
+  lip_state(const ContactBoundary<dim> &lip, const State &state)
+  {
+    const MPI_Comm communicator = state.displacement.get_mpi_communicator();
+    const double   touching     = 1e-10 * state.displacement.linfty_norm();
+
+    std::vector<double> sums = {0., contact_force(lip, state.contact_forces)};
+    std::vector<double> maxima(2);
+    for (unsigned int k = 0; k < lip.nodes.size(); ++k)
+      {
+        const LipNode<dim> &node    = lip.nodes[k];
+        const double        g       = state.contact_forces[k];
+        const double        opening = node.opening(state.displacement);
+        sums[0] += opening <= touching ? 1. : 0.;
+        maxima[0] = std::max(maxima[0], g / node.weight);
+        maxima[1] = std::max(maxima[1], opening);
+      }
+    dealii::Utilities::MPI::sum(sums, communicator, sums);
+    dealii::Utilities::MPI::max(maxima, communicator, maxima);
+    return {static_cast<unsigned int>(sums[0]), sums[1], maxima[0], maxima[1]};
+  }
 } // namespace Crevasse
 
 #endif
