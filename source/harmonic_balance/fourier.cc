@@ -199,11 +199,11 @@ namespace Crevasse
 
 
   template <int dim>
-  ComplexVoigtVector<dim>
+  VoigtVector<dim, std::complex<double>>
   Fourier<dim>::thermal_harmonic(const unsigned int n,
                                  const std::size_t  offset) const
   {
-    ComplexVoigtVector<dim> strain;
+    VoigtVector<dim, Complex> strain;
     if (thermal_strain.size() > 1)
       for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
         strain[c] = {thermal_strain[2 * n - 1].local_element(offset + c),
@@ -224,7 +224,7 @@ namespace Crevasse
     for (const bool imaginary : {false, true})
       body.strain_operator.add_transpose(
         loads[imaginary ? 2 * n : 2 * n - 1], [&](const std::size_t offset) {
-          const ComplexVoigtVector<dim> stress =
+          const VoigtVector<dim, Complex> stress =
             moduli.sum[offset / n_stress_components<dim>] *
             thermal_harmonic(n, offset);
           VoigtVector<dim> result;
@@ -338,14 +338,14 @@ namespace Crevasse
     body.strain_operator.for_each_strain(
       motion.displacement[2 * n],
       [&](const std::size_t offset, const VoigtVector<dim> &strain_imaginary) {
-        const std::size_t       point  = offset / Field::n_components;
-        ComplexVoigtVector<dim> strain = -thermal_harmonic(n, offset);
+        const std::size_t         point  = offset / Field::n_components;
+        VoigtVector<dim, Complex> strain = -thermal_harmonic(n, offset);
         for (unsigned int c = 0; c < Field::n_components; ++c)
           strain[c] +=
             Complex(strain_real.local_element(offset + c), strain_imaginary[c]);
         for (unsigned int i = 0; i < n_branches; ++i)
           {
-            const ComplexVoigtVector<dim> r =
+            const VoigtVector<dim, Complex> r =
               kappa(n) * ((*material.fluidity[i])[point] *
                           (K.branches[i][point] * strain));
             const std::size_t place =

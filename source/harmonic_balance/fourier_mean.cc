@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/collectively.h>
 #include <crevasse/harmonic_balance/fourier.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/model/secular.h>
@@ -99,10 +98,10 @@ namespace Crevasse
     std::optional<Viscosity<dim>>                viscosity;
     std::optional<PointValues<VoigtMatrix<dim>>> compliance;
     if (flow != nullptr)
-      collectively(body.space.communicator(), [&]() {
-        viscosity  = viscosity_of<dim>(material, n_points);
+      {
+        viscosity.emplace(body, material);
         compliance = transform(*material.stiffness, n_points, inverse<dim>);
-      });
+      }
 
     body.strain_operator.for_each_strain(
       motion.displacement[0],

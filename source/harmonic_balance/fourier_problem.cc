@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/harmonic_balance/fourier.h>
@@ -44,11 +43,7 @@ namespace Crevasse
           instead);
       if (!found.empty())
         return found;
-      const MPI_Comm communicator = body.space.communicator();
-      bool           flows        = false; // with an inverse of the fluidity
-      collectively(communicator,
-                   [&]() { flows = has_viscosity<dim>(body.material.at(0.)); });
-      if (Utilities::MPI::min(flows ? 1 : 0, communicator) == 0)
+      if (!has_viscosity(body))
         found.push_back(
           "the fluidity of [Material] is singular: a part of the strain does "
           "not flow; use [Periodic state] Method = march");

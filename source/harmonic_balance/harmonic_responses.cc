@@ -17,18 +17,49 @@ namespace Crevasse
     /** The part of matrices that a function of complex numbers takes. */
     template <int dim>
     PointValues<VoigtMatrix<dim>>
-    part_of(const PointValues<ComplexVoigtMatrix<dim>> &matrices,
-            const std::size_t                           n_points,
+    part_of(const PointValues<VoigtMatrix<dim, Complex>> &matrices,
+            const std::size_t                             n_points,
             double (*part)(const Complex &))
     {
       return transform(
-        matrices, n_points, [&](const ComplexVoigtMatrix<dim> &matrix) {
+        matrices, n_points, [&](const VoigtMatrix<dim, Complex> &matrix) {
           VoigtMatrix<dim> result;
           for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
             for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
               result[i][j] = part(matrix[i][j]);
           return result;
         });
+    }
+
+
+
+    /** The c with Σ K*ᵢ = c K at all points, if there is one: with a relaxation
+     * time that is the same everywhere, and where κ = 0. Collective. */
+    template <int dim>
+    std::optional<Complex>
+    common_factor(const ComplexModuli<dim>            &moduli,
+                  const PointValues<VoigtMatrix<dim>> &stiffness,
+                  const std::size_t                    n_points,
+                  const MPI_Comm                       communicator)
+    {
+      constexpr double rounding = 1e-12;
+      Complex          factor   = 0.;
+      if (n_points > 0)
+        factor = moduli.sum[0][0][0] / stiffness[0][0][0];
+      // That of a point of the first rank that has any.
+      const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+      const unsigned int first =
+        Utilities::MPI::min(n_points > 0 ? rank : numbers::invalid_unsigned_int,
+                            communicator);
+      factor = Utilities::MPI::broadcast(communicator, factor, first);
+
+      bool is_common = true;
+      for (std::size_t p = 0; p < n_points && is_common; ++p)
+        is_common = (moduli.sum[p] - factor * stiffness[p]).norm() <=
+                    rounding * stiffness[p].norm() * std::abs(factor);
+      if (Utilities::MPI::min(is_common ? 1 : 0, communicator) == 0)
+        return {};
+      return factor;
     }
   } // namespace
 

@@ -4,6 +4,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/material/voigt_matrix.h>
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
@@ -132,10 +133,12 @@ namespace Crevasse
 
   template <int dim>
   VoigtMatrix<dim>
-  relaxed_stiffness(const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H)
+  relaxed_stiffness(const VoigtMatrix<dim> &K,
+                    const VoigtMatrix<dim> &H,
+                    const double            kappa)
   {
     const auto       places     = components<dim>(false);
-    VoigtMatrix<dim> relaxation = K * H;
+    VoigtMatrix<dim> relaxation = K * (kappa * H);
     for (const unsigned int i : places)
       relaxation[i][i] += 1.;
     LAPACKFullMatrix<double> matrix  = to_lapack<dim>(relaxation, places);
@@ -153,6 +156,30 @@ namespace Crevasse
           "steps or slower flow.");
       }
     return symmetric_part<dim>(columns, places);
+  }
+
+
+
+  // The eigenvalues of the inverted matrix are 1 + κλ with λ ≥ 0, never near
+  // zero. The result is symmetric, also where K has no 33 row.
+  template <int dim>
+  VoigtMatrix<dim, std::complex<double>>
+  relaxed_stiffness(const VoigtMatrix<dim>    &K,
+                    const VoigtMatrix<dim>    &H,
+                    const std::complex<double> kappa)
+  {
+    constexpr unsigned int           n  = n_stress_components<dim>;
+    const VoigtMatrix<dim>           KH = K * H;
+    FullMatrix<std::complex<double>> matrix(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        matrix(i, j) = (i == j ? 1. : 0.) + kappa * KH[i][j];
+    matrix.gauss_jordan();
+    VoigtMatrix<dim, std::complex<double>> result;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        result[i] += matrix(i, j) * K[j];
+    return 0.5 * (result + transpose(result));
   }
 
 
@@ -332,7 +359,12 @@ namespace Crevasse
 #define INSTANTIATE(dim)                                                       \
   template VoigtMatrix<dim> inverse<dim>(const VoigtMatrix<dim> &);            \
   template VoigtMatrix<dim> relaxed_stiffness<dim>(const VoigtMatrix<dim> &,   \
-                                                   const VoigtMatrix<dim> &);  \
+                                                   const VoigtMatrix<dim> &,   \
+                                                   const double);              \
+  template VoigtMatrix<dim, std::complex<double>> relaxed_stiffness<dim>(      \
+    const VoigtMatrix<dim> &,                                                  \
+    const VoigtMatrix<dim> &,                                                  \
+    const std::complex<double>);                                               \
   template VoigtMatrix<dim> condense_thickness<dim>(const VoigtMatrix<dim> &); \
   template VoigtMatrix<dim> in_plane<dim>(const VoigtMatrix<dim> &);           \
   template double least_relative_eigenvalue<dim>(const VoigtMatrix<dim> &,     \

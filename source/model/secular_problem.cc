@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/model/secular.h>
 #include <crevasse/model/secular_problem.h>
@@ -222,11 +221,7 @@ namespace Crevasse
     if (body.material.fluidity_varies)
       return "the viscosity varies in time, and not by [Material] Viscosity "
              "time factor alone";
-    const MaterialState<dim> material = body.material.at(0.);
-    bool                     has_all  = false;
-    collectively(body.space.communicator(),
-                 [&]() { has_all = has_viscosity<dim>(material); });
-    if (Utilities::MPI::min(has_all ? 1 : 0, body.space.communicator()) == 0)
+    if (!has_viscosity(body))
       return "the fluidity is singular: a part of the strain does not flow";
     return "";
   }
@@ -300,11 +295,8 @@ namespace Crevasse
                         const Vector            &mean_load,
                         ContactSystemCache<dim> &systems)
   {
-    const MaterialState<dim>      material = body.material.at(0.);
-    std::optional<Viscosity<dim>> viscosity;
-    collectively(body.space.communicator(), [&]() {
-      viscosity = viscosity_of<dim>(material, body.points.n_local_points);
-    });
+    const MaterialState<dim> material = body.material.at(0.);
+    const Viscosity<dim>     viscosity(body, material);
 
     // The solver is that of ∫ Dᵀ η D / time.
     UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
@@ -319,7 +311,7 @@ namespace Crevasse
     ContactSolver                      *contact_solver;
     SolverSettings                      settings = systems.settings;
     std::unique_ptr<ContactSystem<dim>> own;
-    if (const auto tau = uniform_relaxation_time(body, *viscosity, material);
+    if (const auto tau = uniform_relaxation_time(body, viscosity, material);
         tau && is_closed)
       {
         // With a load of the size by which that solver judges: the mean, which
@@ -338,7 +330,7 @@ namespace Crevasse
         own            = std::make_unique<ContactSystem<dim>>(settings,
                                                    body.space,
                                                    body.points,
-                                                   viscosity->sum,
+                                                   viscosity.sum,
                                                    bounds,
                                                    &systems.system_at(0.));
         contact_solver = &own->contact_solver();
@@ -349,7 +341,7 @@ namespace Crevasse
     body.strain_operator.initialize(flow.velocity);
     contact_solver->solve(load, flow.velocity, flow.contact_forces);
     flow.velocity /= time;
-    set_strain_rates(body, material, *viscosity, flow);
+    viscosity.set_strain_rates(body, material, flow);
     flow.velocity /= factor;
     flow.strain_rate /= factor;
     for (double &force : flow.contact_forces)

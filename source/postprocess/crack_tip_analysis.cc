@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/rigid_modes.h>
@@ -48,9 +47,7 @@ namespace Crevasse
     if (const auto force = Effects::first_on(body.effects.volume_forces))
       return "there is a " + force->name + ", which the integral does not know";
     const MaterialState<2> material = body.material.at(0.);
-    collectively(body.space.communicator(), [&]() {
-      viscosity = viscosity_of<2>(material, body.points.n_local_points);
-    });
+    viscosity.emplace(body, material);
     viscous_region = intensity.region.uniform(intensity.points, viscosity->sum);
     return viscous_region->radius > 0.
              ? ""

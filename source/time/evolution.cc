@@ -2,15 +2,8 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/stopwatch.h>
-#include <crevasse/contact/contact_solver.h>
-#include <crevasse/discretisation/algorithmic_moduli.h>
-#include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/time/evolution.h>
-#include <crevasse/time/inelastic_strain.h>
-#include <crevasse/time/instant_provider.h>
-#include <crevasse/time/secular_flow.h>
-#include <crevasse/time/step_list.h>
 
 
 namespace Crevasse

@@ -33,17 +33,20 @@ namespace Crevasse
    *
    * and the spring what it always bears. All are symmetric, and their sum is
    * positive definite on the components that K knows.
+   *
+   * Where everything oscillates at one frequency, they are complex: κ = k/(η₀
+   * z) with z = iω or what a time scheme makes of it.
    */
-  template <int dim>
-  struct AlgorithmicModuli : BranchValues<VoigtMatrix<dim>>
+  template <int dim, typename Number = double>
+  struct AlgorithmicModuli : BranchValues<VoigtMatrix<dim, Number>>
   {
     AlgorithmicModuli(const MaterialState<dim> &material,
-                      const double              kappa,
+                      const Number              kappa,
                       const std::size_t         n_points)
       : sum(transform(*material.stiffness,
                       n_points,
                       [&material](const VoigtMatrix<dim> &K) {
-                        return material.spring * K;
+                        return Number(material.spring) * K;
                       }))
     {
       for (unsigned int i = 0; i < material.fluidity.size(); ++i)
@@ -54,24 +57,20 @@ namespace Crevasse
             *material.fluidity[i],
             n_points,
             [w, kappa](const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H) {
-              return w * relaxed_stiffness<dim>(K, kappa * w * H);
+              return w * relaxed_stiffness<dim>(K, H, kappa * w);
             }));
-          sum = combine(sum,
-                        this->branches.back(),
-                        n_points,
-                        [](const VoigtMatrix<dim> &a,
-                           const VoigtMatrix<dim> &b) { return a + b; });
+          sum = add(sum, this->branches.back(), n_points);
         }
     }
 
     std::size_t
     memory_consumption() const
     {
-      return BranchValues<VoigtMatrix<dim>>::memory_consumption() +
+      return BranchValues<VoigtMatrix<dim, Number>>::memory_consumption() +
              sum.memory_consumption();
     }
 
-    PointValues<VoigtMatrix<dim>> sum; ///< with the spring
+    PointValues<VoigtMatrix<dim, Number>> sum; ///< with the spring
   };
 
   /**

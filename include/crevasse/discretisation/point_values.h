@@ -5,6 +5,7 @@
 #define crevasse_discretisation_point_values_h
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <type_traits>
 #include <utility>
@@ -140,6 +141,16 @@ namespace Crevasse
         which[p] = number->second;
       }
     return PointValues<Result>(std::move(results), std::move(which));
+  }
+
+  /** The sum at each point. */
+  template <typename Value>
+  PointValues<Value>
+  add(const PointValues<Value> &a,
+      const PointValues<Value> &b,
+      const std::size_t         n_points)
+  {
+    return combine(a, b, n_points, std::plus<Value>());
   }
 } // namespace Crevasse
 

@@ -30,9 +30,9 @@ namespace Crevasse
     /** Collective. @throw SceneError if deal.II's indices are too short for
      * the numbers of all points. */
     explicit QuadratureField(const Space<dim> &space)
-      : offsets(space.mesh().n_active_cells(),
+      : n_local_points(0)
+      , offsets(space.mesh().n_active_cells(),
                 dealii::numbers::invalid_unsigned_int)
-      , n_local_points(0)
       , communicator(space.communicator())
     {
       for (const auto &cell : owned_cells(space.mesh()))

@@ -74,7 +74,7 @@ namespace Crevasse
     moduli(const unsigned int n) const;
 
     /** χθₙ at a point; 0 if only its mean is there. */
-    ComplexVoigtVector<dim>
+    VoigtVector<dim, Complex>
     thermal_harmonic(const unsigned int n, const std::size_t offset) const;
 
     /** Adds ∫ Dᵀ k K* χθₙ. */

@@ -4,7 +4,7 @@
 #ifndef crevasse_harmonic_balance_harmonic_responses_h
 #define crevasse_harmonic_balance_harmonic_responses_h
 
-#include <crevasse/harmonic_balance/complex_moduli.h>
+#include <crevasse/discretisation/algorithmic_moduli.h>
 #include <crevasse/harmonic_balance/lip_part.h>
 #include <crevasse/harmonic_balance/periodic_contact.h>
 #include <crevasse/model/body.h>
@@ -12,6 +12,10 @@
 
 namespace Crevasse
 {
+  /** The K*ₙ of a harmonic. */
+  template <int dim>
+  using ComplexModuli = AlgorithmicModuli<dim, std::complex<double>>;
+
   /** How a body answers to nodal loads that oscillate at one frequency: the
    * solutions of A* q = b, with the complex stiffness A* = ∫ DᵀK*D. */
   struct HarmonicResponse

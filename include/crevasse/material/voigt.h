@@ -20,11 +20,11 @@ namespace Crevasse
   template <int dim>
   constexpr unsigned int n_stress_components = (dim == 2 ? 4 : 6);
 
-  template <int dim>
-  using VoigtVector = dealii::Tensor<1, n_stress_components<dim>>;
+  template <int dim, typename Number = double>
+  using VoigtVector = dealii::Tensor<1, n_stress_components<dim>, Number>;
 
-  template <int dim>
-  using VoigtMatrix = dealii::Tensor<2, n_stress_components<dim>>;
+  template <int dim, typename Number = double>
+  using VoigtMatrix = dealii::Tensor<2, n_stress_components<dim>, Number>;
 
   /** Position of the component (i,j), 0 ≤ i, j < 3. */
   template <int dim>

@@ -6,6 +6,8 @@
 
 #include <crevasse/material/voigt.h>
 
+#include <complex>
+
 namespace Crevasse
 {
   // Linear algebra of the small matrices of a material. In plane stress the 33
@@ -18,11 +20,18 @@ namespace Crevasse
   VoigtMatrix<dim>
   inverse(const VoigtMatrix<dim> &matrix);
 
-  /** (I + K H)⁻¹ K, for two symmetric matrices, positive semidefinite: what K
-   * bears where H gives way. */
+  // (I + κ K H)⁻¹ K, for two symmetric matrices, positive semidefinite, and a κ
+  // whose real part is not negative: what K bears where H gives way.
   template <int dim>
   VoigtMatrix<dim>
-  relaxed_stiffness(const VoigtMatrix<dim> &K, const VoigtMatrix<dim> &H);
+  relaxed_stiffness(const VoigtMatrix<dim> &K,
+                    const VoigtMatrix<dim> &H,
+                    const double            kappa);
+  template <int dim>
+  VoigtMatrix<dim, std::complex<double>>
+  relaxed_stiffness(const VoigtMatrix<dim>    &K,
+                    const VoigtMatrix<dim>    &H,
+                    const std::complex<double> kappa);
 
   /** What is left of a stiffness where the strain 33 follows from s₃₃ = 0. */
   template <int dim>

@@ -4,15 +4,13 @@
 #ifndef crevasse_model_secular_h
 #define crevasse_model_secular_h
 
-#include <crevasse/discretisation/material_field.h>
-
+#include <crevasse/base/collectively.h>
+#include <crevasse/material/voigt_matrix.h>
+#include <crevasse/model/body.h>
+#include <crevasse/time/secular_flow.h>
 
 namespace Crevasse
 {
-  template <int dim>
-  struct Body;
-  struct SecularFlow;
-
   /** The viscosities of the branches of a material at the quadrature points,
    * without the factor η₀. */
   template <int dim>
@@ -20,29 +18,75 @@ namespace Crevasse
   {
     using Matrices = PointValues<VoigtMatrix<dim>>;
 
+    /** Collective. @throw NumericalError if a fluidity is singular: then a part
+     * of the strain does not flow at all. */
+    Viscosity(const Body<dim> &body, const MaterialState<dim> &material)
+      : branches(inverses(body, material))
+      , sum(branches.front())
+    {
+      for (unsigned int i = 1; i < branches.size(); ++i)
+        sum = add(sum, branches[i], body.points.n_local_points);
+    }
+
     std::vector<Matrices> branches; ///< ηᵢ = Hᵢ⁻¹, in the plane in plane stress
     Matrices              sum; ///< Σ ηᵢ
+
+    /** Sets αᵢ = Hᵢ ηᵢ Dβ of a flow with known β: that is Dβ, and the creep in
+     * thickness with it. */
+    void
+    set_strain_rates(const Body<dim>          &body,
+                     const MaterialState<dim> &material,
+                     SecularFlow              &flow) const
+    {
+      using Field = QuadratureField<dim>;
+      body.points.initialize(flow.strain_rate, branches.size());
+      body.strain_operator.for_each_strain(
+        flow.velocity,
+        [&](const std::size_t offset, const VoigtVector<dim> &strain_rate) {
+          const std::size_t point = offset / Field::n_components;
+          for (unsigned int i = 0; i < branches.size(); ++i)
+            Field::set(flow.strain_rate,
+                       offset * branches.size() + i * Field::n_components,
+                       (*material.fluidity[i])[point] *
+                         (branches[i][point] * strain_rate));
+        });
+    }
+
+  private:
+    static std::vector<Matrices>
+    inverses(const Body<dim> &body, const MaterialState<dim> &material)
+    {
+      std::vector<Matrices> all;
+      collectively(body.space.communicator(), [&]() {
+        for (const auto &fluidity : material.fluidity)
+          all.push_back(transform(
+            *fluidity, body.points.n_local_points, [&](const auto &H) {
+              return inverse<dim>(material.plane_stress ? in_plane<dim>(H) : H);
+            }));
+      });
+      return all;
+    }
   };
 
-  /** @throw NumericalError if a fluidity is singular: then a part of the
-   * strain does not flow at all. */
-  template <int dim>
-  Viscosity<dim>
-  viscosity_of(const MaterialState<dim> &material, const std::size_t n_points);
-
-  /** Whether all fluidities have an inverse, on this rank. */
+  /** Whether all fluidities have an inverse (in plane stress without the
+   * thickness, in which a plate creeps but bears no stress). Collective. */
   template <int dim>
   bool
-  has_viscosity(const MaterialState<dim> &material);
-
-  /** Sets αᵢ = Hᵢ ηᵢ Dβ of a flow with known β: that is Dβ, and the creep in
-   * thickness with it. */
-  template <int dim>
-  void
-  set_strain_rates(const Body<dim>          &body,
-                   const MaterialState<dim> &material,
-                   const Viscosity<dim>     &viscosity,
-                   SecularFlow              &flow);
+  has_viscosity(const Body<dim> &body)
+  {
+    constexpr double         definite = 1e-12;
+    const MaterialState<dim> material = body.material.at(0.);
+    bool                     has_all  = true;
+    collectively(body.space.communicator(), [&]() {
+      for (const auto &fluidity : material.fluidity)
+        for (const VoigtMatrix<dim> &H : fluidity->distinct())
+          has_all = has_all && least_relative_eigenvalue<dim>(
+                                 material.plane_stress ? in_plane<dim>(H) : H,
+                                 material.plane_stress) >= definite;
+    });
+    return dealii::Utilities::MPI::min(has_all ? 1 : 0,
+                                       body.space.communicator()) == 1;
+  }
 } // namespace Crevasse
 
 #endif

@@ -4,34 +4,16 @@
 #ifndef crevasse_time_evolution_h
 #define crevasse_time_evolution_h
 
-#include <crevasse/material/voigt.h>
+#include <crevasse/discretisation/external_loads.h>
+#include <crevasse/time/inelastic_strain.h>
+#include <crevasse/time/instant_provider.h>
 #include <crevasse/time/rate_equation.h>
+#include <crevasse/time/secular_flow.h>
 #include <crevasse/time/state.h>
-
-#include <cstddef>
+#include <crevasse/time/step_list.h>
 
 namespace Crevasse
 {
-  class ContactSolver;
-  template <int dim>
-  class ExternalLoads;
-  template <int dim>
-  struct ImplicitInstant;
-  template <int dim>
-  class InelasticStrain;
-  template <int dim>
-  struct Instant;
-  template <int dim>
-  class InstantProvider;
-  template <int dim>
-  struct MaterialState;
-  template <int dim>
-  class QuadratureField;
-  struct SecularFlow;
-  class StepList;
-  template <int dim>
-  class StrainOperator;
-
   /**
    * The right-hand side of the ODE (model, §2, and MaxwellLaw): for given
    * viscous strains rᵢ of the branches, and r = Σ wᵢ rᵢ,

@@ -4,16 +4,11 @@
 #ifndef crevasse_time_instant_provider_h
 #define crevasse_time_instant_provider_h
 
+#include <crevasse/contact/contact_solver.h>
+#include <crevasse/discretisation/algorithmic_moduli.h>
+
 namespace Crevasse
 {
-  template <int dim>
-  struct AlgorithmicModuli;
-  class ContactSolver;
-  template <int dim>
-  struct MaterialState;
-  template <int dim>
-  struct RelaxationFunctions;
-
   /** What an evaluation at one instant works with. */
   template <int dim>
   struct Instant
