@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/model/largest_load.h>
+#include <crevasse/postprocess/crack_tip_table.h>
 #include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/probe_tables.h>
 #include <crevasse/postprocess/stress_writer.h>
@@ -245,32 +246,22 @@ namespace Crevasse
       {
       }
 
-      /** The file of one more table; empty where it is not written. */
-      std::string
-      file(const std::string &name)
-      {
-        all.push_back(name);
-        return writes ? directory + '/' + name : std::string();
-      }
-
+      /** One more, without a file on ranks that do not write. */
       CsvTable
       table(const std::string &name, const std::vector<std::string> &columns)
       {
-        return CsvTable(file(name), columns, is_continuing);
+        names.push_back(name);
+        return CsvTable(writes ? directory + '/' + name : std::string(),
+                        columns,
+                        is_continuing);
       }
 
-      const std::vector<std::string> &
-      names() const
-      {
-        return all;
-      }
-
-      const bool is_continuing; ///< whether they have rows already
+      std::vector<std::string> names;
 
     private:
-      const std::string        directory;
-      const bool               writes;
-      std::vector<std::string> all;
+      const bool        is_continuing; ///< whether they have rows already
+      const std::string directory;
+      const bool        writes;
     };
 
 
@@ -351,12 +342,15 @@ namespace Crevasse
       add(std::make_unique<ElasticComparison<dim>>(work, motion->drift()));
     if constexpr (dim == 2)
       if (setup.crack_tip != nullptr)
-        add(setup.crack_tip->make_table(work.systems,
-                                        work.steps,
-                                        work.start.flow,
-                                        {tables.file("crack_tip.csv"),
-                                         tables.is_continuing},
-                                        log));
+        add(std::make_unique<CrackTipTable>(*setup.crack_tip,
+                                            work.systems,
+                                            work.steps,
+                                            work.start.flow,
+                                            tables.table("crack_tip.csv",
+                                                         CrackTipTable::columns(
+                                                           *setup.crack_tip)),
+                                            log));
+    ;
     if (body.effects.field_output.on)
       add(make_field_writer(work));
     if (setup.scene.output.load_work)
@@ -375,7 +369,7 @@ namespace Crevasse
                                       setup.scene,
                                       extremes->lip,
                                       log));
-    work.output.checkpoints.set_tables(tables.names());
+    work.output.checkpoints.set_tables(tables.names);
     return all;
   }
 

@@ -4,11 +4,11 @@
 #ifndef crevasse_postprocess_crack_tip_analysis_h
 #define crevasse_postprocess_crack_tip_analysis_h
 
-#include <crevasse/base/summary.h>
+#include <crevasse/crack_tip/growth_law.h>
 #include <crevasse/crack_tip/strain_energy.h>
 #include <crevasse/model/secular.h>
 #include <crevasse/model/secular_problem.h>
-#include <crevasse/postprocess/crack_tip_table.h>
+#include <crevasse/postprocess/stress_intensity.h>
 
 
 namespace Crevasse
@@ -29,33 +29,18 @@ namespace Crevasse
     std::string
     describe() const;
 
-    /** The observer of a run, which in the end adds "crack_tip" to the summary
-     * and prints a few lines. References must
-     * outlive the table.
-     *
-     * @param flow none: none was found. */
-    std::unique_ptr<CrackTipTable>
-    make_table(ContactSystemCache<2>            &systems,
-               const StepList                   &steps,
-               const std::optional<SecularFlow> &flow,
-               const CrackTipTable::File        &file,
-               Log                              &log) const;
+    /** C* = K²/E'_η with the K of the mean stress, which is η times the strain
+     * rate of the flow. */
+    std::optional<double>
+    c_star(const SecularFlow *flow) const;
+
+    const Scene          &scene;
+    const Body<2>        &body;
+    const StressIntensity intensity;
+    const StrainEnergy    energy;
+    const std::string     growth_law; ///< its description; empty: none
 
   private:
-    friend class CrackTipTable;
-
-    void
-    summarise(const CrackTipTable &table,
-              const SecularFlow   *flow,
-              Summary             &summary,
-              Log                 &log) const;
-
-    /** Of the elastic body at the extreme loads, in the cells around the tip
-     * that touch no other material: what the mesh leaves. */
-    double
-    relative_energy_error(ContactSystemCache<2> &systems,
-                          const StepList        &steps) const;
-
     /** @throw SceneError if a point support at the tip has to bear loads. */
     void
     require_no_force_at_tip(const StepList &steps) const;
@@ -65,28 +50,16 @@ namespace Crevasse
     std::string
     find_viscous_region(const SecularSplit &split);
 
-    /** C* = K²/E'_η with the K of the mean stress, which is η times the strain
-     * rate of the flow. */
-    std::optional<double>
-    c_star(const SecularFlow *flow) const;
-
-    /** @param energy the largest strain energy of the last period. */
-    void
-    warn_of_uncertainty(const TipHistory &history,
-                        const double      error,
-                        const double      energy,
-                        Summary          &summary,
-                        Log              &log) const;
-
-    const Scene                &scene;
-    const Body<2>              &body;
-    const StressIntensity       intensity;
-    const StrainEnergy          energy;
-    const std::string           growth_law; ///< its description; empty: none
-    std::optional<Viscosity<2>> viscosity;  ///< if there is a C*
+    std::optional<Viscosity<2>>       viscosity;      ///< if there is a C*
     std::optional<TipRegion::Uniform> viscous_region; ///< likewise
-    const std::string                 no_c_star;      ///< why; empty: known
-    const bool                        mean_load_vanishes;
+
+  public:
+    const std::string no_c_star; ///< why; empty: known
+    /** Whether the coefficient of the first singular function is a K_I. */
+    const bool has_singular_function;
+
+  private:
+    const bool mean_load_vanishes;
   };
 } // namespace Crevasse
 

@@ -5,16 +5,17 @@
 #define crevasse_postprocess_crack_tip_table_h
 
 #include <crevasse/base/csv_table.h>
+#include <crevasse/base/format.h>
 #include <crevasse/base/log.h>
-#include <crevasse/crack_tip/growth_law.h>
-#include <crevasse/postprocess/stress_intensity.h>
-#include <crevasse/time/observer.h>
+#include <crevasse/discretisation/stress_estimator.h>
+#include <crevasse/model/elastic_displacement.h>
+#include <crevasse/model/largest_load.h>
+#include <crevasse/postprocess/crack_tip_analysis.h>
 
+#include <deal.II/grid/grid_tools.h>
 
 namespace Crevasse
 {
-  class CrackTipAnalysis;
-
   /**
    * crack_tip.csv: what is read off at the crack tip at each accepted step.
    *
@@ -34,59 +35,224 @@ namespace Crevasse
       double of_singular_function, release_rate, energy;
     };
 
-    /** Where its rows go. */
-    struct File
-    {
-      std::string name;          ///< empty on ranks that do not write
-      bool        is_continuing; ///< whether it has rows already
-    };
-
-    /** References must outlive this object.
+    /** References must outlive this object. Collective.
      *
-     * @param relative_error of the elastic energy
-     * @param flow none: none was found. */
+     * @param flow none: none was found.
+     * @param table with the columns(). */
     CrackTipTable(const CrackTipAnalysis           &analysis,
-                  const double                      relative_error,
+                  ContactSystemCache<2>            &systems,
                   const StepList                   &steps,
                   const std::optional<SecularFlow> &flow,
-                  const File                       &file,
-                  Log                              &log);
-
-    void
-    observe(const Sample &sample) override;
-
-    void
-    serialize(StateArchive &archive) override;
-
-    void
-    summarise(Summary &summary) override;
-
-    /** K_I of the last period. */
-    const TipHistory &
-    last_period() const
+                  CsvTable                        &&table,
+                  Log                              &log)
+      : analysis(analysis)
+      , steps(steps)
+      , flow(flow)
+      , log(log)
+      , table(std::move(table))
+      , relative_error(relative_energy_error(systems))
     {
-      return history;
     }
 
-    /** All numbers of the last period. */
-    const std::vector<Values> &
-    values() const
+    static std::vector<std::string>
+    columns(const CrackTipAnalysis &analysis)
     {
-      return of_last_period;
+      std::vector<std::string> columns = {"t", "K_I", "K_I_stress"};
+      if (analysis.has_singular_function)
+        columns.push_back("K_I_singular");
+      columns.insert(columns.end(),
+                     {"K_I_error", "energy_release_rate", "strain_energy"});
+      return columns;
+    }
+
+    void
+    observe(const Sample &sample) override
+    {
+      const Values values = evaluate(sample);
+      if (sample.step == 0)
+        {
+          history.instants.clear();
+          history.intensity.clear();
+          of_last_period.clear();
+        }
+      history.instants.push_back(sample.instant);
+      history.intensity.push_back(values.intensity);
+      of_last_period.push_back(values);
+      std::vector<double> row = {sample.time,
+                                 values.intensity,
+                                 values.of_stress};
+      if (analysis.has_singular_function)
+        row.push_back(values.of_singular_function);
+      row.insert(row.end(), {values.error, values.release_rate, values.energy});
+      table.add_row(row);
+    }
+
+    void
+    serialize(StateArchive &archive) override
+    {
+      archive.section("crack tip");
+      archive.common(history.instants);
+      archive.common(history.intensity);
+      archive.common_list(of_last_period);
+    }
+
+    /** Adds "crack_tip" to the summary and prints a few lines. */
+    void
+    summarise(Summary &summary) override
+    {
+      history.c_star = analysis.c_star(flow ? &*flow : nullptr);
+      if (history.instants.empty())
+        return;
+      double least_release = of_last_period.front().release_rate;
+      double most_release = least_release, error = 0., energy = 0.;
+      for (const Values &values : of_last_period)
+        {
+          least_release = std::min(least_release, values.release_rate);
+          most_release  = std::max(most_release, values.release_rate);
+          error         = std::max(error, values.error);
+          energy        = std::max(energy, values.energy);
+        }
+
+      auto &tip                  = summary["crack_tip"];
+      tip["method"]              = analysis.intensity.method();
+      tip["why"]                 = analysis.intensity.why_no_integral();
+      tip["position"]            = {analysis.intensity.region.tip.position[0],
+                                    analysis.intensity.region.tip.position[1]};
+      tip["radius"]              = analysis.intensity.radius();
+      tip["K_I"]                 = {{"largest", history.largest()},
+                                    {"smallest", history.least()}};
+      tip["K_I_error"]           = error;
+      tip["energy_release_rate"] = {{"largest", most_release},
+                                    {"smallest", least_release}};
+      tip["strain_energy"]       = {{"largest", energy}};
+      tip["C_star"] = history.c_star ? Summary(*history.c_star) : Summary();
+      if (!history.c_star)
+        tip["no_C_star"] = analysis.no_c_star.empty() ? "the flow was not found"
+                                                      : analysis.no_c_star;
+      log.line(
+        Text::format("  crack tip: K_I from %.6g to %.6g in the last "
+                     "period, estimated error %.1e",
+                     history.least(),
+                     history.largest(),
+                     error));
+      warn_of_uncertainty(error, energy, summary);
+      if (history.c_star && *history.c_star > 0.)
+        log.line("  crack tip: C* = " + Text::from_number(*history.c_star));
+      if (analysis.growth_law.empty())
+        return;
+      const double growth = growth_of_period(analysis.scene.crack_tip, history);
+      tip["growth_law"]   = analysis.growth_law;
+      tip["da_dN"]        = growth; // null if it is not finite
+      if (!std::isfinite(growth))
+        tip["no_da_dN"] = "the law gives no finite growth";
+      tip["da_dt"] = growth / history.period();
+      log.line("  crack tip: grows by " + Text::from_number(growth) +
+               " a period (" + analysis.growth_law + ")");
     }
 
   private:
     Values
-    evaluate(const Sample &sample);
+    evaluate(const Sample &sample)
+    {
+      const double           t        = steps.within_period(sample.instant);
+      const MaterialState<2> material = analysis.body.material.at(t);
+      const PlaneElasticity  at_tip   = analysis.intensity.elasticity(t);
+      Values values{analysis.intensity.evaluate(t, sample, material, at_tip),
+                    0.,
+                    0.,
+                    0.};
+      if (analysis.has_singular_function)
+        {
+          const Space<2> &space = analysis.body.space;
+          const Vector   &u     = sample.state.displacement;
+          const auto      first = space.singular_unknown(0);
+          values.of_singular_function =
+            material.stiffness_factor *
+            space.singular_shapes()->functions.unit_stress_intensity *
+            dealii::Utilities::MPI::sum(u.in_local_range(first) ? u(first) : 0.,
+                                        space.communicator());
+        }
+      values.error =
+        std::max(values.error, relative_error * std::abs(values.intensity));
+      // The fit may be far less accurate than the integral.
+      constexpr double most = 4.;
+      values.error =
+        std::max(values.error,
+                 std::min(most * values.error,
+                          std::abs(values.intensity - values.of_stress)));
+      values.release_rate = values.intensity * values.intensity /
+                            (material.stiffness_factor * at_tip.modulus());
+      values.energy = analysis.energy.value(material,
+                                            sample.state.stress,
+                                            sample.viscous_strain);
+      return values;
+    }
+
+    /** Of the elastic body at the extreme loads, in the cells around the tip
+     * that touch no other material: what the mesh leaves. */
+    double
+    relative_energy_error(ContactSystemCache<2> &systems) const
+    {
+      StressEstimator<2> estimator(analysis.body.space,
+                                   analysis.body.points,
+                                   analysis.body.lip,
+                                   analysis.scene.loads);
+      look_at_elastic_states(analysis.body,
+                             systems,
+                             instants_of_extreme_loads(analysis.body, steps),
+                             estimator);
+      const dealii::Vector<float> squares = estimator.squares();
+      double                      sum     = 0.;
+      for (const auto &cell : owned_cells(analysis.body.space.mesh()))
+        {
+          const unsigned int i            = cell->active_cell_index();
+          const auto [begin, end_of_cell] = analysis.intensity.region.reach(i);
+          if (begin == 0. || end_of_cell < analysis.intensity.largest_radius())
+            sum += squares(i);
+        }
+      return dealii::Utilities::MPI::sum(sum,
+                                         analysis.body.space.communicator());
+    }
+
+    /** @param energy the largest strain energy of the last period. */
+    void
+    warn_of_uncertainty(const double error,
+                        const double energy,
+                        Summary     &summary)
+    {
+      // A crack that stays closed has an intensity of rounding: the density of
+      // the energy tells of which size others of its length would be.
+      constexpr double large = 0.1, negligible = 1e-3;
+      const double     density =
+        energy /
+        dealii::GridTools::volume(static_cast<const dealii::Triangulation<2> &>(
+          analysis.body.space.mesh()));
+      const double usual =
+        std::sqrt(analysis.body.law.stiffness_factor(0.) *
+                  analysis.intensity.elasticity(0.).modulus() * density *
+                  analysis.intensity.largest_radius());
+      if (const double size =
+            std::max(std::abs(history.largest()), std::abs(history.least()));
+          error > large * size && size > negligible * usual)
+        {
+          const std::string warning =
+            "[Crack tip] Stress intensity: K_I is uncertain by "
+            "about " +
+            Text::from_number(std::round(100. * error / size)) +
+            " %; refine the mesh ([Refinement]) or use [Discretisation] "
+            "Singular functions";
+          summary["warnings"].push_back(warning);
+          log.line("  warning: " + warning);
+        }
+    }
 
     const CrackTipAnalysis           &analysis;
-    const double                      relative_error;
     const StepList                   &steps;
     const std::optional<SecularFlow> &flow;
     Log                              &log;
-    const bool                        has_singular_function;
-    std::unique_ptr<CsvTable>         table;
-    TipHistory                        history;
+    CsvTable                          table;
+    const double                      relative_error; ///< of the elastic energy
+    TipHistory                        history;        ///< of the last period
     std::vector<Values>               of_last_period;
   };
 } // namespace Crevasse
