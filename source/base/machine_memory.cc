@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/text.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -179,8 +179,6 @@ namespace Crevasse
   std::string
   gigabytes(const double bytes)
   {
-    char text[40];
-    std::snprintf(text, sizeof(text), "%.3g GB", 1e-9 * bytes);
-    return text;
+    return Text::format("%.3g GB", 1e-9 * bytes);
   }
 } // namespace Crevasse

@@ -2,13 +2,13 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/collectively.h>
+#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/checkpoint/checkpoints.h>
 #include <crevasse/checkpoint/scene_difference.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace Crevasse
 {
@@ -109,17 +109,13 @@ namespace Crevasse
     const double bytes = std::max<double>(1., written.bytes());
     seconds_per_byte   = seconds / bytes;
     expected_bytes     = std::max(expected_bytes, bytes);
-    char text[160];
-    std::snprintf(
-      text,
-      sizeof(text),
+    log.line(Text::format(
       "  checkpoint %u in period %u before step %u: %.3g MB, %.3g s",
       written.number,
       written.period,
       written.step + 1,
       1e-6 * bytes,
-      seconds);
-    log.line(text);
+      seconds));
   }
 
 

@@ -40,42 +40,40 @@ namespace Crevasse
     const FESystem<2>                   &fe    = space.finite_element;
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     Vector                               per_pressure = space.ghosted_vector();
-    for (const auto &cell : space.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          {
-            if (!cell->at_boundary(f) ||
-                space.roles.contact.count(cell->face(f)->boundary_id()) == 0)
-              continue;
-            const Point<2> a   = tip.local(cell->face(f)->vertex(0));
-            const Point<2> b   = tip.local(cell->face(f)->vertex(1));
-            const double   r_a = -a[0], r_b = -b[0];
-            // Another lip may be anywhere.
-            if (std::abs(a[1]) + std::abs(b[1]) > 1e-8 * (b - a).norm() ||
-                r_a + r_b <= 0. || std::min(r_a, r_b) >= weight.radius)
-              continue;
-            FEFaceValues<2> values(space.mapping,
-                                   fe,
-                                   inverse_root_rule(std::max(r_a, 0.),
-                                                     std::max(r_b, 0.)),
-                                   update_values | update_quadrature_points |
-                                     update_JxW_values);
-            values.reinit(cell, f);
-            cell->get_dof_indices(dofs);
-            for (const unsigned int i : values.dof_indices())
-              {
-                const unsigned int d = fe.system_to_component_index(i).first;
-                if (!fe.has_support_on_face(i, f) ||
-                    std::abs(tip.inward[d]) < 0.5)
-                  continue;
-                for (const unsigned int q : values.quadrature_point_indices())
-                  per_pressure(dofs[i]) +=
-                    2. / std::sqrt(2. * numbers::PI) *
-                    values.shape_value(i, q) *
-                    weight.factor(tip.local(values.quadrature_point(q))[0])[0] *
-                    values.JxW(q);
-              }
-          }
+    for (const auto &cell : owned_cells(space.dof_handler))
+      for (const unsigned int f : cell->face_indices())
+        {
+          if (!cell->at_boundary(f) ||
+              space.roles.contact.count(cell->face(f)->boundary_id()) == 0)
+            continue;
+          const Point<2> a   = tip.local(cell->face(f)->vertex(0));
+          const Point<2> b   = tip.local(cell->face(f)->vertex(1));
+          const double   r_a = -a[0], r_b = -b[0];
+          // Another lip may be anywhere.
+          if (std::abs(a[1]) + std::abs(b[1]) > 1e-8 * (b - a).norm() ||
+              r_a + r_b <= 0. || std::min(r_a, r_b) >= weight.radius)
+            continue;
+          FEFaceValues<2> values(space.mapping,
+                                 fe,
+                                 inverse_root_rule(std::max(r_a, 0.),
+                                                   std::max(r_b, 0.)),
+                                 update_values | update_quadrature_points |
+                                   update_JxW_values);
+          values.reinit(cell, f);
+          cell->get_dof_indices(dofs);
+          for (const unsigned int i : values.dof_indices())
+            {
+              const unsigned int d = fe.system_to_component_index(i).first;
+              if (!fe.has_support_on_face(i, f) ||
+                  std::abs(tip.inward[d]) < 0.5)
+                continue;
+              for (const unsigned int q : values.quadrature_point_indices())
+                per_pressure(dofs[i]) +=
+                  2. / std::sqrt(2. * numbers::PI) * values.shape_value(i, q) *
+                  weight.factor(tip.local(values.quadrature_point(q))[0])[0] *
+                  values.JxW(q);
+            }
+        }
     per_pressure.compress(VectorOperation::add);
     body.lip.gather_from_held_nodes(per_pressure);
     std::vector<double> of_forces;

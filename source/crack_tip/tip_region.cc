@@ -67,19 +67,18 @@ namespace Crevasse
   {
     CellValues<2> cell_values(space,
                               update_quadrature_points | update_JxW_values);
-    for (const auto &active : space.dof_handler.active_cell_iterators())
-      if (active->is_locally_owned())
-        {
-          const FEValues<2> &values = cell_values.reinit(active);
-          const std::size_t  first =
-            points.offset(active) / QuadratureField<2>::n_components;
-          for (const unsigned int q : values.quadrature_point_indices())
-            {
-              location[first + q] = values.quadrature_point(q);
-              weight[first + q]   = values.JxW(q);
-              cell[first + q]     = active->active_cell_index();
-            }
-        }
+    for (const auto &active : owned_cells(space.dof_handler))
+      {
+        const FEValues<2> &values = cell_values.reinit(active);
+        const std::size_t  first =
+          points.offset(active) / QuadratureField<2>::n_components;
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            location[first + q] = values.quadrature_point(q);
+            weight[first + q]   = values.JxW(q);
+            cell[first + q]     = active->active_cell_index();
+          }
+      }
   }
 
 
@@ -169,21 +168,20 @@ namespace Crevasse
   TipRegion::find_boundaries(const Space<2> &space)
   {
     end = std::numeric_limits<double>::max();
-    for (const auto &cell : space.mesh().active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          if (const auto face = cell->face(f); face->at_boundary())
-            {
-              const Point<2> a     = tip.local(face->vertex(0));
-              const Point<2> b     = tip.local(face->vertex(1));
-              const double   tiny  = rounding * (b - a).norm();
-              const bool     ahead = a[0] + b[0] > 0.;
-              const auto    &own =
-                ahead ? space.roles.symmetry : space.roles.contact;
-              if (std::abs(a[1]) > tiny || std::abs(b[1]) > tiny ||
-                  own.count(face->boundary_id()) == 0)
-                end = std::min(end, distance_of_segment(a, b));
-            }
+    for (const auto &cell : owned_cells(space.mesh()))
+      for (const unsigned int f : cell->face_indices())
+        if (const auto face = cell->face(f); face->at_boundary())
+          {
+            const Point<2> a     = tip.local(face->vertex(0));
+            const Point<2> b     = tip.local(face->vertex(1));
+            const double   tiny  = rounding * (b - a).norm();
+            const bool     ahead = a[0] + b[0] > 0.;
+            const auto    &own =
+              ahead ? space.roles.symmetry : space.roles.contact;
+            if (std::abs(a[1]) > tiny || std::abs(b[1]) > tiny ||
+                own.count(face->boundary_id()) == 0)
+              end = std::min(end, distance_of_segment(a, b));
+          }
     end = Utilities::MPI::min(end, communicator);
   }
 

@@ -53,12 +53,10 @@ namespace Crevasse
     cell_size_at(const CrackTip &tip, const Mesh<2> &mesh)
     {
       double size = std::numeric_limits<double>::max();
-      for (const auto &cell : mesh.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int v : cell->vertex_indices())
-            if (cell->vertex(v).distance(tip.position) <
-                1e-8 * cell->diameter())
-              size = std::min(size, cell->minimum_vertex_distance());
+      for (const auto &cell : owned_cells(mesh))
+        for (const unsigned int v : cell->vertex_indices())
+          if (cell->vertex(v).distance(tip.position) < 1e-8 * cell->diameter())
+            size = std::min(size, cell->minimum_vertex_distance());
       return Utilities::MPI::min(size, mesh.get_communicator());
     }
 

@@ -50,7 +50,8 @@ namespace Crevasse
     compared_ids(const std::string &formula)
     {
       static const std::regex comparison(
-        "\\bmaterial *[=!]= *(\\d{1,9})(?![\\w.])|(?:^|[^\\w.])(\\d{1,9}) *[=!]= "
+        "\\bmaterial *[=!]= *(\\d{1,9})(?![\\w.])|(?:^|[^\\w.])(\\d{1,9}) "
+        "*[=!]= "
         "*material\\b");
       std::set<unsigned int> ids;
       for (std::sregex_iterator
@@ -107,9 +108,8 @@ namespace Crevasse
   describe_materials(const Scene &scene, const Mesh<dim> &mesh)
   {
     std::map<unsigned int, std::size_t> n_cells;
-    for (const auto &cell : mesh.active_cell_iterators())
-      if (cell->is_locally_owned())
-        ++n_cells[cell->material_id()];
+    for (const auto &cell : owned_cells(mesh))
+      ++n_cells[cell->material_id()];
     const auto               names = material_names(scene);
     std::vector<std::string> parts;
     for (const auto id : material_ids(mesh))

@@ -114,17 +114,18 @@ namespace Crevasse
         }
       std::vector<dealii::types::global_dof_index> unknowns;
       std::vector<double>                          values;
-      for_each_cell([&](const Cell &cell) {
-        body.space.get_unknowns(cell, unknowns);
-        values.resize(unknowns.size());
-        if (!is_loading())
-          ghosted.extract_subvector_to(unknowns, values);
-        exchange_of(cell, values.data(), values.size());
-        if (is_loading())
-          for (unsigned int i = 0; i < unknowns.size(); ++i)
-            if (field.in_local_range(unknowns[i]))
-              field(unknowns[i]) = values[i];
-      });
+      for (const Cell &cell : owned_cells(body.space.dof_handler))
+        {
+          body.space.get_unknowns(cell, unknowns);
+          values.resize(unknowns.size());
+          if (!is_loading())
+            ghosted.extract_subvector_to(unknowns, values);
+          exchange_of(cell, values.data(), values.size());
+          if (is_loading())
+            for (unsigned int i = 0; i < unknowns.size(); ++i)
+              if (field.in_local_range(unknowns[i]))
+                field(unknowns[i]) = values[i];
+        }
     }
     void
     at_points(Vector &field) override
@@ -138,11 +139,12 @@ namespace Crevasse
       this->common(n_branches);
       if (is_loading())
         body.points.initialize(field, n_branches);
-      for_each_cell([&](const Cell &cell) {
-        exchange_of(cell,
-                    field.begin() + n_branches * body.points.offset(cell),
-                    n_branches * n * body.space.quadrature(cell).size());
-      });
+      for (const Cell &cell : owned_cells(body.space.dof_handler))
+        {
+          exchange_of(cell,
+                      field.begin() + n_branches * body.points.offset(cell),
+                      n_branches * n * body.space.quadrature(cell).size());
+        }
     }
     void
     on_bounds(std::vector<double> &values) override
@@ -166,9 +168,10 @@ namespace Crevasse
     {
       if (is_loading())
         values.reinit(body.space.mesh().n_active_cells());
-      for_each_cell([&](const Cell &cell) {
-        exchange_of(cell, &values(cell->active_cell_index()), 1);
-      });
+      for (const Cell &cell : owned_cells(body.space.dof_handler))
+        {
+          exchange_of(cell, &values(cell->active_cell_index()), 1);
+        }
     }
 
   private:
@@ -225,16 +228,6 @@ namespace Crevasse
         there = dealii::Utilities::MPI::max(there, communicator());
       this->common(there);
       return there == 1;
-    }
-
-    /** Calls a function for each cell of this rank. */
-    template <typename Function>
-    void
-    for_each_cell(const Function &f) const
-    {
-      for (const auto &cell : body.space.dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          f(cell);
     }
 
     /** Adds the numbers to those of a cell, or takes the next ones. */

@@ -50,15 +50,14 @@ namespace Crevasse
         }
       CellValues<dim> cell_values(space, dealii::update_JxW_values);
       weights.resize(points.n_local_points);
-      for (const auto &cell : space.dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            const dealii::FEValues<dim> &values = cell_values.reinit(cell);
-            const std::size_t            first =
-              points.offset(cell) / n_stress_components<dim>;
-            for (const unsigned int q : values.quadrature_point_indices())
-              weights[first + q] = std::sqrt(values.JxW(q));
-          }
+      for (const auto &cell : owned_cells(space.dof_handler))
+        {
+          const dealii::FEValues<dim> &values = cell_values.reinit(cell);
+          const std::size_t            first =
+            points.offset(cell) / n_stress_components<dim>;
+          for (const unsigned int q : values.quadrature_point_indices())
+            weights[first + q] = std::sqrt(values.JxW(q));
+        }
     }
 
     /** y, with the layout of r. */

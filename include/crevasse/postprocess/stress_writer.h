@@ -60,16 +60,15 @@ namespace Crevasse
       CellValues<dim> cell_values(body.space, dealii::update_quadrature_points);
       std::vector<dealii::CellId::binary_type> cells;
       std::vector<double>                      coordinates;
-      for (const auto &cell : body.space.dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const dealii::Point<dim> &point :
-               cell_values.reinit(cell).get_quadrature_points())
-            {
-              cells.push_back(cell->id().template to_binary<dim>());
-              coordinates.insert(coordinates.end(),
-                                 point.begin_raw(),
-                                 point.end_raw());
-            }
+      for (const auto &cell : owned_cells(body.space.dof_handler))
+        for (const dealii::Point<dim> &point :
+             cell_values.reinit(cell).get_quadrature_points())
+          {
+            cells.push_back(cell->id().template to_binary<dim>());
+            coordinates.insert(coordinates.end(),
+                               point.begin_raw(),
+                               point.end_raw());
+          }
       static_assert(sizeof(dealii::CellId::binary_type) == 16, "see above");
 
       const MPI_Comm communicator = body.space.communicator();
