@@ -199,57 +199,9 @@ namespace Crevasse
 
 
   bool
-  Expression::depends_on(const std::string &variable) const
-  {
-    return variables.count(variable) > 0;
-  }
-
-
-
-  bool
-  Expression::depends_on_time() const
-  {
-    return depends_on("t");
-  }
-
-
-
-  bool
-  Expression::depends_on_space() const
-  {
-    return depends_on("x") || depends_on("y") || depends_on("z");
-  }
-
-
-
-  bool
-  Expression::is_constant() const
-  {
-    return variables.empty();
-  }
-
-
-
-  bool
   Expression::is_zero() const
   {
     return is_constant() && parser->parser.Eval() == 0.;
-  }
-
-
-
-  const std::string &
-  Expression::formula() const
-  {
-    return text;
-  }
-
-
-
-  const std::string &
-  Expression::parameter() const
-  {
-    return name;
   }
 
 

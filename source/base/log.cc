@@ -51,17 +51,6 @@ namespace Crevasse
 
 
   void
-  Log::keep(const std::string &text)
-  {
-    if (file.is_open())
-      file << text << std::endl;
-    else
-      earlier_lines += text + '\n';
-  }
-
-
-
-  void
   Log::warning(const std::string &text)
   {
     if (!first_rank)
@@ -114,19 +103,4 @@ namespace Crevasse
 
 
 
-  bool
-  Log::on_terminal() const
-  {
-    return first_rank && terminal && !quiet && !output_is_gone;
-  }
-
-
-
-  void
-  Log::clear_progress()
-  {
-    if (progress_shown)
-      std::cout << "\r\033[K";
-    progress_shown = false;
-  }
 } // namespace Crevasse

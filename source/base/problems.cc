@@ -68,42 +68,6 @@ namespace Crevasse
 
 
   void
-  Problems::last_is_unreadable()
-  {
-    ++n_unreadable;
-  }
-
-
-
-  void
-  Problems::note(const std::string &section,
-                 const std::string &name,
-                 const std::string &value,
-                 const Origin      &origin)
-  {
-    values[{section, name}]  = value;
-    origins[{section, name}] = origin;
-  }
-
-
-
-  bool
-  Problems::empty() const
-  {
-    return messages.empty();
-  }
-
-
-
-  bool
-  Problems::concern(const std::string &section, const std::string &name) const
-  {
-    return concerned.count({section, name}) > 0;
-  }
-
-
-
-  void
   Problems::throw_if_any() const
   {
     if (messages.empty())

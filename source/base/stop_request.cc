@@ -130,14 +130,6 @@ namespace Crevasse
 
 
   void
-  StopRequests::skip_interval()
-  {
-    last_poll = -1.;
-  }
-
-
-
-  void
   StopRequests::stop_if_asked()
   {
     skip_interval();
@@ -150,9 +142,4 @@ namespace Crevasse
 
 
 
-  const std::string &
-  StopRequests::reason() const
-  {
-    return why;
-  }
 } // namespace Crevasse

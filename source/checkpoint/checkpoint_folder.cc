@@ -111,22 +111,6 @@ namespace Crevasse
 
 
 
-  std::string
-  CheckpointFolder::name(const unsigned int number) const
-  {
-    return path + '/' + std::to_string(number);
-  }
-
-
-
-  std::string
-  CheckpointFolder::new_name(const unsigned int number) const
-  {
-    return name(number) + ".new";
-  }
-
-
-
   std::vector<unsigned int>
   CheckpointFolder::numbers() const
   {
@@ -144,14 +128,6 @@ namespace Crevasse
       throw_if(error, "Cannot look for checkpoints in " + path);
     std::sort(found.begin(), found.end());
     return found;
-  }
-
-
-
-  bool
-  CheckpointFolder::has_any() const
-  {
-    return !numbers().empty();
   }
 
 

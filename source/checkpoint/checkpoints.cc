@@ -66,14 +66,6 @@ namespace Crevasse
 
 
 
-  std::string
-  Checkpoints::resumed_mesh() const
-  {
-    return folder.name(manifest.number) + mesh_file;
-  }
-
-
-
   StopRequests::Request
   Checkpoints::ask(const Position &position)
   {

@@ -240,21 +240,4 @@ namespace Crevasse
 
 
 
-  double
-  WilliamsFit::value(const Vector              &stress,
-                     const std::vector<double> &contact_forces) const
-  {
-    return 2. * apply(small, stress, contact_forces) -
-           apply(large, stress, contact_forces);
-  }
-
-
-
-  double
-  WilliamsFit::correction(const Vector              &stress,
-                          const std::vector<double> &contact_forces) const
-  {
-    return apply(small, stress, contact_forces) -
-           apply(large, stress, contact_forces);
-  }
 } // namespace Crevasse

@@ -44,18 +44,6 @@ namespace Crevasse
 
   template <int dim>
   void
-  ExternalLoads<dim>::validate_and_bound(
-    const std::vector<double> &instants) const
-  {
-    Vector loads(constant);
-    for (const double t : instants)
-      evaluate(t, loads);
-  }
-
-
-
-  template <int dim>
-  void
   ExternalLoads<dim>::mean(const std::function<double(const double t)> &divisor,
                            const double                                 period,
                            Vector &mean) const

@@ -341,17 +341,6 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  void
-  MaterialField<dim>::set_factors(const double        t,
-                                  MaterialState<dim> &state) const
-  {
-    state.stiffness_factor = law.stiffness_factor(t);
-    state.viscosity_factor = law.viscosity_factor(t);
-  }
-
-
-
   template class MaterialField<2>;
   template class MaterialField<3>;
 } // namespace Crevasse

@@ -111,27 +111,6 @@ namespace Crevasse
 
 
   template <int dim>
-  Vector
-  Fourier<dim>::mean_load() const
-  {
-    Vector mean = load[0];
-    mean /= material.viscosity_factor;
-    return mean;
-  }
-
-
-
-  template <int dim>
-  double
-  Fourier<dim>::negligible_load() const
-  {
-    constexpr double rounding = 1e-12;
-    return rounding * largest_load / material.viscosity_factor;
-  }
-
-
-
-  template <int dim>
   PeriodicMotion
   Fourier<dim>::solve(const SecularFlow   *flow,
                       const ContactMethod &solve_contact,
@@ -175,25 +154,6 @@ namespace Crevasse
     harmonics.synthesise(motion.viscous_strain);
     motion.complex_factorisations = responses.n_factorisations;
     return motion;
-  }
-
-
-
-  template <int dim>
-  std::complex<double>
-  Fourier<dim>::kappa(const unsigned int n) const
-  {
-    return harmonics.integral(n) * material.stiffness_factor /
-           material.viscosity_factor;
-  }
-
-
-
-  template <int dim>
-  ComplexModuli<dim>
-  Fourier<dim>::moduli(const unsigned int n) const
-  {
-    return ComplexModuli<dim>(material, kappa(n), body.points.n_local_points);
   }
 
 

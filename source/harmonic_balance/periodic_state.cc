@@ -52,23 +52,6 @@ namespace Crevasse
 
 
 
-  double
-  PeriodicState::force_scale() const
-  {
-    return std::max(forces.linfty_norm(), mean_forces.linfty_norm());
-  }
-
-
-
-  double
-  PeriodicState::opening_scale() const
-  {
-    return without_contact.linfty_norm() +
-           convolution.largest_compliance * force_scale();
-  }
-
-
-
   LipVector
   PeriodicState::missing_means() const
   {

@@ -179,17 +179,6 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  std::size_t
-  ContactSystem<dim>::memory_consumption() const
-  {
-    return matrix.memory_consumption() + linear_operator->memory_consumption() +
-           bytes_of_levels + contact->memory_consumption() +
-           (open_solver != nullptr ? open_solver->memory_consumption() : 0);
-  }
-
-
-
   template class ContactSystem<2>;
   template class ContactSystem<3>;
 } // namespace Crevasse

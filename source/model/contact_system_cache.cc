@@ -14,16 +14,6 @@ namespace Crevasse
 
   namespace
   {
-    /** See AlgorithmicModuli. */
-    template <int dim>
-    double
-    kappa(const double c, const MaterialState<dim> &material)
-    {
-      return c * material.stiffness_factor / material.viscosity_factor;
-    }
-
-
-
     /** Values of the material over a time c: AlgorithmicModuli or
      * RelaxationFunctions. */
     template <typename Values, int dim>
@@ -35,7 +25,7 @@ namespace Crevasse
       std::shared_ptr<Values> values;
       collectively(body.space.communicator(), [&]() {
         values = std::make_shared<Values>(material,
-                                          kappa(c, material),
+                                          material.kappa(c),
                                           body.points.n_local_points);
       });
       return values;
@@ -141,16 +131,6 @@ namespace Crevasse
 
 
   template <int dim>
-  Instant<dim>
-  ContactSystemCache<dim>::at(const double t)
-  {
-    const MaterialState<dim> &material = material_at(t);
-    return {material, system_at(t).contact_solver()};
-  }
-
-
-
-  template <int dim>
   ImplicitInstant<dim>
   ContactSystemCache<dim>::implicit_material_at(const double t, const double c)
   {
@@ -229,19 +209,6 @@ namespace Crevasse
 
 
   template <int dim>
-  std::pair<double, double>
-  ContactSystemCache<dim>::step_key(const double              t,
-                                    const double              c,
-                                    const MaterialState<dim> &material) const
-  {
-    const bool varies =
-      body.material.stiffness_varies || body.material.fluidity_varies;
-    return {varies ? t : 0., kappa(c, material)};
-  }
-
-
-
-  template <int dim>
   double
   ContactSystemCache<dim>::relaxation_factor(const SparseMatrix &matrix,
                                              const Vector       &loads) const
@@ -281,16 +248,6 @@ namespace Crevasse
       all.add(system.statistics());
     });
     return all;
-  }
-
-
-
-  template <int dim>
-  void
-  ContactSystemCache<dim>::summarise(Summary &summary) const
-  {
-    last_system->describe(summary);
-    statistics().add_to(summary);
   }
 
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/state_archive.h>
 #include <crevasse/periodic/contraction.h>
 
 #include <algorithm>
@@ -33,24 +32,6 @@ namespace Crevasse
                          : change;
     return lambda < 1. ? change * lambda / (1. - lambda)
                        : std::numeric_limits<double>::quiet_NaN();
-  }
-
-
-
-  double
-  Contraction::factor() const
-  {
-    return ratios.empty() ? std::numeric_limits<double>::quiet_NaN()
-                          : *std::max_element(ratios.begin(), ratios.end());
-  }
-
-
-
-  void
-  Contraction::serialize(StateArchive &archive)
-  {
-    archive.common(last_change);
-    archive.common(ratios);
   }
 
 

@@ -75,16 +75,6 @@ namespace Crevasse
 
   template <int dim>
   void
-  ObservedPeriods<dim>::show(const Sample &sample) const
-  {
-    for (Observer *observer : observers)
-      observer->observe(sample);
-  }
-
-
-
-  template <int dim>
-  void
   ObservedPeriods<dim>::begin_period(const Vector &r)
   {
     if (has_memory())

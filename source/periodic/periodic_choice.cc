@@ -101,16 +101,6 @@ namespace Crevasse
 
 
 
-  std::string
-  PeriodicChoice::describe() const
-  {
-    return name_of(method) +
-           (starts_from_fourier ? ", started from fourier" : "") + " (" + why +
-           ')';
-  }
-
-
-
   template <int dim>
   PeriodicChoice
   choose_periodic_method(const Scene     &scene,

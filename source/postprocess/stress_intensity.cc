@@ -188,15 +188,6 @@ namespace Crevasse
 
 
 
-  bool
-  StressIntensity::is_disturbed() const
-  {
-    return Effects::first_on(body.effects.free_strains) != nullptr ||
-           Effects::first_on(body.effects.volume_forces) != nullptr;
-  }
-
-
-
   double
   StressIntensity::choose_fit_radius() const
   {

@@ -25,18 +25,6 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  Evolution<dim>::instant_of(const double t) const
-  {
-    if (period == nullptr)
-      return t;
-    return t > step_begin && period->jumps_at(t) ? period->just_before(t)
-                                                 : period->within_period(t);
-  }
-
-
-
-  template <int dim>
   void
   Evolution<dim>::solve(ContactSolver &contact_solver, const double k)
   {
@@ -329,18 +317,6 @@ namespace Crevasse
       for (const double fraction : fractions)
         for (unsigned int c = 0; c < n; ++c)
           scale.local_element(entry++) = 1. / (fraction * stiffness);
-  }
-
-
-
-  template <int dim>
-  void
-  Evolution<dim>::switching_functions(std::vector<double> &values) const
-  {
-    last_solver->complementarity_functions(last.displacement,
-                                           last.contact_forces,
-                                           last.stiffness_factor,
-                                           values);
   }
 
 

@@ -119,11 +119,4 @@ namespace Crevasse
 
 
 
-  double
-  StepList::within_period(const double t) const
-  {
-    // A stage may end on the period but for rounding.
-    const double rest = t - period() * std::floor(t / period());
-    return rest >= period() * (1. - 1e-14) ? 0. : rest;
-  }
 } // namespace Crevasse

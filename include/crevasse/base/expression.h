@@ -63,15 +63,27 @@ namespace Crevasse
     value(const dealii::Point<dim> &point, const double t = 0.) const;
 
     bool
-    depends_on(const std::string &variable) const;
+    depends_on(const std::string &variable) const
+    {
+      return variables.count(variable) > 0;
+    }
 
     bool
-    depends_on_time() const;
+    depends_on_time() const
+    {
+      return depends_on("t");
+    }
     bool
-    depends_on_space() const;
+    depends_on_space() const
+    {
+      return depends_on("x") || depends_on("y") || depends_on("z");
+    }
     /** Whether the formula is a number. */
     bool
-    is_constant() const;
+    is_constant() const
+    {
+      return variables.empty();
+    }
     /** Whether the formula is the number zero. */
     bool
     is_zero() const;
@@ -83,11 +95,17 @@ namespace Crevasse
     can_jump_with(const std::string &variable) const;
 
     const std::string &
-    formula() const;
+    formula() const
+    {
+      return text;
+    }
 
     /** "[Section] Name", or nothing. */
     const std::string &
-    parameter() const;
+    parameter() const
+    {
+      return name;
+    }
 
     /** Splits "a; b; c" at the separators that are not within brackets, and
      * parses each part; nothing gives none. */

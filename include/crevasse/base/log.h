@@ -42,15 +42,29 @@ namespace Crevasse
 
     /** Whether progress() shows anything. */
     bool
-    on_terminal() const;
+    on_terminal() const
+    {
+      return first_rank && terminal && !quiet && !output_is_gone;
+    }
 
   private:
     void
-    clear_progress();
+    clear_progress()
+    {
+      if (progress_shown)
+        std::cout << "\r\033[K";
+      progress_shown = false;
+    }
 
     /** In the file, also if it is opened later. */
     void
-    keep(const std::string &text);
+    keep(const std::string &text)
+    {
+      if (file.is_open())
+        file << text << std::endl;
+      else
+        earlier_lines += text + '\n';
+    }
 
     void
     require_written();

@@ -72,7 +72,10 @@ namespace Crevasse
 
     /** The problem that was added last is a file that cannot be read. */
     void
-    last_is_unreadable();
+    last_is_unreadable()
+    {
+      ++n_unreadable;
+    }
 
     /** Remembers the value of a parameter and where it was set, for what is
      * added about it from now on. */
@@ -80,15 +83,25 @@ namespace Crevasse
     note(const std::string &section,
          const std::string &name,
          const std::string &value,
-         const Origin      &origin = {});
+         const Origin      &origin = {})
+    {
+      values[{section, name}]  = value;
+      origins[{section, name}] = origin;
+    }
 
     bool
-    empty() const;
+    empty() const
+    {
+      return messages.empty();
+    }
 
     /** Whether something was reported about this parameter, so that a
      * comparison with others would only confuse. */
     bool
-    concern(const std::string &section, const std::string &name) const;
+    concern(const std::string &section, const std::string &name) const
+    {
+      return concerned.count({section, name}) > 0;
+    }
 
     /** Throws one SceneError with all messages, one a line in the order of the
      * lines that they are about, if there are any; a FileError if there is

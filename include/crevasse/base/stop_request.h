@@ -73,7 +73,10 @@ namespace Crevasse
 
     /** The time until the next call says nothing about steps. */
     void
-    skip_interval();
+    skip_interval()
+    {
+      last_poll = -1.;
+    }
 
     /** Looks where nothing can be kept. Collective.
      * @throw StoppedOnRequest if the run is to end. */
@@ -83,7 +86,10 @@ namespace Crevasse
     /** Who asked, for the log: "SIGTERM", "the file .../stop", ... Known on
      * the first rank, if not by a signal to another one alone. */
     const std::string &
-    reason() const;
+    reason() const
+    {
+      return why;
+    }
 
   private:
     // A request and the signal that brought it, if it was one, in one number.

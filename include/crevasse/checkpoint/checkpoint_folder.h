@@ -52,11 +52,17 @@ namespace Crevasse
 
     /** Of the folder of a checkpoint. */
     std::string
-    name(const unsigned int number) const;
+    name(const unsigned int number) const
+    {
+      return path + '/' + std::to_string(number);
+    }
 
     /** The same while it is written. */
     std::string
-    new_name(const unsigned int number) const;
+    new_name(const unsigned int number) const
+    {
+      return name(number) + ".new";
+    }
 
     /** Makes the folder of a new checkpoint, and returns its number.
      * @throw FileError, also if there is no room for so many bytes. */
@@ -87,7 +93,10 @@ namespace Crevasse
 
     /** Whether there is a checkpoint, in order or not. */
     bool
-    has_any() const;
+    has_any() const
+    {
+      return !numbers().empty();
+    }
 
     /** Whether the run can go on in its tables. Nothing is changed.
      * @throw FileError if one does not begin with what it was when the

@@ -52,7 +52,10 @@ namespace Crevasse
     }
     /** The file that its mesh is loaded from. */
     std::string
-    resumed_mesh() const;
+    resumed_mesh() const
+    {
+      return folder.name(manifest.number) + mesh_file;
+    }
 
     /** After resume(), that one; afterwards the last one that was written. */
     const CheckpointManifest &

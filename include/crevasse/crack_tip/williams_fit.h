@@ -39,13 +39,20 @@ namespace Crevasse
 
     /** K_I. Collective. */
     double
-    value(const Vector              &stress,
-          const std::vector<double> &contact_forces) const;
+    value(const Vector &stress, const std::vector<double> &contact_forces) const
+    {
+      return 2. * apply(small, stress, contact_forces) -
+             apply(large, stress, contact_forces);
+    }
 
     /** K(R) − K(2R): what the extrapolation adds. Collective. */
     double
     correction(const Vector              &stress,
-               const std::vector<double> &contact_forces) const;
+               const std::vector<double> &contact_forces) const
+    {
+      return apply(small, stress, contact_forces) -
+             apply(large, stress, contact_forces);
+    }
 
     /** The least radius whose half disc has enough points for all terms.
      * Collective. */

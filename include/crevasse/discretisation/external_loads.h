@@ -39,7 +39,12 @@ namespace Crevasse
      * a run does not find out. Collective.
      * @throw SceneError with the point and the instant. */
     void
-    validate_and_bound(const std::vector<double> &instants) const;
+    validate_and_bound(const std::vector<double> &instants) const
+    {
+      Vector loads(constant);
+      for (const double t : instants)
+        evaluate(t, loads);
+    }
 
     /** The mean of the loads divided by a function of time over a period,
      * to rounding: see period_mean(). Collective. */

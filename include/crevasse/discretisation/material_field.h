@@ -34,6 +34,13 @@ namespace Crevasse
     double stiffness_factor = 1.; ///< k
     double viscosity_factor = 1.; ///< η₀
 
+    /** κ of the AlgorithmicModuli for a time c. */
+    double
+    kappa(const double c) const
+    {
+      return c * stiffness_factor / viscosity_factor;
+    }
+
     /** Whether this is one Maxwell body, the same everywhere and without
      * thermal strain, the case that deserves the shortest loops. */
     bool
@@ -83,7 +90,11 @@ namespace Crevasse
     /** Brings the factors k and η₀ of a state to another instant.
      * @throw SceneError if one is not positive. */
     void
-    set_factors(const double t, MaterialState<dim> &state) const;
+    set_factors(const double t, MaterialState<dim> &state) const
+    {
+      state.stiffness_factor = law.stiffness_factor(t);
+      state.viscosity_factor = law.viscosity_factor(t);
+    }
 
     // What depends on time, besides the factors.
     bool stiffness_varies;

@@ -23,11 +23,18 @@ namespace Crevasse
 
     /** The largest |g|, and no less than the largest mean. */
     double
-    force_scale() const;
+    force_scale() const
+    {
+      return std::max(forces.linfty_norm(), mean_forces.linfty_norm());
+    }
 
     /** The largest |w⁰|, plus what the largest force does by itself. */
     double
-    opening_scale() const;
+    opening_scale() const
+    {
+      return without_contact.linfty_norm() +
+             convolution.largest_compliance * force_scale();
+    }
 
     /** What the mean of the forces lacks. */
     LipVector

@@ -80,7 +80,13 @@ namespace Crevasse
     /** Bytes of the matrix and what solves with it, on this rank; without what
      * a similar system has made. */
     std::size_t
-    memory_consumption() const;
+    memory_consumption() const
+    {
+      return matrix.memory_consumption() +
+             linear_operator->memory_consumption() + bytes_of_levels +
+             contact->memory_consumption() +
+             (open_solver != nullptr ? open_solver->memory_consumption() : 0);
+    }
 
   private:
     std::unique_ptr<ContactSolver>

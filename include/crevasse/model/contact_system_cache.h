@@ -43,7 +43,11 @@ namespace Crevasse
     ContactSystemCache(const ContactSystemCache &) = delete;
 
     Instant<dim>
-    at(const double t) override;
+    at(const double t) override
+    {
+      const MaterialState<dim> &material = material_at(t);
+      return {material, system_at(t).contact_solver()};
+    }
 
     ImplicitInstant<dim>
     implicit_at(const double t, const double c) override;
@@ -86,7 +90,11 @@ namespace Crevasse
     /** Which solvers there are and why, how often they were called and what it
      * took. */
     void
-    summarise(Summary &summary) const;
+    summarise(Summary &summary) const
+    {
+      last_system->describe(summary);
+      statistics().add_to(summary);
+    }
 
   private:
     std::shared_ptr<ContactSystem<dim>>
@@ -109,7 +117,12 @@ namespace Crevasse
     std::pair<double, double>
     step_key(const double              t,
              const double              c,
-             const MaterialState<dim> &material) const;
+             const MaterialState<dim> &material) const
+    {
+      const bool varies =
+        body.material.stiffness_varies || body.material.fluidity_varies;
+      return {varies ? t : 0., material.kappa(c)};
+    }
 
     const Scene     &scene;
     const Body<dim> &body;

@@ -4,13 +4,13 @@
 #ifndef crevasse_periodic_contraction_h
 #define crevasse_periodic_contraction_h
 
+#include <crevasse/base/state_archive.h>
+
 #include <optional>
 #include <vector>
 
 namespace Crevasse
 {
-  class StateArchive;
-
   /**
    * Tells from the changes of a sequence how far it still is from its limit:
    * if they continue to shrink by λ the rest of them sums up to
@@ -36,10 +36,18 @@ namespace Crevasse
 
     /** λ; nan while it cannot be told. */
     double
-    factor() const;
+    factor() const
+    {
+      return ratios.empty() ? std::numeric_limits<double>::quiet_NaN()
+                            : *std::max_element(ratios.begin(), ratios.end());
+    }
 
     void
-    serialize(StateArchive &archive);
+    serialize(StateArchive &archive)
+    {
+      archive.common(last_change);
+      archive.common(ratios);
+    }
 
   private:
     static constexpr unsigned int n_ratios = 4;

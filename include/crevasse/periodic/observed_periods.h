@@ -184,7 +184,11 @@ namespace Crevasse
     sample(const unsigned int k, const Vector &r) const;
 
     void
-    show(const Sample &sample) const;
+    show(const Sample &sample) const
+    {
+      for (Observer *observer : observers)
+        observer->observe(sample);
+    }
 
     void
     serialize(StateArchive &archive);

@@ -45,7 +45,12 @@ namespace Crevasse
 
     /** One line for the log. */
     std::string
-    describe() const;
+    describe() const
+    {
+      return name_of(method) +
+             (starts_from_fourier ? ", started from fourier" : "") + " (" +
+             why + ')';
+    }
   };
 
   /**

@@ -127,7 +127,11 @@ namespace Crevasse
      * is Williams' series where the body is uniform, and viscous strain is
      * compatible there. */
     bool
-    is_disturbed() const;
+    is_disturbed() const
+    {
+      return Effects::first_on(body.effects.free_strains) != nullptr ||
+             Effects::first_on(body.effects.volume_forces) != nullptr;
+    }
 
     double
     choose_fit_radius() const;

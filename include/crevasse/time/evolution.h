@@ -100,7 +100,13 @@ namespace Crevasse
     strain_per_stress(const Vector &r, Vector &scale) const override;
 
     void
-    switching_functions(std::vector<double> &values) const override;
+    switching_functions(std::vector<double> &values) const override
+    {
+      last_solver->complementarity_functions(last.displacement,
+                                             last.contact_forces,
+                                             last.stiffness_factor,
+                                             values);
+    }
 
     /** Makes stress scale and strain per stress those of the largest elastic
      * stress and of the largest stiffness of each point at these instants. */
@@ -157,7 +163,13 @@ namespace Crevasse
 
     /** The instant within the period at which @p t is evaluated. */
     double
-    instant_of(const double t) const;
+    instant_of(const double t) const
+    {
+      if (period == nullptr)
+        return t;
+      return t > step_begin && period->jumps_at(t) ? period->just_before(t)
+                                                   : period->within_period(t);
+    }
 
     /** Solves for q with a given viscous strain; empty: none. */
     void

@@ -110,7 +110,12 @@ namespace Crevasse
 
     /** Brings a time into [0, T[: whatever is written is periodic. */
     double
-    within_period(const double t) const;
+    within_period(const double t) const
+    {
+      // A stage may end on the period but for rounding.
+      const double rest = t - period() * std::floor(t / period());
+      return rest >= period() * (1. - 1e-14) ? 0. : rest;
+    }
 
   private:
     std::vector<double> instants;
