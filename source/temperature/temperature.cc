@@ -23,40 +23,11 @@ namespace Crevasse
 
 
   template <int dim>
-  Temperature<dim>::Temperature(Temperature &&) noexcept = default;
-
-
-
-  template <int dim>
-  Temperature<dim>::~Temperature() = default;
-
-
-
-  template <int dim>
   bool
   Temperature<dim>::is_file(const std::string &source)
   {
     const std::string suffix = Text::suffix(source);
     return suffix == ".csv" || suffix == ".h5";
-  }
-
-
-
-  template <int dim>
-  double
-  Temperature<dim>::value(const dealii::Point<dim> &point, const double t) const
-  {
-    return file != nullptr ? file->value(point, t) : formula->value(point, t);
-  }
-
-
-
-  template <int dim>
-  bool
-  Temperature<dim>::depends_on_time() const
-  {
-    return file != nullptr ? file->n_instants() > 1
-                           : formula->depends_on_time();
   }
 
 

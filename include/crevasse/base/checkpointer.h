@@ -35,7 +35,11 @@ namespace Crevasse
   protected:
     /** Shows all parts, in the order in which they became known. */
     void
-    serialize_parts(StateArchive &archive) const;
+    serialize_parts(StateArchive &archive) const
+    {
+      for (const auto &serialize : parts)
+        serialize(archive);
+    }
 
   private:
     friend class SerializationScope;
@@ -49,9 +53,19 @@ namespace Crevasse
   public:
     /** @param checkpointer null: nobody asks. */
     SerializationScope(Checkpointer                              *checkpointer,
-                       const std::function<void(StateArchive &)> &serialize);
+                       const std::function<void(StateArchive &)> &serialize)
+      : checkpointer(checkpointer)
+    {
+      if (checkpointer != nullptr)
+        checkpointer->parts.push_back(serialize);
+    }
 
-    ~SerializationScope();
+    ~SerializationScope()
+    {
+      // They go in the order opposite to that in which they came.
+      if (checkpointer != nullptr)
+        checkpointer->parts.pop_back();
+    }
 
     SerializationScope(const SerializationScope &) = delete;
     SerializationScope &

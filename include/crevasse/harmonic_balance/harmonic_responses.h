@@ -5,10 +5,11 @@
 #define crevasse_harmonic_balance_harmonic_responses_h
 
 #include <crevasse/discretisation/algorithmic_moduli.h>
+#include <crevasse/discretisation/stiffness.h>
+#include <crevasse/harmonic_balance/complex_mumps.h>
 #include <crevasse/harmonic_balance/lip_part.h>
 #include <crevasse/harmonic_balance/periodic_contact.h>
 #include <crevasse/model/body.h>
-
 
 namespace Crevasse
 {
@@ -49,24 +50,158 @@ namespace Crevasse
                       const MaterialState<dim> &material,
                       LinearSolver             &linear_solver,
                       const LipPart            &lip,
-                      const double              memory);
+                      const double              memory)
+      : body(body)
+      , material(material)
+      , linear_solver(linear_solver)
+      , lip(lip)
+      , memory(memory)
+    {
+    }
 
     /** The response to harmonic @p n with these moduli, all without the factor
      * k. Collective. @throw NumericalError if MUMPS fails. */
     HarmonicResponse
-    at(const unsigned int n, const ComplexModuli<dim> &moduli);
+    at(const unsigned int n, const ComplexModuli<dim> &moduli)
+    {
+      if (const auto found = kept.find(n); found != kept.end())
+        return found->second;
+      const auto             factor = common_factor(moduli,
+                                        *material.stiffness,
+                                        body.points.n_local_points,
+                                        body.space.communicator());
+      const HarmonicResponse response =
+        factor ? scaled(*factor) : factorised(moduli);
+      const double needed =
+        dealii::Utilities::MPI::sum(double(response.memory_consumption),
+                                    body.space.communicator());
+      // Those that were made first are kept: the second time they are asked for
+      // in the same order, and dropping the oldest would always drop the next.
+      is_full = is_full || used_memory + needed > memory;
+      if (!is_full)
+        {
+          used_memory += needed;
+          kept[n] = response;
+        }
+      return response;
+    }
 
     /** The response by a factor of its own. Collective. @throw NumericalError
      * if MUMPS fails. */
     HarmonicResponse
-    factorised(const ComplexModuli<dim> &moduli);
+    factorised(const ComplexModuli<dim> &moduli)
+    {
+      const std::size_t n_points = body.points.n_local_points;
+      assemble_stiffness(body.space,
+                         body.points,
+                         part_of(moduli.sum, n_points, std::real),
+                         real);
+      if (imaginary.m() == 0)
+        imaginary.reinit(real);
+      assemble_stiffness(body.space,
+                         body.points,
+                         part_of(moduli.sum, n_points, std::imag),
+                         imaginary);
+      const auto factor = std::make_shared<ComplexMumps>(real,
+                                                         imaginary,
+                                                         lip.nodes.dofs,
+                                                         ordering);
+      ordering          = factor->ordering;
+      ++n_factorisations;
+
+      auto matrix =
+        std::make_shared<dealii::FullMatrix<Complex>>(factor->compliance);
+      for (unsigned int i = 0; i < lip.n_nodes(); ++i)
+        for (unsigned int j = 0; j < lip.n_nodes(); ++j)
+          (*matrix)(i, j) *= lip.nodes.sign[i] * lip.nodes.sign[j];
+      const auto solve = [factor](Vector &real, Vector &imaginary) {
+        factor->solve(real, imaginary);
+      };
+      return {{matrix, 1.}, solve, factor->memory_consumption()};
+    }
 
     unsigned int n_factorisations = 0; ///< complex ones, so far
 
   private:
+    using Complex = std::complex<double>;
+
+    /** The part of matrices that a function of complex numbers takes. */
+    static PointValues<VoigtMatrix<dim>>
+    part_of(const PointValues<VoigtMatrix<dim, Complex>> &matrices,
+            const std::size_t                             n_points,
+            double (*part)(const Complex &))
+    {
+      return transform(
+        matrices, n_points, [&](const VoigtMatrix<dim, Complex> &matrix) {
+          VoigtMatrix<dim> result;
+          for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+            for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
+              result[i][j] = part(matrix[i][j]);
+          return result;
+        });
+    }
+
+    /** The c with Σ K*ᵢ = c K at all points, if there is one: with a relaxation
+     * time that is the same everywhere, and where κ = 0. Collective. */
+    static std::optional<Complex>
+    common_factor(const ComplexModuli<dim>            &moduli,
+                  const PointValues<VoigtMatrix<dim>> &stiffness,
+                  const std::size_t                    n_points,
+                  const MPI_Comm                       communicator)
+    {
+      constexpr double rounding = 1e-12;
+      Complex          factor   = 0.;
+      if (n_points > 0)
+        factor = moduli.sum[0][0][0] / stiffness[0][0][0];
+      // That of a point of the first rank that has any.
+      const unsigned int rank =
+        dealii::Utilities::MPI::this_mpi_process(communicator);
+      const unsigned int first =
+        dealii::Utilities::MPI::min(n_points > 0
+                                      ? rank
+                                      : dealii::numbers::invalid_unsigned_int,
+                                    communicator);
+      factor = dealii::Utilities::MPI::broadcast(communicator, factor, first);
+
+      bool is_common = true;
+      for (std::size_t p = 0; p < n_points && is_common; ++p)
+        is_common = (moduli.sum[p] - factor * stiffness[p]).norm() <=
+                    rounding * stiffness[p].norm() * std::abs(factor);
+      if (dealii::Utilities::MPI::min(is_common ? 1 : 0, communicator) == 0)
+        return {};
+      return factor;
+    }
+
     /** The response where A* is A times a number. */
     HarmonicResponse
-    scaled(const std::complex<double> factor);
+    scaled(const std::complex<double> factor)
+    {
+      if (elastic_compliance == nullptr)
+        {
+          auto matrix = std::make_shared<dealii::FullMatrix<Complex>>();
+          if (lip.n_nodes() > 0)
+            *matrix =
+              lip.compliance(linear_solver, body.space.ghosted_vector());
+          elastic_compliance = matrix;
+        }
+      const Complex inverse = 1. / factor;
+      const auto    solve   = [this, inverse](Vector &real, Vector &imaginary) {
+        constexpr double accuracy = 1e-12; // of a residual
+        const double     norm = std::max(real.l2_norm(), imaginary.l2_norm());
+        if (norm == 0.)
+          return;
+        Vector of_real(real), of_imaginary(imaginary);
+        of_real      = 0.;
+        of_imaginary = 0.;
+        linear_solver.solve(of_real, real, accuracy * norm);
+        linear_solver.solve(of_imaginary, imaginary, accuracy * norm);
+        real.equ(inverse.real(), of_real);
+        real.add(-inverse.imag(), of_imaginary);
+        imaginary.equ(inverse.real(), of_imaginary);
+        imaginary.add(inverse.imag(), of_real);
+      };
+      return {{elastic_compliance, inverse}, solve, 0};
+    }
 
     const Body<dim>          &body;
     const MaterialState<dim> &material;

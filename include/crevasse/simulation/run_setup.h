@@ -4,11 +4,13 @@
 #ifndef crevasse_simulation_run_setup_h
 #define crevasse_simulation_run_setup_h
 
+#include <crevasse/model/largest_load.h>
 #include <crevasse/model/linear_choice.h>
 #include <crevasse/periodic/periodic_choice.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 #include <crevasse/postprocess/load_factors.h>
 #include <crevasse/postprocess/probe.h>
+#include <crevasse/time/integrator_choice.h>
 #include <crevasse/time/step_control.h>
 
 
@@ -24,7 +26,52 @@ namespace Crevasse
   {
     /** Collective. @throw SceneError, or NumericalError if the steps are
      * unstable. */
-    RunSetup(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh);
+    RunSetup(const Scene &of_run, std::shared_ptr<const Mesh<dim>> mesh)
+      : scene(of_run)
+      , body(scene, std::move(mesh))
+      , recovery(body.space,
+                 body.points,
+                 body.material.materials_of_cells(body.space, body.points))
+      , probes(
+          make_probes(*scene.output.probes, body.space, recovery, body.lip))
+      , steps(scene.time_integration,
+              scene.loads.period,
+              scene.output.field_times)
+      , integrator(make_integrator())
+    {
+      // The instants at which a run evaluates formulas, and some between.
+      const std::vector<double> instants = steps.survey_instants(
+        integrator != nullptr ? integrator->properties.quadrature.nodes
+                              : std::vector<double>());
+      body.loads.validate_and_bound(instants);
+      relaxation_times =
+        body.material.relaxation_times(instants, steps.period());
+      largest_thermal_strain = body.material.largest_thermal_strain(instants);
+      largest_nodal_force    = largest_load(body, steps);
+      missed_load            = load_missed_by_steps(body, steps);
+      // Choices depend on the jumps.
+      steps.set_jumps(find_jumps(scene, body, steps, largest_nodal_force));
+      periodic_choice =
+        choose_periodic_method(scene, body, steps, relaxation_times.largest);
+      secular_split =
+        choose_secular_split(scene,
+                             body,
+                             steps,
+                             integrator.get(),
+                             periodic_choice.needs_periodic_strain());
+      solvers = choose_solvers(scene, body);
+      if constexpr (dim == 2)
+        if (scene.crack_tip.stress_intensity)
+          crack_tip = std::make_unique<const CrackTipAnalysis>(scene,
+                                                               body,
+                                                               secular_split,
+                                                               steps);
+      const ComparedLip compared = scene.output.elastic_comparison;
+      if (compared != ComparedLip::none)
+        load_factors =
+          Crevasse::load_factors(body, steps, integrator.get(), compared);
+      make_step_control(); // throws if steps are unstable
+    }
 
     RunSetup(const RunSetup &) = delete;
     RunSetup &
@@ -32,16 +79,36 @@ namespace Crevasse
 
     /** One that can be used; null without viscosity. */
     std::unique_ptr<Integrator>
-    make_integrator() const;
+    make_integrator() const
+    {
+      if (!body.effects.viscosity.on)
+        return nullptr;
+      return Crevasse::make_integrator(scene.time_integration,
+                                       scene.loads.period,
+                                       body.effects.contact.on);
+    }
 
     /** @throw NumericalError if the steps are beyond the limit of the
      * integrator. */
     std::unique_ptr<StepControl>
-    make_step_control() const;
+    make_step_control() const
+    {
+      if (integrator == nullptr)
+        return std::make_unique<StepControl>();
+      return Crevasse::make_step_control(scene.time_integration,
+                                         steps,
+                                         integrator->properties,
+                                         relaxation_times.smallest);
+    }
 
     /** Those of the scene, and the secular flow. */
     std::vector<Effects::Effect>
-    active_effects(const SecularSplit &split) const;
+    active_effects(const SecularSplit &split) const
+    {
+      Effects all      = body.effects;
+      all.secular_flow = split.effect;
+      return all.list();
+    }
 
     const Scene                             scene;
     const Body<dim>                         body;

@@ -10,6 +10,8 @@
 #include <crevasse/simulation/periodic_start.h>
 #include <crevasse/time/evolution.h>
 
+#include <iostream>
+
 
 namespace Crevasse
 {
@@ -33,11 +35,48 @@ namespace Crevasse
     /** All arguments must outlive this object. */
     Workspace(const RunSetup<dim> &setup,
               const RunOutput     &output,
-              RunState            &state);
+              RunState            &state)
+      : setup(setup)
+      , output(output)
+      , state(state)
+      // Of this rank alone: with a communicator it would talk while an
+      // exception is on its way.
+      , phases(std::cout,
+               dealii::TimerOutput::never,
+               dealii::TimerOutput::wall_times)
+      , steps(setup.steps)
+      , integrator(setup.make_integrator())
+      , step_control(setup.make_step_control())
+      , systems(setup.scene,
+                setup.body,
+                setup.solvers,
+                steps,
+                setup.largest_nodal_force,
+                output.log,
+                phases)
+      , evolution(setup.body.strain_operator,
+                  setup.body.points,
+                  setup.body.loads,
+                  systems)
+      , start{setup.periodic_choice, setup.secular_split, {}, {}, {}}
+    {
+      systems.add(state.solvers);
+    }
 
     /** The state of the run with what was counted and timed here. */
     RunState
-    state_so_far() const;
+    state_so_far() const
+    {
+      RunState so_far = state;
+      so_far.solvers  = systems.statistics();
+      so_far.rate_evaluations += evolution.n_rate_evaluations();
+      for (const auto &[name, seconds] :
+           phases.get_summary_data(dealii::TimerOutput::total_wall_time))
+        so_far.seconds[name] += seconds;
+      so_far.seconds["strain sweeps"] += evolution.sweep_seconds();
+      so_far.seconds["total"] += timer.wall_time();
+      return so_far;
+    }
 
     const RunSetup<dim>         &setup;
     const RunOutput             &output;

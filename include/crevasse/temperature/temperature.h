@@ -5,14 +5,12 @@
 #define crevasse_temperature_temperature_h
 
 #include <crevasse/base/expression.h>
+#include <crevasse/temperature/temperature_file.h>
 
 #include <optional>
 
 namespace Crevasse
 {
-  template <int dim>
-  class TemperatureFile;
-
   /** The change of temperature θ(x,t): a formula, or a file: a table
    * (.csv), or fields that another program computed (.h5). */
   template <int dim>
@@ -25,13 +23,14 @@ namespace Crevasse
     Temperature(const std::optional<Expression> &formula,
                 const std::string               &file_name,
                 const double                     period);
-    Temperature(Temperature &&) noexcept;
-    ~Temperature();
 
     /** @throw SceneError if the point is outside of what the file covers, or if
      * a formula has no finite value. */
     double
-    value(const dealii::Point<dim> &point, const double t) const;
+    value(const dealii::Point<dim> &point, const double t) const
+    {
+      return file != nullptr ? file->value(point, t) : formula->value(point, t);
+    }
 
     bool
     is_zero() const
@@ -46,7 +45,11 @@ namespace Crevasse
     }
 
     bool
-    depends_on_time() const;
+    depends_on_time() const
+    {
+      return file != nullptr ? file->n_instants() > 1
+                             : formula->depends_on_time();
+    }
 
     /** Whether [Loads] Temperature names a file. */
     static bool
