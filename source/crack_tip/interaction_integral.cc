@@ -39,20 +39,6 @@ namespace Crevasse
 
 
 
-    VoigtVector<2>
-    strain_of(const PlaneElasticity &body, const VoigtVector<2> &s)
-    {
-      const double   twofold_mu = 2. * body.shear_modulus;
-      const double   nu         = (3. - body.kappa()) / 4.;
-      VoigtVector<2> e;
-      e[0] = (s[0] - nu * (s[0] + s[1])) / twofold_mu;
-      e[1] = (s[1] - nu * (s[0] + s[1])) / twofold_mu;
-      e[3] = 2. * s[3] / twofold_mu;
-      return e;
-    }
-
-
-
     /** For a cell of rule 0: the polynomials through its points, at those of a
      * rule that is fine enough for their product with the kernel. */
     class KernelRules
@@ -287,7 +273,7 @@ namespace Crevasse
         const std::size_t      offset = kernel.point * Field::n_components;
         const VoigtVector<2>   s      = Field::get(sample.state.stress, offset);
         const PlaneCompliance &law    = laws[kernel.point];
-        VoigtVector<2> strain = (law.of_stress * s - strain_of(at_tip, s)) / k;
+        VoigtVector<2> strain = (law.of_stress * s - at_tip.strain(s)) / k;
         if (material.thermal_strain != nullptr)
           strain += law.free_strain((*material.thermal_strain)[kernel.point]);
         sum += kernel.field.of_strain * strain;

@@ -321,7 +321,6 @@ namespace Crevasse
 
 
 
-  // fourier_mean.cc has the members that find the mean.
   template class Fourier<2>;
   template class Fourier<3>;
 } // namespace Crevasse

@@ -140,11 +140,9 @@ namespace Crevasse
       if (is_loading())
         body.points.initialize(field, n_branches);
       for (const Cell &cell : owned_cells(body.space.dof_handler))
-        {
-          exchange_of(cell,
-                      field.begin() + n_branches * body.points.offset(cell),
-                      n_branches * n * body.space.quadrature(cell).size());
-        }
+        exchange_of(cell,
+                    field.begin() + n_branches * body.points.offset(cell),
+                    n_branches * n * body.space.quadrature(cell).size());
     }
     void
     on_bounds(std::vector<double> &values) override
@@ -169,9 +167,7 @@ namespace Crevasse
       if (is_loading())
         values.reinit(body.space.mesh().n_active_cells());
       for (const Cell &cell : owned_cells(body.space.dof_handler))
-        {
-          exchange_of(cell, &values(cell->active_cell_index()), 1);
-        }
+        exchange_of(cell, &values(cell->active_cell_index()), 1);
     }
 
   private:

@@ -17,7 +17,7 @@ namespace Crevasse
   /**
    * What loops over the cells of this rank need of a space, for CellKernels:
    * indices, constraints and geometry. Without the cells that have another rule
-   * than the first, see Space::quadratures(). Shared by all operators of a
+   * than the first, see Space::quadratures. Shared by all operators of a
    * space: see Space::cell_loops().
    *
    * Constraints are resolved once for each unknown, not in each cell: a kernel

@@ -70,6 +70,18 @@ namespace Crevasse
       return 8. * shear_modulus / (kappa() + 1.);
     }
 
+    /** The strain that a stress in the plane makes, with engineering shears. */
+    VoigtVector<2>
+    strain(const VoigtVector<2> &s) const
+    {
+      const double   nu = (3. - kappa()) / 4.;
+      VoigtVector<2> e;
+      e[0] = (s[0] - nu * (s[0] + s[1])) / (2. * shear_modulus);
+      e[1] = (s[1] - nu * (s[0] + s[1])) / (2. * shear_modulus);
+      e[3] = 2. * s[3] / (2. * shear_modulus);
+      return e;
+    }
+
   private:
     double lambda;
   };
