@@ -20,12 +20,12 @@ namespace Crevasse
     , intensity(scene, body, steps)
     , energy(body.material, intensity.points)
     , growth_law(describe_growth_law(scene.crack_tip))
-    , no_c_star(find_viscous_region(split))
     , has_singular_function(body.space.singular_shapes() != nullptr &&
                             !body.effects.viscosity.on &&
                             !body.material.stiffness_varies)
     , mean_load_vanishes(split.mean_load.size() > 0 && !split.effect.on)
   {
+    no_c_star = find_viscous_region(split);
     if (needs_c_star(scene.crack_tip) && !no_c_star.empty() &&
         !mean_load_vanishes)
       throw SceneError(

@@ -39,6 +39,9 @@ namespace Crevasse
     const StressIntensity intensity;
     const StrainEnergy    energy;
     const std::string     growth_law; ///< its description; empty: none
+    /** Whether the coefficient of the first singular function is a K_I. */
+    const bool  has_singular_function;
+    std::string no_c_star; ///< why; empty: it is known
 
   private:
     /** @throw SceneError if a point support at the tip has to bear loads. */
@@ -52,14 +55,7 @@ namespace Crevasse
 
     std::optional<Viscosity<2>>       viscosity;      ///< if there is a C*
     std::optional<TipRegion::Uniform> viscous_region; ///< likewise
-
-  public:
-    const std::string no_c_star; ///< why; empty: known
-    /** Whether the coefficient of the first singular function is a K_I. */
-    const bool has_singular_function;
-
-  private:
-    const bool mean_load_vanishes;
+    const bool                        mean_load_vanishes;
   };
 } // namespace Crevasse
 
