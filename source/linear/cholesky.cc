@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cholmod.h>
+#include <map>
 #include <optional>
 
 namespace Crevasse

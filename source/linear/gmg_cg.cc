@@ -67,7 +67,12 @@ namespace Crevasse
     const std::vector<types::global_dof_index> &may_be_held)
   {
     const Space<dim> &space = levels->space(0);
-    const auto        lip   = of_all_ranks(on_levels(may_be_held)[0]);
+    // Of a coarsest mesh that is fine itself it is too large for dense
+    // matrices; held unknowns are cut off there.
+    constexpr std::size_t largest_lip = 2000;
+    auto                  lip         = of_all_ranks(on_levels(may_be_held)[0]);
+    if (lip.size() > largest_lip)
+      lip.clear();
     // Exact, but for meshes that are large before anything is refined.
     std::shared_ptr<const Cholesky::Factor> no_analysis;
     coarsest_solver =
@@ -148,7 +153,12 @@ namespace Crevasse
     const DirectSolver::Indices &lip = coarsest_factor->lip;
     std::vector<bool>            set(lip.size(), true);
     for (const auto dof : of_all_ranks(rows[0]))
-      set[std::lower_bound(lip.begin(), lip.end(), dof) - lip.begin()] = false;
+      {
+        const auto place = std::lower_bound(lip.begin(), lip.end(), dof);
+        Assert(place != lip.end() && *place == dof,
+               ExcMessage("This unknown was not to be held."));
+        set[place - lip.begin()] = false;
+      }
     not_held->choose(set);
   }
 
@@ -165,8 +175,7 @@ namespace Crevasse
       rows.back().push_back(layout.global_to_local(dof));
     std::sort(rows.back().begin(), rows.back().end());
     for (unsigned int level = finest_level; level > 0; --level)
-      rows[level - 1] =
-        levels->transfer(level).at_same_nodes(rows[level]);
+      rows[level - 1] = levels->transfer(level).at_same_nodes(rows[level]);
     return rows;
   }
 
@@ -258,6 +267,8 @@ namespace Crevasse
     constexpr unsigned int n_smoother_vectors = 4;
     std::size_t            bytes = coarsest_matrix.memory_consumption() +
                         coarsest_solver->memory_consumption();
+    if (not_held != nullptr)
+      bytes += not_held->memory_consumption();
     for (const Level &level : levels_of_cycle)
       bytes += (3 + (level.A != nullptr ? n_smoother_vectors : 0)) *
                  level.defect.memory_consumption() +

@@ -111,6 +111,18 @@ namespace Crevasse
   template <unsigned int bytes, typename Real>
   CellKernels<Real>
   kernels_of_width(const CellKind &kind);
+
+#define CREVASSE_DECLARE_KERNELS(bytes)                                      \
+  template <>                                                                \
+  CellKernels<double> kernels_of_width<bytes, double>(const CellKind &kind); \
+  template <>                                                                \
+  CellKernels<float> kernels_of_width<bytes, float>(const CellKind &kind)
+
+  CREVASSE_DECLARE_KERNELS(16);
+  CREVASSE_DECLARE_KERNELS(32);
+  CREVASSE_DECLARE_KERNELS(64);
+
+#undef CREVASSE_DECLARE_KERNELS
 } // namespace Crevasse
 
 #endif

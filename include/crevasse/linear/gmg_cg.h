@@ -19,8 +19,9 @@ namespace Crevasse
    * Conjugate gradients with geometric multigrid as preconditioner: one V-cycle
    * with Chebyshev smoothing, in single precision. No matrix but that of the
    * coarsest level, on any number of ranks. Held unknowns are held on every
-   * level (truncated multigrid: Kornhuber, Numer. Math. 69, 1994), so that
-   * contact costs no iterations.
+   * level that has their nodes (after Kornhuber's truncated multigrid, Numer.
+   * Math. 69, 1994, but without Galerkin's product), so that a closed lip costs
+   * no more iterations than an open one.
    */
   template <int dim>
   class GmgCg : public ConjugateGradients

@@ -16,7 +16,7 @@ namespace Crevasse
    * Substitution with one right-hand side in a supernodal factor that CHOLMOD
    * has made: columns with the same pattern are dense blocks, of a row for each
    * entry of the pattern. The many small ones of plane problems cost CHOLMOD a
-   * quarter more, because it calls BLAS for each.
+   * sixth more, because it calls BLAS for each.
    *
    * Both take the unknowns in the factor's order, and stop at a column, so that
    * A = (A₁₁ A₁₂; A₂₁ A₂₂) is eliminated as far as there.
