@@ -19,23 +19,6 @@ namespace Crevasse
       lip.gather(all.data());
       return all;
     }
-
-    /** Σ for displacements along the normals. */
-    LAPACKFullMatrix<double>
-    turned(const DirectSolver           &linear_solver,
-           const SignoriniProblem       &problem,
-           const dealii::Vector<double> &sign)
-    {
-      AssertThrow(linear_solver.lip == problem.all_bounded_dofs(),
-                  ExcMessage("The factor's lip is not that of the contact "
-                             "problem: give the bounded unknowns to the "
-                             "constructor of Cholesky or Mumps."));
-      LAPACKFullMatrix<double> result(linear_solver.lip_stiffness());
-      for (unsigned int i = 0; i < sign.size(); ++i)
-        for (unsigned int j = 0; j < sign.size(); ++j)
-          result(j, i) *= sign(i) * sign(j); // column by column
-      return result;
-    }
   } // namespace
 
 
@@ -46,15 +29,18 @@ namespace Crevasse
     : ContactSolver(problem, tolerance)
     , linear_solver(linear_solver)
     , lip(problem)
-    , sign(of_all(lip, problem.bounds.sign))
-    , lip_problem(turned(linear_solver, problem, sign),
+    , lip_problem(linear_solver.lip_stiffness(),
+                  of_all(lip, problem.bounds.sign),
                   of_all(lip, problem.bounds.gap),
                   [this](const std::vector<bool> &closed,
                          std::vector<bool>       &next) {
                     lip.extrapolate(closed, next);
                   })
-    , loads(lip.n_nodes())
   {
+    AssertThrow(linear_solver.lip == problem.all_bounded_dofs(),
+                ExcMessage("The factor's lip is not that of the contact "
+                           "problem: give the bounded unknowns to the "
+                           "constructor of Cholesky or Mumps."));
   }
 
 
@@ -105,10 +91,8 @@ namespace Crevasse
     linear_solver.solve_with_lip(solution,
                                  right_hand_side,
                                  [&](dealii::Vector<double> &on_lip) {
-                                   loads = on_lip;
-                                   loads.scale(sign);
+                                   loads  = on_lip;
                                    n_sets = lip_problem.solve(loads, on_lip);
-                                   on_lip.scale(sign);
                                  });
     return n_sets;
   }

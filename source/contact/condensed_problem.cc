@@ -13,12 +13,14 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  CondensedProblem::CondensedProblem(LAPACKFullMatrix<double> stiffness,
-                                     const LipVector         &gap,
-                                     const Extrapolation     &extrapolation)
+  CondensedProblem::CondensedProblem(const LAPACKFullMatrix<double> &stiffness,
+                                     const LipVector                &sign,
+                                     const LipVector                &gap,
+                                     const Extrapolation &extrapolation)
     : closed(stiffness.m(), false)
-    , factor(std::move(stiffness))
-    , n(factor.matrix.m())
+    , factor(stiffness)
+    , n(stiffness.m())
+    , sign(sign)
     , gap(gap)
     , extrapolation(extrapolation)
   {
@@ -91,7 +93,7 @@ namespace Crevasse
     for (unsigned int i = 0; i < n; ++i)
       if (closed[i])
         {
-          displacement(i) = gap(i);
+          displacement(i) = sign(i) * gap(i);
           has_gaps        = has_gaps || gap(i) != 0.;
         }
     on_open = loads;
@@ -113,11 +115,12 @@ namespace Crevasse
         {
           const double size =
             std::abs(loads(i)) + factor.matrix(i, i) * largest;
-          next[i] =
-            product_in_row(i, displacement) - loads(i) >= -rounding * size;
+          const double force =
+            sign(i) * (product_in_row(i, displacement) - loads(i));
+          next[i] = force >= -rounding * size;
         }
       else
-        next[i] = displacement(i) - gap(i) < -rounding * largest;
+        next[i] = sign(i) * displacement(i) - gap(i) < -rounding * largest;
     return next;
   }
 } // namespace Crevasse

@@ -17,7 +17,7 @@ namespace Crevasse
   {
     UpperTriangle<double> triangle = upper_triangle(matrix);
     factor.factorise(triangle);
-    schur_complement = std::move(factor.schur_complement);
+    schur_complement.swap(factor.schur_complement); // no copy
     // Without pivoting each pivot has its sign by Sylvester's law.
     bool is_positive = factor.data.infog[11] == 0;
     lip_factor       = schur_complement;

@@ -10,13 +10,6 @@
 
 namespace Crevasse
 {
-  PrincipalFactor::PrincipalFactor(dealii::LAPACKFullMatrix<double> matrix)
-    : matrix(std::move(matrix))
-  {
-  }
-
-
-
   void
   PrincipalFactor::choose(const std::vector<bool> &set)
   {

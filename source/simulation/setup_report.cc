@@ -70,7 +70,8 @@ namespace Crevasse
           body.material.at(0.).stiffness->is_individual())
         one +=
           0.75 * n * (n + 1) * sizeof(double) * body.points.n_local_points;
-      // Σ, the same along the normals, and the factor of the open nodes.
+      // Σ, with MUMPS a factor of it, with CHOLMOD for a moment what it is
+      // made of instead, and the factor of the open nodes.
       if (setup.solvers.contact.type == ContactSolverType::condensed_active_set)
         {
           const double n_lip = Utilities::MPI::sum(body.lip.nodes.size(),

@@ -49,11 +49,10 @@ namespace Crevasse
     iterate(const Vector &right_hand_side, Vector &solution) override;
 
   private:
-    DirectSolver                &linear_solver;
-    const LipGraph               lip; ///< the nodes of the small problem
-    const dealii::Vector<double> sign;
-    CondensedProblem             lip_problem;
-    dealii::Vector<double>       loads;
+    DirectSolver          &linear_solver;
+    const LipGraph         lip; ///< the nodes of the small problem
+    CondensedProblem       lip_problem;
+    dealii::Vector<double> loads;
   };
 } // namespace Crevasse
 

@@ -13,13 +13,13 @@ namespace Crevasse
   /**
    * The linear complementarity problem on the lip,
    *
-   *     g = Σ q − c,      0 ≤ g ⟂ q − gap ≥ 0,
+   *     g = Σ q − c,      0 ≤ s g ⟂ s q − gap ≥ 0,
    *
-   * with the stiffness Σ of the lip (symmetric, positive definite). It is
-   * solved by a primal–dual active set, started from the last set
-   * (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13, 2002); if a set comes
-   * back, one node at a time changes, the last one that is wrong, which ends on
-   * every positive definite Σ (Murty, Opsearch 11, 1974).
+   * with the stiffness Σ of the lip (symmetric, positive definite) and a sign s
+   * for each node. It is solved by a primal–dual active set, started from the
+   * last set (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13, 2002); if a set
+   * comes back, one node at a time changes, the last one that is wrong, which
+   * ends on every positive definite Σ (Murty, Opsearch 11, 1974).
    */
   class CondensedProblem
   {
@@ -31,9 +31,12 @@ namespace Crevasse
     using Extrapolation = std::function<void(const std::vector<bool> &closed,
                                              std::vector<bool>       &next)>;
 
-    CondensedProblem(dealii::LAPACKFullMatrix<double> stiffness,
-                     const LipVector                 &gap,
-                     const Extrapolation             &extrapolation = {});
+    /** @param stiffness Σ, which must outlive this object.
+     * @param sign s, 1 or -1. */
+    CondensedProblem(const dealii::LAPACKFullMatrix<double> &stiffness,
+                     const LipVector                        &sign,
+                     const LipVector                        &gap,
+                     const Extrapolation &extrapolation = {});
 
     /**
      * @param loads c
@@ -75,7 +78,7 @@ namespace Crevasse
     product_in_row(const unsigned int i, const LipVector &v) const;
 
     const unsigned int  n;
-    const LipVector     gap;
+    const LipVector     sign, gap;
     const Extrapolation extrapolation;
     LipVector           on_open;
     unsigned int        rescues = 0;

@@ -25,7 +25,11 @@ namespace Crevasse
   class PrincipalFactor
   {
   public:
-    explicit PrincipalFactor(dealii::LAPACKFullMatrix<double> matrix);
+    /** @param matrix must outlive this object: it is large. */
+    explicit PrincipalFactor(const dealii::LAPACKFullMatrix<double> &matrix)
+      : matrix(matrix)
+    {
+    }
 
     /** Makes it the factor of this set. @throw NumericalError if the matrix is
      * not positive definite. */
@@ -40,14 +44,14 @@ namespace Crevasse
     void
     serialize(StateArchive &archive);
 
+    /** Without the matrix. */
     std::size_t
     memory_consumption() const
     {
-      return matrix.memory_consumption() +
-             (values.capacity() + on_set.capacity()) * sizeof(double);
+      return (values.capacity() + on_set.capacity()) * sizeof(double);
     }
 
-    const dealii::LAPACKFullMatrix<double> matrix;
+    const dealii::LAPACKFullMatrix<double> &matrix;
 
   private:
     /** Completes R for all of the order but the first @p n_known. */

@@ -90,6 +90,36 @@ namespace
     return A;
   }
 
+  Small
+  upward(const unsigned int n)
+  {
+    Small sign(n);
+    sign = 1.;
+    return sign;
+  }
+
+  /** Turned coordinates turn the solution, to the last bit. */
+  bool
+  keeps_solution_where_turned(const Dense &A, Small loads, const double length)
+  {
+    const unsigned int n    = loads.size();
+    Small              sign = upward(n), gap(n), w(n), turned_w(n);
+    Dense              turned(A);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        sign(i) = i % 3 == 1 ? 1. : -1.;
+        gap(i)  = (i % 2 == 0 ? 0.3 : -0.3) * length;
+      }
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        turned(i, j) *= sign(i) * sign(j);
+    CondensedProblem(A, upward(n), gap).solve(loads, w);
+    loads.scale(sign);
+    CondensedProblem(turned, sign, gap).solve(loads, turned_w);
+    turned_w.scale(sign);
+    return turned_w == w;
+  }
+
   void
   random_problems(const double scale)
   {
@@ -109,7 +139,7 @@ namespace
           {
             // A degenerate node: with the openings that solve for the others,
             // its force is zero and so is its opening.
-            CondensedProblem(A, Small(n)).solve(loads, w);
+            CondensedProblem(A, upward(n), Small(n)).solve(loads, w);
             if (Small forces(n); w(0) == 0.)
               {
                 A.vmult(forces, w);
@@ -118,10 +148,12 @@ namespace
           }
 
         const Small      no_gap(n);
-        CondensedProblem lip(A, no_gap);
+        CondensedProblem lip(A, upward(n), no_gap);
         lip.solve(loads, w);
         worst = std::max(worst, violation(A, loads, w));
         rescues += lip.n_rescues();
+        if (!keeps_solution_where_turned(A, loads, w.linfty_norm()))
+          check("the sign of a node is that of its coordinate", false);
         if (n <= 8)
           worst_possible = std::max(worst_possible, best_of_all_sets(A, loads));
 
