@@ -7,6 +7,7 @@
 
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
+#include <algorithm>
 
 namespace Crevasse
 {
@@ -36,14 +37,19 @@ namespace Crevasse
   void
   PrincipalFactor::serialize(StateArchive &archive)
   {
-    std::vector<unsigned int> other_order  = order;
-    std::vector<double>       other_values = values;
+    const std::size_t         n           = matrix.m();
+    std::vector<unsigned int> other_order = order;
+    std::vector<double>       triangle; // what of R is not zero, by columns
+    for (std::size_t k = 0; k < order.size(); ++k)
+      triangle.insert(triangle.end(), &values[n * k], &values[n * k + k] + 1);
     archive.common_list(other_order);
-    archive.common_list(other_values);
+    archive.common_list(triangle);
     if (archive.is_loading() && archive.has_same_ranks())
       {
-        order  = std::move(other_order);
-        values = std::move(other_values);
+        order = std::move(other_order);
+        values.resize(n * n);
+        for (std::size_t k = 0; k < order.size(); ++k)
+          std::copy_n(&triangle[k * (k + 1) / 2], k + 1, &values[n * k]);
       }
   }
 
