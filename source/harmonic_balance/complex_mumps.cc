@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/harmonic_balance/complex_mumps.h>
@@ -85,17 +86,19 @@ namespace Crevasse
   void
   ComplexMumps::invert()
   {
-    try
-      {
-        schur_complement.compute_lu_factorization();
-        schur_complement.invert();
-      }
-    catch (const ExceptionBase &)
-      {
-        throw NumericalError(
-          "The compliance of the lip under a harmonic is singular: check "
-          "the moduli of [Material] for extreme contrasts.");
-      }
+    collectively(communicator, [&]() {
+      try
+        {
+          schur_complement.compute_lu_factorization();
+          schur_complement.invert();
+        }
+      catch (const ExceptionBase &)
+        {
+          throw NumericalError(
+            "The compliance of the lip under a harmonic is singular: check "
+            "the moduli of [Material] for extreme contrasts.");
+        }
+    });
     const std::size_t n = schur_complement.m();
     compliance.reinit(n, n);
     for (std::size_t i = 0; i < n; ++i)

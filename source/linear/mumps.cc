@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/linear/mumps.h>
 
@@ -18,23 +19,25 @@ namespace Crevasse
     UpperTriangle<double> triangle = upper_triangle(matrix);
     factor.factorise(triangle);
     schur_complement.swap(factor.schur_complement); // no copy
-    // Without pivoting each pivot has its sign by Sylvester's law.
-    bool is_positive = factor.data.infog[11] == 0;
-    lip_factor       = schur_complement;
+    lip_factor = schur_complement;
     lip_factor.set_property(dealii::LAPACKSupport::symmetric);
-    try
-      {
-        if (is_positive && !lip.empty())
-          lip_factor.compute_cholesky_factorization();
-      }
-    catch (const dealii::ExceptionBase &)
-      {
-        is_positive = false;
-      }
-    if (!is_positive)
-      throw NumericalError(
-        "MUMPS: the stiffness is not positive definite. Check the moduli of "
-        "[Material] and the supports of [Boundary].");
+    collectively(factor.communicator, [&]() {
+      // Without pivoting each pivot has its sign by Sylvester's law.
+      bool is_positive = factor.data.infog[11] == 0;
+      try
+        {
+          if (is_positive && !lip.empty())
+            lip_factor.compute_cholesky_factorization();
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          is_positive = false;
+        }
+      if (!is_positive)
+        throw NumericalError(
+          "MUMPS: the stiffness is not positive definite. Check the moduli of "
+          "[Material] and the supports of [Boundary].");
+    });
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/linear/mumps_instance.h>
 
@@ -230,7 +231,7 @@ namespace Crevasse
                 0,
                 communicator);
     AssertThrowMPI(error);
-    problem(on_last);
+    collectively(communicator, [&]() { problem(on_last); });
     icntl(26) = 2; // and back
     call(data, 3);
     require("a back-solve");

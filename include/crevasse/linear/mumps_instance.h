@@ -105,7 +105,8 @@ namespace Crevasse
 
     /** Solves in place on the first rank.
      *
-     * @param problem on P, called on all ranks; not used if P is empty.
+     * @param problem on P, called on all ranks, where it must not
+     * communicate; not used if P is empty.
      * @throw NumericalError */
     void
     solve(std::vector<Number> &on_root, const Problem &problem);

@@ -195,6 +195,21 @@ namespace
                 std::abs(
                   probe_row(probe[0], space, points, state).back() / 10. - 1.),
                 1e-8);
+
+    bool thrown = false;
+    try
+      {
+        mumps.solve_with_lip(q, b, [](DirectSolver::LipVector &) {
+          if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+            throw NumericalError("the first rank cannot solve it");
+        });
+      }
+    catch (const NumericalError &)
+      {
+        thrown = true;
+      }
+    check(name + ": what fails on the lip of one rank fails on all",
+          dealii::Utilities::MPI::min(thrown ? 1 : 0, MPI_COMM_WORLD) == 1);
   }
 
 
