@@ -247,7 +247,7 @@ namespace
     // Failures speak of themselves on a line of their own.
     MPI_Comm for_failures;
     MPI_Comm_dup(MPI_COMM_WORLD, &for_failures);
-    Log log(MPI_COMM_WORLD, command.quiet);
+    Log log(MPI_COMM_WORLD, command.quiet, command.verbose);
     int status = done;
     try
       {

@@ -65,6 +65,9 @@ namespace Crevasse
                     "working directory)")
         ->type_name("DIR");
       app.add_flag("--quiet", command.quiet, "Print nothing but errors");
+      app.add_flag("--verbose",
+                   command.verbose,
+                   "Print at the end what took how much of the time");
       app
         .add_option_function<std::string>(
           "--wall-time",

@@ -11,8 +11,9 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  Log::Log(const MPI_Comm communicator, const bool quiet)
-    : first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
+  Log::Log(const MPI_Comm communicator, const bool quiet, const bool is_verbose)
+    : is_verbose(is_verbose)
+    , first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
     , quiet(quiet)
     // mpirun gives its processes terminals of their own.
     , terminal(isatty(STDOUT_FILENO) == 1 &&

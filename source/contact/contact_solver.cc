@@ -3,7 +3,6 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
-#include <crevasse/base/stopwatch.h>
 #include <crevasse/contact/contact_solver.h>
 
 #include <deal.II/base/mpi.h>
@@ -35,7 +34,7 @@ namespace Crevasse
   Certificate
   ContactSolver::certify(const Vector &right_hand_side, const Vector &solution)
   {
-    const Stopwatch watch(certificate_time);
+    const Stopwatch watch("certificates");
     scales = scales_of_solutions;
     return Crevasse::certify(
       problem, right_hand_side, solution, scales, residual, forces);
@@ -50,7 +49,8 @@ namespace Crevasse
                        const double         stiffness_factor)
   {
     Assert(stiffness_factor > 0., dealii::ExcInternalError());
-    const dealii::Timer timer;
+    const Stopwatch watch(problem.n_bounds() > 0 ? "contact problems"
+                                                 : "elastic problems");
     scales_of_solutions.set_force_scale(load / stiffness_factor);
     if (stiffness_factor != 1.)
       {
@@ -73,7 +73,6 @@ namespace Crevasse
     contact_forces = forces;
     for (double &force : contact_forces)
       force *= stiffness_factor;
-    wall_time += timer.wall_time();
   }
 
 

@@ -200,7 +200,6 @@ namespace Crevasse
     result.rule = scene.periodic_state.harmonics == HarmonicRule::exact
                     ? TimeRule::exact
                     : TimeRule::trapezoid;
-    dealii::TimerOutput &phases = systems.settings.phases;
     const Harmonics    harmonics(steps.period(), steps.n_steps(), result.rule);
     const Fourier<dim> fourier(body,
                                harmonics,
@@ -209,14 +208,14 @@ namespace Crevasse
     const Vector mean_load = fourier.mean_load();
     if (mean_load.linfty_norm() > fourier.negligible_load())
       {
-        TimerOutput::Scope phase(phases, "secular problem");
+        const Stopwatch phase("secular problem");
         result.flow = solve_secular_problem(body, mean_load, systems);
       }
-    TimerOutput::Scope phase(phases, "harmonics");
+    const Stopwatch phase("harmonics");
     result.motion = fourier.solve(
       result.flow ? &*result.flow : nullptr,
       [&](const PeriodicContactProblem &problem) {
-        TimerOutput::Scope phase(phases, "periodic contact");
+        const Stopwatch phase("periodic contact");
         return solve_contact(problem, body.space.communicator(), result);
       },
       1024. * 1024. * scene.linear_solver.memory_for_instants);

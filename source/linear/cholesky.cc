@@ -198,6 +198,11 @@ namespace Crevasse
       }
     factor->factorise(A, *pattern);
     condense();
+    // Forwards and backwards, without the block of the lip.
+    const double          of_lip = double(lip.size()) * lip.size();
+    const cholmod_factor &L      = *factor->L;
+    bytes_per_solve =
+      2. * ((L.xsize - of_lip) * sizeof(double) + L.ssize * sizeof(int));
   }
 
 

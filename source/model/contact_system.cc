@@ -30,8 +30,9 @@ namespace Crevasse
   {
     const bool matrix_free =
       settings.linear_choice.type == LinearSolverType::gmg;
-    TimerOutput::Scope phase(settings.phases,
-                             matrix_free ? "multigrid set-up" : "assembly");
+    std::optional<Stopwatch> phase(std::in_place,
+                                   matrix_free ? "multigrid set-up"
+                                               : "assembly");
     if (matrix_free)
       {
         if (levels == nullptr)
@@ -56,7 +57,7 @@ namespace Crevasse
         linear_operator = std::make_unique<MatrixOperator>(matrix);
         ++setups.assemblies;
       }
-    phase.stop();
+    phase.reset();
     signorini_problem =
       std::make_unique<SignoriniProblem>(*linear_operator, bounds);
     contact = make_contact_solver();
@@ -111,9 +112,8 @@ namespace Crevasse
       {
         const LinearSolverType type         = settings.linear_choice.type;
         const bool             is_multigrid = traits(type).is_multigrid;
-        TimerOutput::Scope     phase(settings.phases,
-                                 is_multigrid ? "multigrid set-up"
-                                                  : "factorisation");
+        const Stopwatch        phase(is_multigrid ? "multigrid set-up"
+                                           : "factorisation");
         ++(is_multigrid ? setups.multigrid_setups : setups.factorisations);
         const bool condenses = settings.contact_choice.type ==
                                ContactSolverType::condensed_active_set;
@@ -157,22 +157,15 @@ namespace Crevasse
     all.certified         = contact->n_solves();
     all.certificate       = contact->worst_certificate();
     all.accuracy          = contact->accuracy();
-    all.certificate_time  = contact->certificate_seconds();
     if (problem().n_bounds() > 0)
       {
         all.vi_solves     = contact->n_solves();
         all.vi_iterations = contact->n_iterations();
-        all.vi_time       = contact->seconds();
       }
     if (open_solver != nullptr)
       {
         all.linear_solves += open_solver->n_solves();
         all.linear_iterations += open_solver->n_iterations();
-        all.back_solves     = open_solver->n_solves();
-        all.back_solve_time = open_solver->seconds();
-        if (const auto *factor =
-              dynamic_cast<DirectSolver *>(open_solver.get()))
-          all.lip_time = factor->lip_seconds();
       }
     return all;
   }

@@ -35,18 +35,16 @@ namespace Crevasse
 
 
   template <int dim>
-  ContactSystemCache<dim>::ContactSystemCache(const Scene         &scene,
-                                              const Body<dim>     &body,
-                                              const SolverChoice  &choice,
-                                              const StepList      &steps,
-                                              const double         largest_load,
-                                              Log                 &log,
-                                              dealii::TimerOutput &phases)
+  ContactSystemCache<dim>::ContactSystemCache(const Scene        &scene,
+                                              const Body<dim>    &body,
+                                              const SolverChoice &choice,
+                                              const StepList     &steps,
+                                              const double        largest_load,
+                                              Log                &log)
     : settings{scene.contact,
                scene.linear_solver,
                choice.linear,
                choice.contact,
-               phases,
                {},
                largest_load}
     , scene(scene)
@@ -228,7 +226,7 @@ namespace Crevasse
     log.line("  searching for the relaxation factor of projected SOR");
     // As the paper does, without constraints; eight digits show the asymptotic
     // contraction.
-    TimerOutput::Scope     phase(settings.phases, "relaxation factor");
+    const Stopwatch        phase("relaxation factor");
     const UnilateralBounds none;
     const SignoriniProblem unconstrained(matrix, none);
     return Sweep(unconstrained)

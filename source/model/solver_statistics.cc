@@ -28,11 +28,6 @@ namespace Crevasse
   {
     for (const auto &[name, counter] : counters)
       this->*counter += other.*counter;
-    back_solves += other.back_solves;
-    back_solve_time += other.back_solve_time;
-    vi_time += other.vi_time;
-    lip_time += other.lip_time;
-    certificate_time += other.certificate_time;
     certified += other.certified;
     certificate.merge(other.certificate);
     accuracy = std::max(accuracy, other.accuracy);
@@ -50,15 +45,5 @@ namespace Crevasse
                               {"complementarity", certificate.complementarity},
                               {"residual", certificate.residual},
                               {"accuracy", accuracy}};
-    for (const auto &[name, seconds] :
-         {std::pair<const char *, double>{"linear solves", back_solve_time},
-          {"contact on the lip", lip_time},
-          {"certificates", certificate_time}})
-      if (seconds > 0.)
-        summary["seconds"][name] = seconds;
-    if (vi_solves > 0)
-      summary["seconds"]["vi_mean"] = vi_time / vi_solves;
-    if (back_solves > 0)
-      summary["seconds"]["back_solve_mean"] = back_solve_time / back_solves;
   }
 } // namespace Crevasse

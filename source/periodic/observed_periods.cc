@@ -9,17 +9,27 @@
 
 namespace Crevasse
 {
+  namespace
+  {
+    /** Of variational inequalities, so far. */
+    std::size_t
+    n_solves()
+    {
+      return meters["contact problems"].calls;
+    }
+  } // namespace
+
+
+
   template <int dim>
   ObservedPeriods<dim>::ObservedPeriods(
     const PeriodIntegration<dim>  &integration,
-    const SolveCount              &n_solves,
     const std::vector<Observer *> &observers,
     const unsigned int             maximum_periods,
     const PeriodicResult          &before,
     const bool                     is_comparable,
     const ReturnDefect<dim>       *defect)
     : integration(integration)
-    , n_solves(n_solves)
     , observers(observers)
     , maximum_periods(maximum_periods)
     , is_comparable(is_comparable)

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/collectively.h>
+#include <crevasse/base/meters.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/postprocess/field_writer.h>
@@ -167,6 +168,7 @@ namespace Crevasse
   void
   FieldWriter<dim>::summarise(Summary &)
   {
+    const Stopwatch      watch("fields", snapshots.size());
     const MPI_Comm       communicator = space.communicator();
     const unsigned int   rank = Utilities::MPI::this_mpi_process(communicator);
     const FieldGrid<dim> grid(space, recovery);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/elastic_displacement.h>
@@ -9,7 +10,6 @@
 
 #include <deal.II/distributed/grid_refinement.h>
 
-#include <cstdio>
 #include <iostream>
 
 namespace Crevasse
@@ -120,8 +120,8 @@ namespace Crevasse
     if (refinement.strategy != RefinementStrategy::adaptive)
       return;
     require_affordable(*current, refinement, scene.discretisation.degree);
-    Timer timer;
-    Log   quiet(communicator, true);
+    const Stopwatch watch("mesh adaptation");
+    Log             quiet(communicator, true);
     while (true)
       {
         checkpoints.requests.stop_if_asked();
@@ -134,7 +134,6 @@ namespace Crevasse
         if (is_good || is_last || !advance(squares))
           break;
       }
-    seconds_of_all = timer.wall_time();
   }
 
 
@@ -145,7 +144,6 @@ namespace Crevasse
   {
     archive.section("mesh");
     archive.common_list(all);
-    archive.common(seconds_of_all);
   }
 
 
@@ -154,8 +152,7 @@ namespace Crevasse
   dealii::Vector<float>
   AdaptedMesh<dim>::estimate(Log &quiet)
   {
-    Timer       timer;
-    TimerOutput phases(std::cout, TimerOutput::never, TimerOutput::wall_times);
+    Timer                   timer;
     const Body<dim>         body(scene, current);
     const StepList          steps(scene.time_integration,
                          scene.loads.period,
@@ -165,8 +162,7 @@ namespace Crevasse
                                     choose_solvers(scene, body),
                                     steps,
                                     largest_load(body, steps),
-                                    quiet,
-                                    phases);
+                                    quiet);
     StressEstimator<dim>    estimator(body.space,
                                    body.points,
                                    body.lip,
@@ -194,17 +190,14 @@ namespace Crevasse
   AdaptedMesh<dim>::report(Log &log) const
   {
     const MeshEstimate &last = all.back();
-    char                text[160];
-    std::snprintf(text,
-                  sizeof(text),
-                  "  adaptive mesh %u: %lu cells, %lu unknowns, estimated "
-                  "error %.2e, %.2f s",
-                  static_cast<unsigned int>(all.size() - 1),
-                  static_cast<unsigned long>(last.cells),
-                  static_cast<unsigned long>(last.unknowns),
-                  last.error,
-                  last.seconds);
-    log.line(text);
+    log.line(
+      Text::format("  adaptive mesh %u: %lu cells, %lu unknowns, estimated "
+                   "error %.2e, %.2f s",
+                   static_cast<unsigned int>(all.size() - 1),
+                   static_cast<unsigned long>(last.cells),
+                   static_cast<unsigned long>(last.unknowns),
+                   last.error,
+                   last.seconds));
   }
 
 

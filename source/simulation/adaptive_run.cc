@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/discretisation/state_transfer.h>
 #include <crevasse/simulation/adaptive_run.h>
 #include <crevasse/simulation/compute_periods.h>
@@ -10,7 +11,6 @@
 #include <crevasse/simulation/relaxation_table.h>
 #include <crevasse/simulation/setup_report.h>
 
-#include <cstdio>
 
 namespace Crevasse
 {
@@ -27,15 +27,6 @@ namespace Crevasse
       for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
         summary["integral"].push_back(norms.integral[c]);
       return summary;
-    }
-
-
-
-    void
-    add_seconds(const double seconds, RunState &state)
-    {
-      state.seconds["mesh adaptation"] += seconds;
-      state.seconds["total"] += seconds;
     }
 
 
@@ -84,7 +75,7 @@ namespace Crevasse
           for (const auto &observer : observers)
             observer->summarise(summary);
         }
-      state = work.state_so_far();
+      state.solvers = work.systems.statistics();
       if (!state.stage.ends_run)
         return;
       write_summary(work, summary);
@@ -132,15 +123,11 @@ namespace Crevasse
   {
     const unsigned int n = scene.refinement.readapt_every;
     const RunOutput    output{log, checkpoints, directory, stress_record};
-    RunState           state;
-    state.timer = since_set_up;
     if (checkpoints.is_resuming())
       {
         state.serialize(checkpoints.resumed());
         state.was_resumed = true;
       }
-    else if (!adapted.estimates().empty())
-      add_seconds(adapted.seconds(), state);
     if (n == 0)
       {
         run_stage(*setup, output, {}, state, summary);
@@ -158,7 +145,7 @@ namespace Crevasse
         const dealii::Vector<float> squares = estimate->estimator.squares();
         const double error = estimate->estimator.relative_error();
         estimate.reset(); // before the space that it refers to
-        readapt(squares, error, state);
+        readapt(squares, error);
         state.fourier_failed = false;
         state.was_resumed    = false;
       }
@@ -181,10 +168,9 @@ namespace Crevasse
   template <int dim>
   void
   AdaptiveRun<dim>::readapt(const dealii::Vector<float> &squares,
-                            const double                 error,
-                            RunState                    &state)
+                            const double                 error)
   {
-    Timer              timer;
+    const Stopwatch    watch("mesh adaptation");
     const Body<dim>   &old        = setup->body;
     const unsigned int n_branches = old.law.branches.size();
 
@@ -217,17 +203,14 @@ namespace Crevasse
       field_norms(body.space, state.viscous_strain, n_branches);
 
     const Summary sizes = sizes_of(body);
-    char          text[200];
-    std::snprintf(text,
-                  sizeof(text),
-                  "  mesh adapted: %lu cells, %lu unknowns; estimated error "
-                  "before %.2e; viscous strain: norm %.6e before, %.6e after",
-                  sizes["cells"].get<unsigned long>(),
-                  sizes["unknowns"].get<unsigned long>(),
-                  error,
-                  before.l2,
-                  after.l2);
-    log.line(text);
+    log.line(
+      Text::format("  mesh adapted: %lu cells, %lu unknowns; estimated error "
+                   "before %.2e; viscous strain: norm %.6e before, %.6e after",
+                   sizes["cells"].get<unsigned long>(),
+                   sizes["unknowns"].get<unsigned long>(),
+                   error,
+                   before.l2,
+                   after.l2));
     summary["refinement"]["readaptations"].push_back(
       {{"after_period", state.result.periods},
        {"cells", sizes["cells"]},
@@ -238,7 +221,6 @@ namespace Crevasse
        {"largest_displacement_before", moved_before},
        {"largest_displacement_after",
         body.space.nodal_values(state.displacement).linfty_norm()}});
-    add_seconds(timer.wall_time(), state);
   }
 
 

@@ -55,15 +55,6 @@ namespace Crevasse
 
 
     template <int dim>
-    typename ObservedPeriods<dim>::SolveCount
-    solve_count(const Workspace<dim> &work)
-    {
-      return [&work]() { return work.systems.statistics().vi_solves; };
-    }
-
-
-
-    template <int dim>
     void
     prepare_evolution(Workspace<dim> &work)
     {
@@ -108,7 +99,6 @@ namespace Crevasse
       all.push_back(&motion);
       ObservedPeriods<dim> periods(
         {work.evolution, &motion, as_they_are, work.steps, &checkpointer},
-        solve_count(work),
         all,
         1);
       Vector r = direct.motion.viscous_strain.front();
@@ -229,7 +219,7 @@ namespace Crevasse
                   const std::vector<Observer *> &observers)
   {
     work.output.checkpoints.requests.stop_if_asked();
-    TimerOutput::Scope             phase(work.phases, "time stepping");
+    const Stopwatch                phase("time stepping");
     const Body<dim>               &body       = work.setup.body;
     const PeriodicStart           &start      = work.start;
     const PeriodicStateParameters &parameters = work.setup.scene.periodic_state;
@@ -241,7 +231,8 @@ namespace Crevasse
       n_stresses_of_checkpoint(work.setup, start.choice),
       parameters.tolerance > 0. ? parameters.maximum_periods : 0,
       [&work](StateArchive &archive) {
-        work.state_so_far().serialize(archive);
+        work.state.solvers = work.systems.statistics();
+        work.state.serialize(archive);
       });
     const SerializationScope systems(&writer, [&work](StateArchive &archive) {
       work.systems.serialize(archive);
@@ -274,7 +265,6 @@ namespace Crevasse
                                       *work.step_control,
                                       work.steps,
                                       &writer},
-                                 solve_count(work),
                                  observers,
                                  std::min(parameters.maximum_periods,
                                           state.stage.last_period),

@@ -92,7 +92,7 @@ namespace Crevasse
 
     work.systems.summarise(summary);
     summary["counters"]["rate_evaluations"] =
-      work.state.rate_evaluations + work.evolution.n_rate_evaluations();
+      std::size_t(meters["rate evaluations"].calls);
     summarise_steps(work, log, summary);
     describe_certificate(work.systems.statistics(),
                          setup.scene.contact.tolerance,
@@ -117,11 +117,8 @@ namespace Crevasse
     summary["periods"]               = result.periods;
     summary["converged"]             = // null: nothing was marched
       result.periods > 0 ? Summary(result.converged) : Summary();
-    const double total = state.seconds.at("total");
-    for (const auto &[name, seconds] : state.seconds)
-      if (name != "total")
-        summary["seconds"][name] = seconds;
-    summary["seconds"]["total"] = total;
+    const double seconds =
+      report_meters(communicator, work.output.log, summary);
     summary["processor_seconds"] =
       Utilities::MPI::max(state.timer.cpu_time(), communicator);
     const std::vector<double> peaks = peak_memory_of_ranks(communicator);
@@ -133,7 +130,7 @@ namespace Crevasse
       }
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
       write_summary(summary, work.output.directory + "/summary.json");
-    work.output.log.line(Text::format("  Time = %.2f s", total));
+    work.output.log.line(Text::format("  Time = %.2f s", seconds));
   }
 
 

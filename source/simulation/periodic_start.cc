@@ -16,9 +16,9 @@ namespace Crevasse
     void
     find_secular_flow(Workspace<dim> &work)
     {
-      PeriodicStart     &start = work.start;
-      TimerOutput::Scope phase(work.phases, "secular problem");
-      SecularSplit      &split = start.split;
+      PeriodicStart  &start = work.start;
+      const Stopwatch phase("secular problem");
+      SecularSplit   &split = start.split;
       try
         {
           start.flow = solve_secular_problem(work.setup.body,
@@ -84,7 +84,7 @@ namespace Crevasse
       const RunSetup<dim> &setup = work.setup;
       PeriodicStart       &start = work.start;
       Log                 &log   = work.output.log;
-      TimerOutput::Scope   phase(work.phases, "harmonic balance");
+      const Stopwatch      phase("harmonic balance");
       try
         {
           FourierResult result =

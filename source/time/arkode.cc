@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/meters.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/base/text.h>
@@ -187,7 +188,7 @@ namespace Crevasse
         if (driver == nullptr)
           return {};
         IntegratorStatistics all = driver->statistics();
-        all.emplace_back("evaluations", equation.n_evaluations());
+        all.emplace_back("evaluations", meters["rate evaluations"].calls);
         if (properties.controls_steps && parameters.locate_contact_events)
           all.emplace_back("contact_events", n_events);
         return all;

@@ -48,7 +48,6 @@ namespace Crevasse
       equation->implicit_rate(t, known, c, rate);
     else
       equation->rate(t, known, rate);
-    ++evaluations;
     if (!std::isfinite(rate.l1_norm()))
       {
         std::ostringstream message;
@@ -108,6 +107,5 @@ namespace Crevasse
         if (archive.is_loading() && is_latest)
           latest = evaluation;
       }
-    archive.common(evaluations);
   }
 } // namespace Crevasse

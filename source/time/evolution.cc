@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/stopwatch.h>
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/time/evolution.h>
 
@@ -46,7 +45,7 @@ namespace Crevasse
     const auto                &K        = *material.stiffness;
     const double               k        = material.stiffness_factor;
     const InelasticStrain<dim> inelastic(material, r);
-    std::optional<Stopwatch>   watch(std::in_place, sweep_time);
+    std::optional<Stopwatch>   watch(std::in_place, "strain sweeps");
     loads.evaluate(t, loading);
     if (r.size() > 0 && material.is_plain())
       strain_operator.add_transpose(loading,
@@ -68,6 +67,7 @@ namespace Crevasse
   void
   Evolution<dim>::rate(const double time, const Vector &r, Vector &rate)
   {
+    const Stopwatch           watch("rate evaluations");
     const double              t        = instant_of(time);
     const Instant<dim>        instant  = instants.at(t);
     const MaterialState<dim> &material = instant.material;
@@ -86,7 +86,6 @@ namespace Crevasse
                   (mechanical - QuadratureField<dim>::get(r, place)));
         },
         rate);
-    ++rate_evaluations;
   }
 
 
@@ -102,7 +101,7 @@ namespace Crevasse
                                material.stiffness_factor;
     const VoigtMatrix<dim> H = (*material.fluidity[0])[0] / //
                                material.viscosity_factor;
-    const Stopwatch watch(sweep_time);
+    const Stopwatch watch("strain sweeps");
     strain_operator.for_each_strain(last.displacement,
                                     [&](const std::size_t       offset,
                                         const VoigtVector<dim> &strain) {
@@ -126,7 +125,7 @@ namespace Crevasse
     const MaterialState<dim> &material = inelastic.material;
     const double              k        = material.stiffness_factor;
     const double              factor   = k / material.viscosity_factor;
-    const Stopwatch           watch(sweep_time);
+    const Stopwatch           watch("strain sweeps");
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {
@@ -174,13 +173,14 @@ namespace Crevasse
                                 const double  c,
                                 Vector       &rate)
   {
+    const Stopwatch               evaluation("rate evaluations");
     const double                  t       = instant_of(time);
     const ImplicitInstant<dim>    instant = instants.implicit_at(t, c);
     const AlgorithmicModuli<dim> &moduli  = instant.moduli;
     const double                  k       = instant.material.stiffness_factor;
     const InelasticStrain<dim>    inelastic(instant.material, known);
 
-    std::optional<Stopwatch> watch(std::in_place, sweep_time);
+    std::optional<Stopwatch> watch(std::in_place, "strain sweeps");
     loads.evaluate(t, loading);
     strain_operator.add_transpose(loading, [&](const std::size_t offset) {
       const std::size_t point  = offset / inelastic.n;
@@ -205,7 +205,8 @@ namespace Crevasse
                                      const double  c,
                                      Vector       &rate)
   {
-    const double t = instant_of(time);
+    const Stopwatch watch("rate evaluations");
+    const double    t = instant_of(time);
     solve_explicitly(t, instants.at(t), predicted);
     implicit_rates(instants.implicit_material_at(t, c), known, c, rate);
   }
@@ -229,7 +230,6 @@ namespace Crevasse
                (mechanical - known_strain(known, place, c));
       },
       rate);
-    ++rate_evaluations;
   }
 
 
@@ -268,7 +268,7 @@ namespace Crevasse
     const Vector               none;
     const InelasticStrain<dim> inelastic(material, none);
     solve_explicitly(t, instant, none);
-    const Stopwatch watch(sweep_time);
+    const Stopwatch watch("strain sweeps");
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {

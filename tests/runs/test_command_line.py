@@ -79,7 +79,7 @@ def check_same_tables(results, others, what):
 
 def test_questions():
     output = succeed("--help")
-    for text in ("scene", "--set", "--output", "--check", "--quiet",
+    for text in ("scene", "--set", "--output", "--check", "--quiet", "--verbose",
                  "--print-parameters", "--version", "--set ASSIGNMENT",
                  "--output DIR", "crevasse prm/raous1980.prm",
                  "4  cannot read or write a file"):

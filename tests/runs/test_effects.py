@@ -2,7 +2,9 @@
 the counters of summary.json, one test for each effect, and the table of
 effects itself."""
 
-from crevasse_run import check, check_below, probe_difference, run
+import re
+
+from crevasse_run import check, check_below, execute, overrides, probe_difference, run
 
 SCENE = """
 subsection Geometry
@@ -205,6 +207,55 @@ def test_secular_flow():
               f"{name}: problems solved")
 
 
+def verbose(name, settings):
+    """What a run prints between the table of periods and its end."""
+    status, output, error = execute(
+        f"{name}.prm", "--verbose", "--force", "--output", f"results/{name}",
+        *overrides(settings))
+    check(status == 0, error)
+    return output.split("ms a call\n")[1].split("\n  Time = ")[0]
+
+
+def test_meters():
+    """Parts of the time that add up to it, each called as often as the scene
+    says; a table on request."""
+    settings = ["Geometry/Refinements=4", "Output/Fields=vtu",
+                "Output/Field times=150", "Output/Checkpoint every=1"]
+    results = run(SCENE, "meters", settings)
+    summary, log = results.summary, (results.directory / "log.txt").read_text()
+    share, calls, seconds = (summary[name] for name in ("share", "calls", "seconds"))
+    counter = summary["counters"]
+    print(calls, share, seconds)
+    evaluations = 2 * INSTANTS + 1  # the last one is for the fields
+    for name, number in {
+            "assembly": 1, "factorisation": 1, "time stepping": 1,
+            "rate evaluations": evaluations, "strain sweeps": 2 * evaluations,
+            "contact problems": evaluations, "linear solves": evaluations,
+            "contact on the lip": evaluations, "certificates": evaluations,
+            "tables": 2 * STEPS + 1, "fields": 2, "checkpoints": 1}.items():
+        check(calls[name] == number, f"{name}: {calls[name]}, not {number}")
+        check(0 < share[name] * seconds["total"] <= seconds[name] * (1 + 1e-9), name)
+    check(counter["vi_solves"] == counter["rate_evaluations"] == evaluations,
+          "counters agree")
+    check_below(abs(sum(share.values()) - 1), 1e-9, "parts of the whole")
+    check(0 <= share["all else"] <= 0.3, "most of it has a name")
+    check(seconds["vi_mean"] * evaluations <= seconds["time stepping"]
+          and seconds["back_solve_mean"] * evaluations <= seconds["linear solves"],
+          "means")
+    check("memory allows" not in log and "ms a call" not in log, "not asked for")
+    table = verbose("meters", settings)
+    print(table)
+    rows = table.splitlines()
+    check({re.split("  +", row)[1] for row in rows} == set(share), "a row for each")
+    allowed = [re.search(r"(\d+) % of what memory allows$", row) for row in rows
+               if row.startswith("  linear solves ")]
+    check(len(allowed) == 1 and 1 <= int(allowed[0][1]) <= 150, "the limit")
+    # Products that read no factor.
+    check(re.search("^  linear solves .*  -$", verbose("meters", settings + [
+        "Linear solver/Type=gmg", "Boundary/Contact=none"]), re.M),
+        "no limit is known")
+
+
 if __name__ == "__main__":
     test_table()
     test_constant_stiffness()
@@ -212,3 +263,4 @@ if __name__ == "__main__":
     test_no_contact()
     test_no_viscosity()
     test_secular_flow()
+    test_meters()

@@ -26,10 +26,11 @@ namespace Crevasse
     std::vector<std::string> overrides; ///< "Section/Name=value"
     std::string              output_directory;
     std::string              print_format; ///< prm, json, markdown or nothing
-    bool                     check  = false;
-    bool                     quiet  = false;
-    bool                     resume = false;
-    bool                     force  = false; ///< earlier results are replaced
+    bool                     check   = false;
+    bool                     quiet   = false;
+    bool                     verbose = false;
+    bool                     resume  = false;
+    bool                     force   = false; ///< earlier results are replaced
     double                   wall_time     = 0.;    ///< seconds; 0: any
     bool                     stress_record = false; ///< see StressWriter
 

@@ -17,7 +17,10 @@ namespace Crevasse
   class Log
   {
   public:
-    Log(const MPI_Comm communicator, const bool quiet);
+    /** @param is_verbose whether those who have more to tell should. */
+    Log(const MPI_Comm communicator,
+        const bool     quiet,
+        const bool     is_verbose = false);
 
     /** From now on lines go to this file as well; those before are added.
      * @param is_continuing Whether what the file has already stays. */
@@ -46,6 +49,8 @@ namespace Crevasse
     {
       return first_rank && terminal && !quiet && !output_is_gone;
     }
+
+    const bool is_verbose;
 
   private:
     void

@@ -25,6 +25,11 @@ namespace Crevasse
   std::vector<double>
   peak_memory_of_ranks(const MPI_Comm communicator);
 
+  /** Bytes per second that this process gets by reading an array of this size,
+   * or of 256 MB if that is less, over and over. It takes 0.1 s. */
+  double
+  read_bandwidth(const double bytes);
+
   /** "1.23 GB" */
   std::string
   gigabytes(const double bytes);

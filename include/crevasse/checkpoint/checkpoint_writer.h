@@ -6,6 +6,7 @@
 
 #include <crevasse/base/checkpointer.h>
 #include <crevasse/base/collectively.h>
+#include <crevasse/base/meters.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/checkpoint/checkpoints.h>
 #include <crevasse/checkpoint/field_archive.h>
@@ -88,6 +89,7 @@ namespace Crevasse
     write(const unsigned int period, const unsigned int step)
     {
       const dealii::Timer timer;
+      const Stopwatch     watch("checkpoints");
       const MPI_Comm      communicator = body.space.communicator();
       const auto          on_first     = [&](const std::function<void()> &f) {
         collectively(communicator, [&]() {

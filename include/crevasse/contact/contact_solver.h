@@ -116,20 +116,6 @@ namespace Crevasse
     virtual std::size_t
     memory_consumption() const;
 
-    /** Wall time of all solves, certificates included. */
-    double
-    seconds() const
-    {
-      return wall_time;
-    }
-
-    /** Wall time of the certificates. */
-    double
-    certificate_seconds() const
-    {
-      return certificate_time;
-    }
-
     /** For the log and the summary: which method, with which settings. */
     virtual std::string
     description() const = 0;
@@ -222,11 +208,9 @@ namespace Crevasse
     Vector              residual;
     std::vector<double> forces;
     Certificate         maxima;
-    double              largest_error    = 0.;
-    std::size_t         solves           = 0;
-    std::size_t         iterations       = 0;
-    double              wall_time        = 0.;
-    double              certificate_time = 0.;
+    double              largest_error = 0.;
+    std::size_t         solves        = 0;
+    std::size_t         iterations    = 0;
   };
 } // namespace Crevasse
 

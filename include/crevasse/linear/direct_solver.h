@@ -41,8 +41,8 @@ namespace Crevasse
 
     /** A q = b, but for what @p lip_problem does on the lip, whose unknowns
      * come in the order in which the constructor got them. With several ranks
-     * each solves the problem on the lip. It counts as one solve; the time of
-     * the problem on the lip is not included. Collective. */
+     * each solves the problem on the lip. It counts as one solve.
+     * Collective. */
     void
     solve_with_lip(Vector           &solution,
                    const Vector     &right_hand_side,
@@ -59,13 +59,6 @@ namespace Crevasse
     is_direct() const override
     {
       return true;
-    }
-
-    /** Wall time of all problems on the lip. */
-    double
-    lip_seconds() const
-    {
-      return lip_time;
     }
 
     const Indices lip;
@@ -87,9 +80,6 @@ namespace Crevasse
                         const LipProblem &lip_problem) = 0;
 
     dealii::LAPACKFullMatrix<double> schur_complement; ///< Σ
-
-  private:
-    double lip_time = 0.;
   };
 } // namespace Crevasse
 

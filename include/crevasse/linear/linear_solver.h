@@ -4,7 +4,8 @@
 #ifndef crevasse_linear_linear_solver_h
 #define crevasse_linear_linear_solver_h
 
-#include <deal.II/base/timer.h>
+#include <crevasse/base/meters.h>
+
 #include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -71,13 +72,6 @@ namespace Crevasse
       return iterations;
     }
 
-    /** Wall time of all solves. */
-    double
-    seconds() const
-    {
-      return wall_time;
-    }
-
     /** Bytes of the factor or the multigrid hierarchy, on this rank. */
     virtual std::size_t
     memory_consumption() const = 0;
@@ -100,18 +94,11 @@ namespace Crevasse
                   const Vector &right_hand_side,
                   const double  residual_norm) = 0;
 
-    /** Counts a solve. */
-    void
-    count(const double seconds)
-    {
-      ++solves;
-      wall_time += seconds;
-    }
+    std::size_t solves          = 0;
+    double      bytes_per_solve = 0.; ///< of the factor, on this rank
 
   private:
-    std::size_t solves     = 0;
     std::size_t iterations = 0;
-    double      wall_time  = 0.;
   };
 } // namespace Crevasse
 

@@ -21,7 +21,6 @@ namespace Crevasse
     const LinearSolverParameters &linear_solver;
     LinearSolverChoice            linear_choice;
     ContactSolverChoice           contact_choice;
-    dealii::TimerOutput          &phases;
 
     /** The factor of projected SOR for a stiffness. */
     std::function<double(const SparseMatrix &)> relaxation_factor;

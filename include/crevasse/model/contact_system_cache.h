@@ -31,13 +31,12 @@ namespace Crevasse
      *
      * @param choice of the solvers for this body.
      * @param largest_load of a node over a period: see largest_load(). */
-    ContactSystemCache(const Scene         &scene,
-                       const Body<dim>     &body,
-                       const SolverChoice  &choice,
-                       const StepList      &steps,
-                       const double         largest_load,
-                       Log                 &log,
-                       dealii::TimerOutput &phases);
+    ContactSystemCache(const Scene        &scene,
+                       const Body<dim>    &body,
+                       const SolverChoice &choice,
+                       const StepList     &steps,
+                       const double        largest_load,
+                       Log                &log);
 
     // Its parts refer to one another.
     ContactSystemCache(const ContactSystemCache &) = delete;

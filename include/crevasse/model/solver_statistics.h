@@ -20,12 +20,7 @@ namespace Crevasse
     std::size_t vi_solves         = 0; ///< with bounds
     std::size_t vi_iterations     = 0;
 
-    std::size_t back_solves      = 0; ///< with a whole matrix
-    double      back_solve_time  = 0.;
-    double      vi_time          = 0.;
-    double      lip_time         = 0.; ///< of problems condensed to the lip
-    double      certificate_time = 0.;
-    std::size_t certified        = 0; ///< solves with a certificate
+    std::size_t certified = 0; ///< solves with a certificate
 
     Certificate certificate;
     double      accuracy = 0.; ///< ContactSolver::accuracy()
@@ -33,7 +28,7 @@ namespace Crevasse
     void
     add(const SolverStatistics &other);
 
-    /** Counters, certificate and mean times of summary.json. */
+    /** Counters and certificate of summary.json. */
     void
     add_to(Summary &summary) const;
   };

@@ -5,6 +5,7 @@
 #define crevasse_periodic_observed_periods_h
 
 #include <crevasse/base/checkpointer.h>
+#include <crevasse/base/meters.h>
 #include <crevasse/periodic/return_defect.h>
 #include <crevasse/periodic/stress_history.h>
 #include <crevasse/time/observer.h>
@@ -64,9 +65,6 @@ namespace Crevasse
   class ObservedPeriods
   {
   public:
-    /** The number of variational inequalities solved so far. */
-    using SolveCount = std::function<std::size_t()>;
-
     /** All arguments but the numbers must outlive this object, and so must what
      * @p integration refers to.
      *
@@ -75,7 +73,6 @@ namespace Crevasse
      * with none at all; that of another mesh it cannot be compared with.
      * @param defect null: the strain is not known to return. */
     ObservedPeriods(const PeriodIntegration<dim>  &integration,
-                    const SolveCount              &n_solves,
                     const std::vector<Observer *> &observers,
                     const unsigned int             maximum_periods,
                     const PeriodicResult          &before = PeriodicResult(),
@@ -156,7 +153,6 @@ namespace Crevasse
 
   private:
     const PeriodIntegration<dim>   integration;
-    const SolveCount               n_solves;
     const std::vector<Observer *> &observers;
     const unsigned int             maximum_periods;
     bool                           is_comparable;
@@ -186,6 +182,7 @@ namespace Crevasse
     void
     show(const Sample &sample) const
     {
+      const Stopwatch watch("tables");
       for (Observer *observer : observers)
         observer->observe(sample);
     }

@@ -33,12 +33,10 @@ namespace Crevasse
     Vector viscous_strain; ///< see QuadratureField
     Vector displacement;   ///< zero in constrained entries
 
-    SolverStatistics              solvers;
-    std::size_t                   rate_evaluations     = 0;
-    double                        largest_stress       = 0.;
-    double                        largest_displacement = 0.;
-    double                        largest_opening      = 0.;
-    std::map<std::string, double> seconds; ///< of each phase
+    SolverStatistics solvers;
+    double           largest_stress       = 0.;
+    double           largest_displacement = 0.;
+    double           largest_opening      = 0.;
 
     bool      fourier_failed = false; ///< on this mesh
     bool      was_resumed    = false; ///< this stage of the run
@@ -59,7 +57,8 @@ namespace Crevasse
       return has_begun() || was_resumed;
     }
 
-    /** Shows all but the fields and what belongs to the stage. */
+    /** Shows what its stopwatches have measured, and all but the fields and
+     * what belongs to the stage. */
     void
     serialize(StateArchive &archive)
     {
@@ -70,11 +69,11 @@ namespace Crevasse
       archive.common(result.stress_change);
       archive.common(result.stress_error_estimate);
       archive.common(solvers);
-      archive.common(rate_evaluations);
       archive.common(largest_stress);
       archive.common(largest_displacement);
       archive.common(largest_opening);
-      archive.common(seconds);
+      Stopwatch::update();
+      archive.common(meters);
       archive.common(fourier_failed);
     }
   };

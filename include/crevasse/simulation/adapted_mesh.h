@@ -10,7 +10,6 @@
 #include <crevasse/model/body.h>
 #include <crevasse/time/step_list.h>
 
-
 namespace Crevasse
 {
   /** What was estimated on one mesh. */
@@ -72,21 +71,6 @@ namespace Crevasse
     void
     renew();
 
-    /** Of the meshes on the way, this one the last; none if nothing was
-     * adapted. */
-    const std::vector<MeshEstimate> &
-    estimates() const
-    {
-      return all;
-    }
-
-    /** What all of that took; 0 if nothing was adapted. */
-    double
-    seconds() const
-    {
-      return seconds_of_all;
-    }
-
     /** summary.json "refinement" */
     void
     add_to(Summary &summary) const;
@@ -111,8 +95,8 @@ namespace Crevasse
 
     const Scene                scene; ///< with fast solvers
     std::shared_ptr<Mesh<dim>> current;
-    std::vector<MeshEstimate>  all;
-    double                     seconds_of_all = 0.;
+    /** On the way, this one the last; none if nothing was adapted. */
+    std::vector<MeshEstimate> all;
   };
 } // namespace Crevasse
 

@@ -48,15 +48,13 @@ namespace Crevasse
     void
     serialize_summary(StateArchive &archive);
 
-    /** Adapts the mesh to what was estimated, and makes everything anew on it.
-     *
-     * @param state whose fields are taken over. */
+    /** Adapts the mesh to what was estimated, makes everything anew on it, and
+     * takes the fields over. */
     void
-    readapt(const dealii::Vector<float> &squares,
-            const double                 error,
-            RunState                    &state);
+    readapt(const dealii::Vector<float> &squares, const double error);
 
-    const dealii::Timer                  since_set_up;
+    RunState                             state; ///< timed from here on
+    const Stopwatch                      watch{all_else};
     const Scene                          scene;
     Log                                 &log;
     Checkpoints                         &checkpoints;

@@ -10,9 +10,6 @@
 #include <crevasse/simulation/periodic_start.h>
 #include <crevasse/time/evolution.h>
 
-#include <iostream>
-
-
 namespace Crevasse
 {
   /** Where a run writes to. */
@@ -39,11 +36,6 @@ namespace Crevasse
       : setup(setup)
       , output(output)
       , state(state)
-      // Of this rank alone: with a communicator it would talk while an
-      // exception is on its way.
-      , phases(std::cout,
-               dealii::TimerOutput::never,
-               dealii::TimerOutput::wall_times)
       , steps(setup.steps)
       , integrator(setup.make_integrator())
       , step_control(setup.make_step_control())
@@ -52,8 +44,7 @@ namespace Crevasse
                 setup.solvers,
                 steps,
                 setup.largest_nodal_force,
-                output.log,
-                phases)
+                output.log)
       , evolution(setup.body.strain_operator,
                   setup.body.points,
                   setup.body.loads,
@@ -63,26 +54,9 @@ namespace Crevasse
       systems.add(state.solvers);
     }
 
-    /** The state of the run with what was counted and timed here. */
-    RunState
-    state_so_far() const
-    {
-      RunState so_far = state;
-      so_far.solvers  = systems.statistics();
-      so_far.rate_evaluations += evolution.n_rate_evaluations();
-      for (const auto &[name, seconds] :
-           phases.get_summary_data(dealii::TimerOutput::total_wall_time))
-        so_far.seconds[name] += seconds;
-      so_far.seconds["strain sweeps"] += evolution.sweep_seconds();
-      so_far.seconds["total"] += timer.wall_time();
-      return so_far;
-    }
-
     const RunSetup<dim>         &setup;
     const RunOutput             &output;
     RunState                    &state;
-    dealii::Timer                timer;
-    dealii::TimerOutput          phases;
     StepList                     steps; ///< adaptive ones change
     std::unique_ptr<Integrator>  integrator;
     std::unique_ptr<StepControl> step_control;

@@ -6,8 +6,6 @@
 
 #include <crevasse/time/rate_equation.h>
 
-#include <cstddef>
-
 namespace Crevasse
 {
   class StateArchive;
@@ -63,13 +61,6 @@ namespace Crevasse
       return *equation;
     }
 
-    /** Without those that were remembered. */
-    std::size_t
-    n_evaluations() const
-    {
-      return evaluations;
-    }
-
     void
     serialize(StateArchive &archive);
 
@@ -94,8 +85,7 @@ namespace Crevasse
 
     RateEquation     *equation = nullptr;
     Evaluation        of_method, of_sample;
-    const Evaluation *latest      = nullptr; ///< the equation's last
-    std::size_t       evaluations = 0;
+    const Evaluation *latest = nullptr; ///< the equation's last
   };
 } // namespace Crevasse
 

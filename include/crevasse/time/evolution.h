@@ -131,19 +131,6 @@ namespace Crevasse
       return loading;
     }
 
-    /** Wall time of loads, stresses and rates: of all but contact. */
-    double
-    sweep_seconds() const
-    {
-      return sweep_time;
-    }
-
-    std::size_t
-    n_rate_evaluations() const
-    {
-      return rate_evaluations;
-    }
-
     /** Shows what the last evaluation has solved, where the next one starts. */
     void
     serialize(StateArchive &archive)
@@ -220,10 +207,8 @@ namespace Crevasse
     std::vector<double> stiffness_norms; ///< |kK| of each point
     std::vector<double> fractions;       ///< wᵢ
 
-    State       last;
-    Vector      loading;
-    std::size_t rate_evaluations = 0;
-    double      sweep_time       = 0.;
+    State  last;
+    Vector loading;
   };
 } // namespace Crevasse
 

@@ -14,13 +14,6 @@ from crevasse.plotting import BLUE, GREY, VERMILION
 from crevasse.results import number
 from crevasse.run import Run
 
-PARTS_OF_PHASES = {"harmonics": "harmonic balance",
-                   "periodic contact": "harmonic balance",
-                   "linear solves": "time stepping",
-                   "contact on the lip": "time stepping",
-                   "certificates": "time stepping",
-                   "strain sweeps": "time stepping"}
-
 
 def page(directory):
     """The text, what to say of the run, and what is damaged."""
@@ -44,7 +37,7 @@ def page(directory):
         groups=groups, convergence=convergence, relaxation=relaxation,
         shares=histories.share_of_states(run, shades) if lip else None,
         lip=lip, presses=bool(shades),
-        periods=run.tables.get("periods.csv"), phases=phases(run),
+        periods=run.tables.get("periods.csv"), costs=costs(run),
         thinned=is_thinned(charts),
         several=any("last" in chart.get("views", ()) for chart in charts),
         data={"charts": charts, "shades": shades, "lip": lip})
@@ -143,23 +136,11 @@ def points(label, colour, xs, ys):
                        if math.isfinite(y) and y > 0]}
 
 
-def phases(run):
-    """(phase, seconds, part of the whole, is it part of the one before)."""
-    seconds = {name: value for name, value
-               in run.summary.get("seconds", {}).items()
-               if isinstance(value, (int, float))}
-    total = seconds.pop("total", 0)
-    if not total > 0:
-        return []
-    seconds.pop("vi_mean", None), seconds.pop("back_solve_mean", None)
-    parts = {name: seconds.pop(name) for name in PARTS_OF_PHASES
-             if name in seconds}
-    rows = []
-    for name, value in seconds.items():
-        rows.append((name, value, value / total, False))
-        rows += [(part, parts[part], parts[part] / total, True)
-                 for part in parts if PARTS_OF_PHASES[part] == name]
-    rest = total - sum(seconds.values())
-    if rest > 0:
-        rows.append(("mesh, output and all else", rest, rest / total, False))
-    return rows + [("total", total, 1, False)]
+def costs(run):
+    """(what, seconds, calls, part of the whole), the most first; without what
+    others measure they add up to the whole."""
+    total = run.summary.get("seconds", {}).get("total") or 0
+    calls = run.summary.get("calls", {})
+    return [(name, part * total, calls.get(name), part)
+            for name, part in run.summary.get("share", {}).items()
+            if part is not None] if total > 0 else []

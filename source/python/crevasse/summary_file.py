@@ -14,7 +14,7 @@ SHAPES = {
     "effects": {EACH: {"on": YES_OR_NO, "why": TEXT}},
     "counters": {EACH: NUMBER},
     "certificate": {EACH: NUMBER},
-    "seconds": {EACH: NUMBER},
+    "seconds": {EACH: NUMBER}, "calls": {EACH: NUMBER}, "share": {EACH: NUMBER},
     "extremes": {EACH: NUMBER},
     "secular": {"on": YES_OR_NO, "opening_nodes": NUMBER,
                 "per_probe": {EACH: {"beta": [NUMBER], "mean_pressure": NUMBER}}},

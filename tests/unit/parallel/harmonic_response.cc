@@ -56,9 +56,6 @@ namespace
     Run(const Scene &scene, const MPI_Comm communicator)
       : scene(scene)
       , log(communicator, true)
-      , phases(std::cout,
-               dealii::TimerOutput::never,
-               dealii::TimerOutput::wall_times)
       , body(this->scene, make_scene_mesh<2>(this->scene, communicator))
       , steps(scene.time_integration, scene.loads.period)
       , systems(this->scene,
@@ -66,8 +63,7 @@ namespace
                 choose_solvers(this->scene, body),
                 steps,
                 largest_load(body, steps),
-                log,
-                phases)
+                log)
       , result(solve_fourier_problem<2>(this->scene, body, steps, systems, 1.))
       , evolution(body.strain_operator, body.points, body.loads, systems)
     {
@@ -137,7 +133,6 @@ namespace
 
     const Scene           scene;
     Log                   log;
-    dealii::TimerOutput   phases;
     const Body<2>         body;
     const StepList        steps;
     ContactSystemCache<2> systems;
