@@ -160,10 +160,22 @@ namespace Crevasse
 
         std::size_t start = values.size();
         if (shape != CellShape::other)
-          start = known
-                    .emplace(std::vector<float>(numbers.begin(), numbers.end()),
-                             start)
-                    .first->second;
+          {
+            // Rounding of vertices makes equal cells differ by a part of
+            // 1e-16 times the number of cells across.
+            const auto are_equal = [](const Real a, const Real b) {
+              return std::abs(a - b) <= 1e-12 * std::abs(a);
+            };
+            std::size_t &latest =
+              known.try_emplace({numbers.begin(), numbers.end()}, start)
+                .first->second;
+            if (latest == start || !std::equal(numbers.begin(),
+                                               numbers.end(),
+                                               values.begin() + latest,
+                                               are_equal))
+              latest = start;
+            start = latest;
+          }
         if (start == values.size())
           values.insert_back(numbers.begin(), numbers.end());
         batches.push_back({start, shape});
@@ -177,8 +189,11 @@ namespace Crevasse
       const unsigned int    n_lanes;
       const double          unit, volume_unit;
 
-      std::vector<CellGeometry<dim>>            batch;
-      std::vector<Real>                         numbers;
+      std::vector<CellGeometry<dim>> batch;
+      std::vector<Real>              numbers;
+
+      /** Where the latest of equal floats are in values: one candidate for
+       * each batch, however many cells differ by less than floats can tell. */
       std::map<std::vector<float>, std::size_t> known;
     };
   } // namespace
