@@ -124,27 +124,82 @@ namespace
       }
   }
 
+  /** A square whose left half has cells of 1/64 and its right half of 1/32. */
+  std::shared_ptr<Mesh<2>>
+  half_refined_square()
+  {
+    auto mesh = std::make_shared<Mesh<2>>(MPI_COMM_WORLD);
+    dealii::GridGenerator::hyper_cube(*mesh);
+    mesh->refine_global(5);
+    for (const auto &cell : mesh->active_cell_iterators())
+      if (cell->is_locally_owned() && cell->center()[0] < 0.5)
+        cell->set_refine_flag();
+    mesh->execute_coarsening_and_refinement();
+    return mesh;
+  }
+
+  /** Whether the program refuses A of such a stiffness and mesh. */
+  bool
+  is_refused(const StiffnessOperator<2>        &A,
+             const Space<2>                    &space,
+             const QuadratureField<2>          &points,
+             const PointValues<VoigtMatrix<2>> &stiffness)
+  {
+    try
+      {
+        require_same_product(A, space, points, stiffness);
+      }
+    catch (const NumericalError &)
+      {
+        return true;
+      }
+    return false;
+  }
+
+  /** x → x + a x². */
+  void
+  stretch(Mesh<2> &mesh, const double a)
+  {
+    dealii::GridTools::transform(
+      [a](const dealii::Point<2> &x) {
+        return dealii::Point<2>(x[0] + a * x[0] * x[0], x[1]);
+      },
+      mesh);
+  }
+
   /** What the program asks of A before it solves with it. */
   void
   check_that_errors_are_found()
   {
-    const CrackedBlock<2>      block(MPI_COMM_WORLD,
-                                {1, 2, 2, 1., VolumetricStrain::mean});
-    const StiffnessOperator<2> A(block.space, block.points, block.stiffness);
-    bool                       is_found = false;
-    try
-      {
-        require_same_product(A,
-                             block.space,
-                             block.points,
-                             PointValues<VoigtMatrix<2>>((1. + 1e-9) *
-                                                         block.stiffness[0]));
-      }
-    catch (const NumericalError &)
-      {
-        is_found = true;
-      }
-    check("An error of 1e-9 in the product is found", is_found);
+    const auto mesh = half_refined_square();
+    stretch(*mesh, 1e-8);
+    const Space<2>           space(mesh, 1, {}, {});
+    const QuadratureField<2> points(space);
+    const VoigtMatrix<2>     K = isotropic_stiffness<2>(7., 0.3, false);
+    const PointValues<VoigtMatrix<2>> stiffness(K);
+    const StiffnessOperator<2>        A(space, points, stiffness);
+
+    Vector v(A.diagonal());
+    for (const auto i : v.locally_owned_elements())
+      v(i) =
+        space.constraints.is_constrained(i) ? 0. : std::sin(7. * double(i));
+    Vector       expected(v), result(v);
+    SparseMatrix matrix;
+    assemble_stiffness(space, points, stiffness, matrix);
+    multiply(matrix, expected, v);
+    A.vmult(result, v);
+    check_below("Widths of cells differ by 1e-8: product with A",
+                relative_difference(result, expected),
+                1e-12);
+
+    check("A is not refused", !is_refused(A, space, points, stiffness));
+    check("An error of 1e-9 in the product is found",
+          is_refused(
+            A, space, points, PointValues<VoigtMatrix<2>>((1. + 1e-9) * K)));
+    // D, too, has the former geometry.
+    stretch(*mesh, 1e-7);
+    check("An error of 1e-7 in the geometry of A and D is found",
+          is_refused(A, space, points, stiffness));
   }
 
   /** Conjugate gradients need (Bx, y) = (x, By) and (x, Bx) > 0 for the
@@ -211,20 +266,6 @@ namespace
                 1e-4);
     check_below("Preconditioner: asymmetry", asymmetry, 1e-6);
     check("Preconditioner: positive", positive);
-  }
-
-  /** A square whose left half has cells of 1/64 and its right half of 1/32. */
-  std::shared_ptr<const Mesh<2>>
-  half_refined_square()
-  {
-    auto mesh = std::make_shared<Mesh<2>>(MPI_COMM_WORLD);
-    dealii::GridGenerator::hyper_cube(*mesh);
-    mesh->refine_global(5);
-    for (const auto &cell : mesh->active_cell_iterators())
-      if (cell->is_locally_owned() && cell->center()[0] < 0.5)
-        cell->set_refine_flag();
-    mesh->execute_coarsening_and_refinement();
-    return mesh;
   }
 
   /** No level may move as a rigid body, though the first points have one
