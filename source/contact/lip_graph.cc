@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/contact/lip_graph.h>
 
 #include <deal.II/base/mpi.h>
@@ -52,8 +53,7 @@ namespace Crevasse
           local.back().push_back(node_of.at(dof));
       }
     local.resize(problem.bounds.dofs.size());
-    for (const auto &of_rank : Utilities::MPI::all_gather(communicator, local))
-      neighbours.insert(neighbours.end(), of_rank.begin(), of_rank.end());
+    neighbours = of_all_ranks(communicator, local);
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/linear/matrix_operator.h>
@@ -15,11 +16,8 @@ namespace Crevasse
                                      const UnilateralBounds &bounds)
     : stiffness(stiffness)
     , bounds(bounds)
+    , all_dofs(of_all_ranks(stiffness.get_mpi_communicator(), bounds.dofs))
   {
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(stiffness.get_mpi_communicator(),
-                                    bounds.dofs))
-      all_dofs.insert(all_dofs.end(), of_rank.begin(), of_rank.end());
     for (const auto i : diagonal().locally_owned_elements())
       if (!(diagonal()(i) > 0.))
         throw NumericalError(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/tip_region.h>
 #include <crevasse/discretisation/cell_values.h>
@@ -203,12 +204,11 @@ namespace Crevasse
   double
   TipRegion::aligned_radius(const double at_most) const
   {
-    std::vector<Interval> near, all;
+    std::vector<Interval> near;
     for (const Interval &cell : cells)
       if (cell.first < at_most && cell.second > 0.5 * at_most)
         near.push_back(cell);
-    for (const auto &of_rank : Utilities::MPI::all_gather(communicator, near))
-      all.insert(all.end(), of_rank.begin(), of_rank.end());
+    std::vector<Interval> all = of_all_ranks(communicator, near);
     std::sort(all.begin(), all.end(), [](const Interval &a, const Interval &b) {
       return a.second > b.second;
     });

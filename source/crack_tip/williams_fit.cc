@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/crack_tip/williams_fit.h>
 #include <crevasse/discretisation/polar_field.h>
 
@@ -116,9 +117,7 @@ namespace Crevasse
     const unsigned int n = std::min<std::size_t>(radii.size(), enough);
     std::partial_sort(radii.begin(), radii.begin() + n, radii.end());
     radii.resize(n);
-    std::vector<double> all;
-    for (const auto &of_rank : Utilities::MPI::all_gather(communicator, radii))
-      all.insert(all.end(), of_rank.begin(), of_rank.end());
+    std::vector<double> all = of_all_ranks(communicator, radii);
     std::sort(all.begin(), all.end());
     return all[std::min<std::size_t>(all.size(), enough) - 1];
   }

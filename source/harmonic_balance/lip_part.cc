@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/harmonic_balance/lip_part.h>
 
 #include <deal.II/base/mpi.h>
@@ -13,7 +14,7 @@ namespace Crevasse
 
   namespace
   {
-    /** Appends those chosen, of all ranks. */
+    /** Those chosen, of all ranks. */
     template <typename Number>
     void
     gather_all(const MPI_Comm                   communicator,
@@ -24,8 +25,7 @@ namespace Crevasse
       std::vector<Number> local;
       for (const unsigned int k : chosen)
         local.push_back(values[k]);
-      for (const auto &part : Utilities::MPI::all_gather(communicator, local))
-        all.insert(all.end(), part.begin(), part.end());
+      all = of_all_ranks(communicator, local);
     }
   } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/linear/gmg_cg.h>
 #include <crevasse/linear/solver_choice.h>
@@ -70,7 +71,7 @@ namespace Crevasse
     // Of a coarsest mesh that is fine itself it is too large for dense
     // matrices; held unknowns are cut off there.
     constexpr std::size_t largest_lip = 2000;
-    auto                  lip         = of_all_ranks(on_levels(may_be_held)[0]);
+    auto                  lip = coarsest_dofs(on_levels(may_be_held)[0]);
     if (lip.size() > largest_lip)
       lip.clear();
     // Exact, but for meshes that are large before anything is refined.
@@ -98,16 +99,13 @@ namespace Crevasse
 
   template <int dim>
   DirectSolver::Indices
-  GmgCg<dim>::of_all_ranks(const std::vector<unsigned int> &rows) const
+  GmgCg<dim>::coarsest_dofs(const std::vector<unsigned int> &rows) const
   {
     const auto           &layout = *levels_of_cycle[0].defect.get_partitioner();
-    DirectSolver::Indices local, all;
+    DirectSolver::Indices local;
     for (const unsigned int row : rows)
       local.push_back(layout.local_to_global(row));
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(finest.get_mpi_communicator(), local))
-      all.insert(all.end(), of_rank.begin(), of_rank.end());
-    return all;
+    return of_all_ranks(finest.get_mpi_communicator(), local);
   }
 
 
@@ -152,7 +150,7 @@ namespace Crevasse
       return;
     const DirectSolver::Indices &lip = coarsest_factor->lip;
     std::vector<bool>            set(lip.size(), true);
-    for (const auto dof : of_all_ranks(rows[0]))
+    for (const auto dof : coarsest_dofs(rows[0]))
       {
         const auto place = std::lower_bound(lip.begin(), lip.end(), dof);
         Assert(place != lip.end() && *place == dof,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/parameters/parameters.h>
 #include <crevasse/time/arkode_driver.h>
 
@@ -262,13 +263,9 @@ namespace Crevasse
   std::vector<double>
   ArkodeDriver::switching_functions() const
   {
-    std::vector<double> mine, all;
+    std::vector<double> mine;
     equation.last().switching_functions(mine);
-    for (const std::vector<double> &values :
-         dealii::Utilities::MPI::all_gather(current.get_mpi_communicator(),
-                                            mine))
-      all.insert(all.end(), values.begin(), values.end());
-    return all;
+    return of_all_ranks(current.get_mpi_communicator(), mine);
   }
 
 

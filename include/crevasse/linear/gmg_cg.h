@@ -83,7 +83,7 @@ namespace Crevasse
 
     /** Of all ranks, from local indices of the coarsest level. */
     DirectSolver::Indices
-    of_all_ranks(const std::vector<unsigned int> &rows) const;
+    coarsest_dofs(const std::vector<unsigned int> &rows) const;
 
     void
     set_up_coarsest(
