@@ -32,7 +32,7 @@ namespace Crevasse
   };
 
   /** By what is done. */
-  using Meters = std::map<std::string, Meter>;
+  using Meters = std::map<std::string, Meter, std::less<>>;
 
   /** What the stopwatches of this process have measured. */
   inline Meters meters;
@@ -43,9 +43,9 @@ namespace Crevasse
   {
   public:
     /** @param calls and @p bytes do not count if it ends by an exception. */
-    explicit Stopwatch(const std::string &name,
-                       const double       calls = 1.,
-                       const double       bytes = 0.)
+    explicit Stopwatch(const char  *name,
+                       const double calls = 1.,
+                       const double bytes = 0.)
       : name(name)
       , calls(calls)
       , bytes(bytes)
@@ -54,12 +54,12 @@ namespace Crevasse
 
     ~Stopwatch()
     {
-      add_time();
-      innermost = outer;
+      Meter &meter = add_time();
+      innermost    = outer;
       if (std::uncaught_exceptions() > 0)
         return;
-      meters[name].calls += calls;
-      meters[name].bytes += bytes;
+      meter.calls += calls;
+      meter.bytes += bytes;
     }
 
     Stopwatch(const Stopwatch &) = delete;
@@ -75,22 +75,27 @@ namespace Crevasse
   private:
     using Clock = std::chrono::steady_clock;
 
-    void
+    Meter &
     add_time()
     {
+      // No text is made in the time loop but for the first call.
+      auto meter = meters.find(name);
+      if (meter == meters.end())
+        meter = meters.emplace(name, Meter()).first;
       const auto   now  = Clock::now();
       const double time = std::chrono::duration<double>(now - begin).count();
-      meters[name].seconds += time;
-      meters[name].own += time - of_others;
+      meter->second.seconds += time;
+      meter->second.own += time - of_others;
       if (outer != nullptr)
         outer->of_others += time;
       begin     = now;
       of_others = 0.;
+      return meter->second;
     }
 
     inline static Stopwatch *innermost = nullptr;
 
-    const std::string name;
+    const char *const name; ///< a literal
     const double      calls, bytes;
     Stopwatch *const  outer     = std::exchange(innermost, this);
     double            of_others = 0.;
