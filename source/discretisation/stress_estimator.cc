@@ -68,32 +68,48 @@ namespace Crevasse
     StressResidual<dim> residual(
       space, polynomials, lip, loads, t, contact_forces);
     polynomials.fit(space, points, regular, residual.stress);
+    dealii::Vector<double> squares(largest.size());
+    // A face between cells counts for both, from the side of the finer one.
+    const auto add_jump = [&](const auto &cell, const unsigned int f) {
+      const double half =
+        0.5 * of_faces / degree * residual.jump(cell, f, compliance);
+      squares(cell->active_cell_index()) += half;
+      squares(cell->neighbor(f)->active_cell_index()) += half;
+    };
     collectively(space.communicator(), [&]() {
       for (const auto &cell : owned_cells(polynomials.dof_handler))
         {
-          const double c     = compliance[cell->active_cell_index()];
-          const double h     = cell->diameter() / std::sqrt(dim);
-          double       faces = 0.;
-          for (const unsigned int f : cell->face_indices())
-            faces +=
-              cell->at_boundary(f)
-                ? c * residual.at_boundary(cell,
-                                           f,
-                                           [&](const auto &point) {
-                                             return singular_stress(
-                                               singular,
-                                               point,
-                                               stiffness_at(
-                                                 points.first_point(cell)));
-                                           })
-                : 0.5 * residual.jump(cell, f, compliance);
-          const double square =
-            of_faces / degree * faces +
+          const double c = compliance[cell->active_cell_index()];
+          const double h = cell->diameter() / std::sqrt(dim);
+          double       whole =
             of_cells * c * h * h / (degree * degree) * residual.in_volume(cell);
-          double &entry = largest(cell->active_cell_index());
-          entry         = std::max(entry, square);
+          for (const unsigned int f : cell->face_indices())
+            if (cell->at_boundary(f))
+              whole +=
+                of_faces / degree * c *
+                residual.at_boundary(cell, f, [&](const auto &point) {
+                  return singular_stress(
+                    singular, point, stiffness_at(points.first_point(cell)));
+                });
+            else if (const auto other = cell->neighbor(f);
+                     other->has_children())
+              {
+                for (unsigned int s = 0; s < cell->face(f)->n_children(); ++s)
+                  if (const auto child = cell->neighbor_child_on_subface(f, s);
+                      child->is_ghost())
+                    add_jump(child, cell->neighbor_of_neighbor(f));
+              }
+            else if (other->is_ghost() || cell->neighbor_is_coarser(f) ||
+                     cell->index() < other->index())
+              add_jump(cell, f);
+          squares(cell->active_cell_index()) += whole;
         }
     });
+    for (const auto &cell : owned_cells(space.mesh()))
+      {
+        double &entry = largest(cell->active_cell_index());
+        entry         = std::max(entry, squares(cell->active_cell_index()));
+      }
     most_energy = std::max(most_energy, energy(stress, material));
   }
 

@@ -85,51 +85,34 @@ namespace Crevasse
       return integral;
     }
 
-    /** Σ h ∫ c ‖[s n]‖² over a face to other cells, with the compliance of the
-     * stiffer one. */
+    /** h ∫ c ‖[s n]‖² over a face to a cell that is not finer, with the
+     * compliance of the stiffer one. */
     double
     jump(const Cell                &cell,
          const unsigned int         face,
          const std::vector<double> &compliance)
     {
       constexpr auto whole = dealii::numbers::invalid_unsigned_int;
-      double         sum   = 0.;
-      const auto     add   = [&](const unsigned int subface,
-                           const Cell        &other,
-                           const unsigned int other_face,
-                           const unsigned int other_subface) {
-        faces.reinit(cell, face, subface, other, other_face, other_subface);
-        const auto &mine = faces.get_fe_face_values(0);
-        mine.get_function_values(stress, here);
-        faces.get_fe_face_values(1).get_function_values(stress, there);
-        double integral = 0.;
-        for (const unsigned int q : mine.quadrature_point_indices())
-          {
-            here[q] -= there[q];
-            integral +=
-              traction_of(here[q], mine.normal_vector(q)).norm_square() *
-              mine.JxW(q);
-          }
-        sum += size_of(mine) * integral *
-               std::min(compliance[cell->active_cell_index()],
-                        compliance[other->active_cell_index()]);
-      };
-
-      const auto neighbor = cell->neighbor(face);
-      if (neighbor->has_children())
-        for (unsigned int s = 0; s < cell->face(face)->n_children(); ++s)
-          add(s,
-              cell->neighbor_child_on_subface(face, s),
-              cell->neighbor_of_neighbor(face),
-              whole);
-      else if (cell->neighbor_is_coarser(face))
+      const auto     other = cell->neighbor(face);
+      const auto     place =
+        cell->neighbor_is_coarser(face)
+              ? cell->neighbor_of_coarser_neighbor(face)
+              : std::make_pair(cell->neighbor_of_neighbor(face), whole);
+      faces.reinit(cell, face, whole, other, place.first, place.second);
+      const auto &mine = faces.get_fe_face_values(0);
+      mine.get_function_values(stress, here);
+      faces.get_fe_face_values(1).get_function_values(stress, there);
+      double integral = 0.;
+      for (const unsigned int q : mine.quadrature_point_indices())
         {
-          const auto place = cell->neighbor_of_coarser_neighbor(face);
-          add(whole, neighbor, place.first, place.second);
+          here[q] -= there[q];
+          integral +=
+            traction_of(here[q], mine.normal_vector(q)).norm_square() *
+            mine.JxW(q);
         }
-      else
-        add(whole, neighbor, cell->neighbor_of_neighbor(face), whole);
-      return sum;
+      return size_of(mine) * integral *
+             std::min(compliance[cell->active_cell_index()],
+                      compliance[other->active_cell_index()]);
     }
 
     /** h ∫ ‖what of the traction s n the boundary does not bear‖²: on loaded
