@@ -5,6 +5,7 @@
 #include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/refinement.h>
 
+#include <deal.II/distributed/cell_data_transfer.templates.h>
 #include <deal.II/fe/fe_q.h>
 
 #include <algorithm>
@@ -29,22 +30,130 @@ namespace Crevasse
 
 
 
+    /** Whether a vertex of the cell is on the front. */
+    template <int dim>
+    bool
+    is_at_front(const TriaIterator<CellAccessor<dim>> &cell,
+                const unsigned int                     vertex,
+                const CrackFront<dim>                 &front)
+    {
+      const double tolerance = 1e-6 * cell->minimum_vertex_distance();
+      return std::any_of(front.begin(), front.end(), [&](const auto &edge) {
+        return distance<dim>(cell->vertex(vertex), edge) <= tolerance;
+      });
+    }
+
+
+
+    template <int dim>
+    bool
+    touches_front(const TriaIterator<CellAccessor<dim>> &cell,
+                  const CrackFront<dim>                 &front)
+    {
+      const auto vertices = cell->vertex_indices();
+      return std::any_of(vertices.begin(),
+                         vertices.end(),
+                         [&](const unsigned int v) {
+                           return is_at_front(cell, v, front);
+                         });
+    }
+
+
+
     /** Divides the cells once that have a vertex on the front. */
     template <int dim>
     void
     refine_front(Mesh<dim> &mesh, const CrackFront<dim> &front)
     {
       for (const auto &cell : owned_cells(mesh))
-        {
-          const double tolerance = 1e-6 * cell->minimum_vertex_distance();
-          for (const auto &edge : front)
-            for (const unsigned int v : cell->vertex_indices())
-              if (distance<dim>(cell->vertex(v), edge) <= tolerance)
-                cell->set_refine_flag();
-        }
+        if (touches_front<dim>(cell, front))
+          cell->set_refine_flag();
       mesh.execute_coarsening_and_refinement();
     }
   } // namespace
+
+
+
+  template <int dim>
+  double
+  beside_front(const Mesh<dim>             &mesh,
+               const CrackFront<dim>       &front,
+               const dealii::Vector<float> &squares)
+  {
+    std::vector<bool> is_near(mesh.n_vertices());
+    double            at_front = 0., beside = 0.;
+    for (const auto &cell : owned_cells(mesh))
+      if (touches_front<dim>(cell, front))
+        {
+          at_front =
+            std::max<double>(at_front, squares(cell->active_cell_index()));
+          for (const unsigned int v : cell->vertex_indices())
+            is_near[cell->vertex_index(v)] = true;
+        }
+    for (const auto &cell : owned_cells(mesh))
+      if (!touches_front<dim>(cell, front))
+        for (const unsigned int v : cell->vertex_indices())
+          if (is_near[cell->vertex_index(v)])
+            beside =
+              std::max<double>(beside, squares(cell->active_cell_index()));
+    at_front = Utilities::MPI::max(at_front, mesh.get_communicator());
+    beside   = Utilities::MPI::max(beside, mesh.get_communicator());
+    return at_front > 0. ? std::min(1., beside / at_front) : 0.;
+  }
+
+
+
+  template <int dim>
+  void
+  divide_and_predict(Mesh<dim>             &mesh,
+                     const CrackFront<dim> &front,
+                     const double           beside,
+                     const unsigned int     degree,
+                     dealii::Vector<float> &squares)
+  {
+    constexpr unsigned int n_children =
+      GeometryInfo<dim>::max_children_per_cell;
+    const double smooth   = std::pow(0.5, 2 * degree + dim);
+    const double singular = std::pow(0.5, dim - 1);
+    // Of a cell, and of the children that it would have.
+    using Values = std::array<float, 1 + n_children>;
+    std::vector<Values> values(mesh.n_active_cells());
+    for (const auto &cell : owned_cells(mesh))
+      {
+        const float square      = squares(cell->active_cell_index());
+        const bool  is_singular = touches_front<dim>(cell, front);
+        Values     &mine        = values[cell->active_cell_index()];
+        mine[0]                 = square;
+        for (unsigned int v = 0; v < n_children; ++v)
+          mine[1 + v] =
+            square * (!is_singular                       ? smooth
+                      : is_at_front<dim>(cell, v, front) ? singular
+                                                         : singular * beside);
+      }
+    parallel::distributed::CellDataTransfer<dim, dim, std::vector<Values>>
+      transfer(
+        mesh,
+        false,
+        [](const auto &, const Values &parent) {
+          std::vector<Values> children(n_children);
+          for (unsigned int c = 0; c < n_children; ++c)
+            children[c][0] = parent[1 + c];
+          return children;
+        },
+        [smooth](const auto &, const std::vector<Values> &children) {
+          Values parent{};
+          for (const Values &child : children)
+            parent[0] += child[0] / (n_children * smooth);
+          return parent;
+        });
+    transfer.prepare_for_coarsening_and_refinement(values);
+    mesh.execute_coarsening_and_refinement();
+    values.resize(mesh.n_active_cells());
+    transfer.unpack(values);
+    squares.reinit(mesh.n_active_cells());
+    for (const auto &cell : owned_cells(mesh))
+      squares(cell->active_cell_index()) = values[cell->active_cell_index()][0];
+  }
 
 
 
@@ -122,16 +231,24 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                            \
-  template types::global_dof_index count_unknowns<dim>(             \
-    const Mesh<dim> &, const unsigned int);                         \
-  template void require_affordable<dim>(const Mesh<dim> &,          \
+#define INSTANTIATE(dim)                                                                    \
+  template double                     beside_front<dim>(const Mesh<dim> &,                  \
+                                    const CrackFront<dim> &,            \
+                                    const dealii::Vector<float> &);     \
+  template void                       divide_and_predict<dim>(Mesh<dim> &,                  \
+                                        const CrackFront<dim> &,      \
+                                        const double,                 \
+                                        const unsigned int,           \
+                                        dealii::Vector<float> &);     \
+  template types::global_dof_index    count_unknowns<dim>(const Mesh<dim> &,                \
+                                                       const unsigned int);              \
+  template void                       require_affordable<dim>(const Mesh<dim> &,            \
                                         const RefinementParameters &, \
-                                        const unsigned int);        \
-  template std::shared_ptr<Mesh<dim>> graded_mesh<dim>(             \
-    const std::function<std::shared_ptr<Mesh<dim>>()> &,            \
-    const BoundaryRoles &,                                          \
-    const RefinementParameters &,                                   \
+                                        const unsigned int);          \
+  template std::shared_ptr<Mesh<dim>> graded_mesh<dim>(                                     \
+    const std::function<std::shared_ptr<Mesh<dim>>()> &,                                    \
+    const BoundaryRoles &,                                                                  \
+    const RefinementParameters &,                                                           \
     const unsigned int)
 
   INSTANTIATE(2);

@@ -56,8 +56,8 @@ namespace Crevasse
     prm.add_parameter(
       "Cycles",
       cycles,
-      "How often the cells around the tip are divided, or how many meshes "
-      "follow on the first one; 0: until Target unknowns or Tolerance.",
+      "How often cells are divided, with adaptive once after each estimate; 0: "
+      "until Target unknowns or Tolerance, several times after an estimate.",
       Integer(0));
     add_selection("Marking", marking, prm);
     prm.add_parameter("Refine fraction",

@@ -41,6 +41,19 @@ namespace Crevasse
 
 
 
+    template <int dim>
+    void
+    clear_flags(const Mesh<dim> &mesh)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          cell->clear_refine_flag();
+          cell->clear_coarsen_flag();
+        }
+    }
+
+
+
     /** Sets the flags that the parameters ask for: the cells with the largest
      * part of the squares of the estimates are divided, those with the smallest
      * joined where all their siblings are. Cells at the finest level stay.
@@ -48,9 +61,9 @@ namespace Crevasse
      *
      * @param squares by active cell index.
      * @param share of Refine fraction.
-     * @return whether any cell is to be divided. */
+     * @return how many cells are to be divided. */
     template <int dim>
-    bool
+    std::size_t
     set_flags(Mesh<dim>                   &mesh,
               const dealii::Vector<float> &squares,
               const RefinementParameters  &parameters,
@@ -59,6 +72,7 @@ namespace Crevasse
       namespace Refinement = parallel::distributed::GridRefinement;
       const double refine  = share * parameters.refine_fraction;
       const double coarsen = parameters.coarsen_fraction;
+      clear_flags(mesh);
       if (parameters.marking == Marking::bulk)
         // The squares as they are: those are what adds up.
         Refinement::refine_and_coarsen_fixed_fraction(
@@ -68,16 +82,14 @@ namespace Crevasse
                                                     squares,
                                                     refine,
                                                     coarsen);
-      int any = 0;
-      for (const auto &cell : mesh.active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            if (static_cast<unsigned int>(cell->level()) >= finest_level<dim>)
-              cell->clear_refine_flag();
-            if (cell->refine_flag_set())
-              any = 1;
-          }
-      return Utilities::MPI::max(any, mesh.get_communicator()) == 1;
+      std::size_t n_flagged = 0;
+      for (const auto &cell : owned_cells(mesh))
+        {
+          if (static_cast<unsigned int>(cell->level()) >= finest_level<dim>)
+            cell->clear_refine_flag();
+          n_flagged += cell->refine_flag_set();
+        }
+      return Utilities::MPI::sum(n_flagged, mesh.get_communicator());
     }
   } // namespace
 
@@ -134,6 +146,7 @@ namespace Crevasse
         if (is_good || is_last || !advance(squares))
           break;
       }
+    renew(); // numbered as the mesh of a resumed run will be
   }
 
 
@@ -206,16 +219,34 @@ namespace Crevasse
   bool
   AdaptedMesh<dim>::advance(const dealii::Vector<float> &squares)
   {
-    // What is nearly as large as it may be is not worth another estimate.
-    constexpr double   nearly    = 0.98;
-    const unsigned int degree    = scene.discretisation.degree;
-    const auto         available = scene.refinement.target_unknowns;
-    if (available > 0 && count_unknowns(*current, degree) > nearly * available)
-      return false;
-    const bool divides = flag(squares);
-    if (divides)
-      current->execute_coarsening_and_refinement();
-    renew(); // else without flags
+    // So far the prediction is trusted; if there is a limit, for half of what
+    // is left, unless another estimate is not worth while for the rest.
+    constexpr double   growth = 2., nearly = 0.95, little = 0.05;
+    const unsigned int degree = scene.discretisation.degree;
+    const double       now    = all.back().unknowns;
+    const double       limit  = nearly * scene.refinement.target_unknowns;
+    const double       wanted = scene.refinement.tolerance;
+    double             enough = growth * now;
+    if (limit > 0.)
+      enough = std::min(
+        {enough, limit, now + std::max(0.5 * (limit - now), little * limit)});
+    // What singular functions describe is not in the squares.
+    const CrackFront<dim> front =
+      scene.discretisation.singular_functions > 0
+        ? CrackFront<dim>()
+        : crack_front<dim>(*current, boundary_roles(scene));
+    const double          beside    = beside_front(*current, front, squares);
+    bool                  divides   = false;
+    dealii::Vector<float> predicted = squares;
+    while (count_unknowns(*current, degree) <= enough && flag(predicted))
+      {
+        divide_and_predict(*current, front, beside, degree, predicted);
+        divides = true;
+        if (scene.refinement.cycles > 0 ||
+            Utilities::MPI::sum(predicted.l1_norm(),
+                                current->get_communicator()) <= wanted * wanted)
+          break;
+      }
     return divides;
   }
 
@@ -228,31 +259,29 @@ namespace Crevasse
     // If the whole change is too large, fewer cells are divided.
     constexpr unsigned int most_attempts = 6;
     const auto             available     = scene.refinement.target_unknowns;
+    const unsigned int     degree        = scene.discretisation.degree;
+    // Around a cell that is divided others may have to be divided as well.
+    const double before  = count_unknowns(*current, degree);
+    const double of_each = 3. * GeometryInfo<dim>::max_children_per_cell *
+                           before / current->n_global_active_cells();
     for (unsigned int attempt = 0; attempt < most_attempts; ++attempt)
       {
-        const double share = std::pow(0.5, attempt);
-        if (available > 0)
-          {
-            const auto trial = copy();
-            set_flags(*trial, squares, scene.refinement, share);
-            trial->execute_coarsening_and_refinement();
-            if (count_unknowns(*trial, scene.discretisation.degree) > available)
-              continue;
-          }
-        return set_flags(*current, squares, scene.refinement, share);
+        const double      share = std::pow(0.5, attempt);
+        const std::size_t n_flagged =
+          set_flags(*current, squares, scene.refinement, share);
+        if (n_flagged == 0)
+          return false;
+        if (available == 0 || before + of_each * n_flagged < available)
+          return true;
+        Mesh<dim> trial(current->get_communicator());
+        trial.copy_triangulation(*current);
+        set_flags(trial, squares, scene.refinement, share);
+        trial.execute_coarsening_and_refinement();
+        if (count_unknowns(trial, degree) <= available)
+          return true;
       }
+    clear_flags(*current);
     return false;
-  }
-
-
-
-  template <int dim>
-  std::shared_ptr<Mesh<dim>>
-  AdaptedMesh<dim>::copy() const
-  {
-    auto mesh = make_coarse_mesh<dim>(scene, current->get_communicator());
-    mesh->load(current->get_p4est());
-    return mesh;
   }
 
 
@@ -261,7 +290,9 @@ namespace Crevasse
   void
   AdaptedMesh<dim>::renew()
   {
-    current = copy();
+    auto mesh = make_coarse_mesh<dim>(scene, current->get_communicator());
+    mesh->load(current->get_p4est());
+    current = mesh;
   }
 
 

@@ -85,10 +85,6 @@ namespace Crevasse
     void
     report(Log &log) const;
 
-    /** A mesh with the same cells as the current one. Collective. */
-    std::shared_ptr<Mesh<dim>>
-    copy() const;
-
     /** Changes the mesh, unless it would hardly be another one. */
     bool
     advance(const dealii::Vector<float> &squares);
