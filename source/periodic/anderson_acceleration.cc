@@ -137,7 +137,9 @@ namespace Crevasse
   void
   AndersonAcceleration::follow_drift(Vector &x)
   {
-    constexpr double hardly_explained = 0.99, the_same = 0.05, longest = 1e6;
+    // Of a residual that stays the same, what differences of points nearby
+    // explain in part is not worth a step a million times as long as they are.
+    constexpr double hardly_explained = 0.7, the_same = 0.05, longest = 1e6;
 
     if (unexplained <= hardly_explained * residual_norm || change >= the_same)
       {

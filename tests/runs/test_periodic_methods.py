@@ -282,6 +282,12 @@ def test_drift():
                         f"drift, {name}: {way}, {n} periods, estimated error "
                         f"{error_estimate(found):.1e}")
             check(way == "march" or n <= most, f"at most {most} periods")
+    # Rounding must not decide whether a drift is taken for one.
+    settings, most = DRIFTING["fast"]
+    for k in range(1, 5):
+        found = compute("found", settings + method("anderson", tolerance=tolerance)
+                        + [f"Material/Young modulus={13000 * (1 + k * 1e-11)!r}"])
+        check_below(found.summary["periods"], most, "periods with another rounding")
     # From a start near the end; the last steps are in directions without stress.
     settings = COARSE + [
         traction("0; 10*cos(2*pi*t/600)*(x-0.9) - 0.1"),
