@@ -82,11 +82,12 @@ namespace Crevasse
   {
     std::vector<bool> is_near(mesh.n_vertices());
     double            at_front = 0., beside = 0.;
-    for (const auto &cell : owned_cells(mesh))
-      if (touches_front<dim>(cell, front))
+    for (const auto &cell : mesh.active_cell_iterators())
+      if (!cell->is_artificial() && touches_front<dim>(cell, front))
         {
-          at_front =
-            std::max<double>(at_front, squares(cell->active_cell_index()));
+          if (cell->is_locally_owned())
+            at_front =
+              std::max<double>(at_front, squares(cell->active_cell_index()));
           for (const unsigned int v : cell->vertex_indices())
             is_near[cell->vertex_index(v)] = true;
         }
