@@ -11,6 +11,7 @@
 #include <deal.II/distributed/grid_refinement.h>
 
 #include <iostream>
+#include <utility>
 
 namespace Crevasse
 {
@@ -238,10 +239,13 @@ namespace Crevasse
     const double          beside    = beside_front(*current, front, squares);
     bool                  divides   = false;
     dealii::Vector<float> predicted = squares;
-    while (count_unknowns(*current, degree) <= enough && flag(predicted))
+    // Joining may take as many cells away as dividing gives.
+    double before = 0., n = count_unknowns(*current, degree);
+    while (before < n && n <= enough && flag(predicted))
       {
         divide_and_predict(*current, front, beside, degree, predicted);
         divides = true;
+        before  = std::exchange(n, count_unknowns(*current, degree));
         if (scene.refinement.cycles > 0 ||
             Utilities::MPI::sum(predicted.l1_norm(),
                                 current->get_communicator()) <= wanted * wanted)

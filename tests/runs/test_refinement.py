@@ -104,6 +104,7 @@ def test_ranks():
     for name, refinement in {
             "tip": [TIP, "Refinement/Cycles=4"],
             "adaptive": [ADAPTIVE, "Refinement/Cycles=4"],
+            "foretold": [ADAPTIVE, "Refinement/Target unknowns=3000"],
             "readapted": [ADAPTIVE, "Refinement/Cycles=2",
                           "Refinement/Readapt every=1",
                           "Refinement/Coarsen fraction=0.02",
@@ -173,6 +174,10 @@ def test_divisions_for_an_estimate():
     for name, meshes in (("several", several), ("single", single)):
         print(name, [(m["unknowns"], m["estimated_error"]) for m in meshes])
     check(len(several) <= 6 and len(single) >= 15, "far fewer meshes")
+    # Though about as many cells are joined as are divided, it ends.
+    run(SCENE, "joining", settings + ["Refinement/Marking=fixed fraction",
+                                      "Refinement/Refine fraction=0.05",
+                                      "Refinement/Coarsen fraction=0.3"])
     # The error falls with the first power of the unknowns.
     several, single = (meshes[-1]["estimated_error"] * meshes[-1]["unknowns"]
                        for meshes in (several, single))
@@ -297,7 +302,7 @@ def test_refusals():
 
 
 for test in (test_grading, test_target, test_solvers_agree, test_ranks,
-             test_energy_rates, test_tolerance, test_readaptation,
-             test_five_periods, test_refusals):
+             test_energy_rates, test_divisions_for_an_estimate, test_tolerance,
+             test_readaptation, test_five_periods, test_refusals):
     print(test.__name__)
     test()
