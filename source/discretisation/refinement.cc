@@ -75,40 +75,9 @@ namespace Crevasse
 
 
   template <int dim>
-  double
-  beside_front(const Mesh<dim>             &mesh,
-               const CrackFront<dim>       &front,
-               const dealii::Vector<float> &squares)
-  {
-    std::vector<bool> is_near(mesh.n_vertices());
-    double            at_front = 0., beside = 0.;
-    for (const auto &cell : mesh.active_cell_iterators())
-      if (!cell->is_artificial() && touches_front<dim>(cell, front))
-        {
-          if (cell->is_locally_owned())
-            at_front =
-              std::max<double>(at_front, squares(cell->active_cell_index()));
-          for (const unsigned int v : cell->vertex_indices())
-            is_near[cell->vertex_index(v)] = true;
-        }
-    for (const auto &cell : owned_cells(mesh))
-      if (!touches_front<dim>(cell, front))
-        for (const unsigned int v : cell->vertex_indices())
-          if (is_near[cell->vertex_index(v)])
-            beside =
-              std::max<double>(beside, squares(cell->active_cell_index()));
-    at_front = Utilities::MPI::max(at_front, mesh.get_communicator());
-    beside   = Utilities::MPI::max(beside, mesh.get_communicator());
-    return at_front > 0. ? std::min(1., beside / at_front) : 0.;
-  }
-
-
-
-  template <int dim>
   void
   divide_and_predict(Mesh<dim>             &mesh,
                      const CrackFront<dim> &front,
-                     const double           beside,
                      const unsigned int     degree,
                      dealii::Vector<float> &squares)
   {
@@ -121,15 +90,12 @@ namespace Crevasse
     std::vector<Values> values(mesh.n_active_cells());
     for (const auto &cell : owned_cells(mesh))
       {
-        const float square      = squares(cell->active_cell_index());
-        const bool  is_singular = touches_front<dim>(cell, front);
-        Values     &mine        = values[cell->active_cell_index()];
-        mine[0]                 = square;
+        const float square = squares(cell->active_cell_index());
+        Values     &mine   = values[cell->active_cell_index()];
+        mine[0]            = square;
         for (unsigned int v = 0; v < n_children; ++v)
           mine[1 + v] =
-            square * (!is_singular                       ? smooth
-                      : is_at_front<dim>(cell, v, front) ? singular
-                                                         : singular * beside);
+            square * (is_at_front<dim>(cell, v, front) ? singular : smooth);
       }
     parallel::distributed::CellDataTransfer<dim, dim, std::vector<Values>>
       transfer(
@@ -233,12 +199,8 @@ namespace Crevasse
 
 
 #define INSTANTIATE(dim)                                                                    \
-  template double                     beside_front<dim>(const Mesh<dim> &,                  \
-                                    const CrackFront<dim> &,            \
-                                    const dealii::Vector<float> &);     \
   template void                       divide_and_predict<dim>(Mesh<dim> &,                  \
                                         const CrackFront<dim> &,      \
-                                        const double,                 \
                                         const unsigned int,           \
                                         dealii::Vector<float> &);     \
   template types::global_dof_index    count_unknowns<dim>(const Mesh<dim> &,                \

@@ -236,14 +236,13 @@ namespace Crevasse
       scene.discretisation.singular_functions > 0
         ? CrackFront<dim>()
         : crack_front<dim>(*current, boundary_roles(scene));
-    const double          beside    = beside_front(*current, front, squares);
     bool                  divides   = false;
     dealii::Vector<float> predicted = squares;
     // Joining may take as many cells away as dividing gives.
     double before = 0., n = count_unknowns(*current, degree);
     while (before < n && n <= enough && flag(predicted))
       {
-        divide_and_predict(*current, front, beside, degree, predicted);
+        divide_and_predict(*current, front, degree, predicted);
         divides = true;
         before  = std::exchange(n, count_unknowns(*current, degree));
         if (scene.refinement.cycles > 0 ||

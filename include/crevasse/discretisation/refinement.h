@@ -30,27 +30,17 @@ namespace Crevasse
                      const RefinementParameters &parameters,
                      const unsigned int          degree);
 
-  /** The largest square of an estimate beside the cells at the front, as a part
-   * of the largest at the front; the same on all meshes, as the singularity
-   * looks the same at every size. Collective. */
-  template <int dim>
-  double
-  beside_front(const Mesh<dim>             &mesh,
-               const CrackFront<dim>       &front,
-               const dealii::Vector<float> &squares);
-
   /**
    * Changes the mesh as flagged and foretells the squares of the estimate:
    * where the displacement is smooth a child has 2^-(2 degree + dim) of its
-   * parent's; at the front, where it is like √r, 2^-(dim - 1), and beside the
-   * front that times @p beside. Collective.
+   * parent's; at the front, where it is like √r, 2^-(dim - 1). Beside the front
+   * it is about as where it is smooth. Collective.
    *
    * @param squares by active cell index, of the mesh before and after. */
   template <int dim>
   void
   divide_and_predict(Mesh<dim>             &mesh,
                      const CrackFront<dim> &front,
-                     const double           beside,
                      const unsigned int     degree,
                      dealii::Vector<float> &squares);
 
