@@ -198,21 +198,19 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                                    \
-  template void                       divide_and_predict<dim>(Mesh<dim> &,                  \
-                                        const CrackFront<dim> &,      \
-                                        const unsigned int,           \
-                                        dealii::Vector<float> &);     \
-  template types::global_dof_index    count_unknowns<dim>(const Mesh<dim> &,                \
-                                                       const unsigned int);              \
-  template void                       require_affordable<dim>(const Mesh<dim> &,            \
-                                        const RefinementParameters &, \
-                                        const unsigned int);          \
-  template std::shared_ptr<Mesh<dim>> graded_mesh<dim>(                                     \
-    const std::function<std::shared_ptr<Mesh<dim>>()> &,                                    \
-    const BoundaryRoles &,                                                                  \
-    const RefinementParameters &,                                                           \
-    const unsigned int)
+// clang-format off
+#define INSTANTIATE(dim)                                                     \
+  template void divide_and_predict<dim>(                                     \
+    Mesh<dim> &, const CrackFront<dim> &, const unsigned int,                \
+    dealii::Vector<float> &);                                                \
+  template types::global_dof_index count_unknowns<dim>(const Mesh<dim> &,    \
+                                                       const unsigned int);  \
+  template void require_affordable<dim>(                                     \
+    const Mesh<dim> &, const RefinementParameters &, const unsigned int);    \
+  template std::shared_ptr<Mesh<dim>> graded_mesh<dim>(                      \
+    const std::function<std::shared_ptr<Mesh<dim>>()> &,                     \
+    const BoundaryRoles &, const RefinementParameters &, const unsigned int)
+  // clang-format on
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -143,7 +143,11 @@ namespace Crevasse
         const bool is_good =
           refinement.tolerance > 0. && all.back().error <= refinement.tolerance;
         const bool is_last =
-          refinement.cycles > 0 && all.size() > refinement.cycles;
+          refinement.cycles > 0
+            ? all.size() > refinement.cycles
+            :
+            // Joining may take as many cells away as dividing gives.
+            all.size() > 1 && all.back().unknowns <= (all.end() - 2)->unknowns;
         if (is_good || is_last || !advance(squares))
           break;
       }
@@ -263,7 +267,8 @@ namespace Crevasse
     constexpr unsigned int most_attempts = 6;
     const auto             available     = scene.refinement.target_unknowns;
     const unsigned int     degree        = scene.discretisation.degree;
-    // Around a cell that is divided others may have to be divided as well.
+    // Around a cell that is divided others may have to be divided as well; this
+    // is several times as many as in the scenes that were looked at.
     const double before  = count_unknowns(*current, degree);
     const double of_each = 3. * GeometryInfo<dim>::max_children_per_cell *
                            before / current->n_global_active_cells();
@@ -276,14 +281,17 @@ namespace Crevasse
           return false;
         if (available == 0 || before + of_each * n_flagged < available)
           return true;
+        clear_flags(*current); // a copy would have them too
         Mesh<dim> trial(current->get_communicator());
         trial.copy_triangulation(*current);
         set_flags(trial, squares, scene.refinement, share);
         trial.execute_coarsening_and_refinement();
         if (count_unknowns(trial, degree) <= available)
-          return true;
+          {
+            set_flags(*current, squares, scene.refinement, share);
+            return true;
+          }
       }
-    clear_flags(*current);
     return false;
   }
 
