@@ -143,11 +143,7 @@ namespace Crevasse
         const bool is_good =
           refinement.tolerance > 0. && all.back().error <= refinement.tolerance;
         const bool is_last =
-          refinement.cycles > 0
-            ? all.size() > refinement.cycles
-            :
-            // Joining may take as many cells away as dividing gives.
-            all.size() > 1 && all.back().unknowns <= (all.end() - 2)->unknowns;
+          refinement.cycles > 0 ? all.size() > refinement.cycles : repeats();
         if (is_good || is_last || !advance(squares))
           break;
       }
@@ -199,6 +195,20 @@ namespace Crevasse
                    0.5 * estimator.largest_energy(),
                    timer.wall_time()});
     return estimator.squares();
+  }
+
+
+
+  template <int dim>
+  bool
+  AdaptedMesh<dim>::repeats() const
+  {
+    const MeshEstimate &last = all.back();
+    return std::any_of(
+      all.begin(), all.end() - 1, [&last](const MeshEstimate &one) {
+        return one.cells == last.cells && one.unknowns == last.unknowns &&
+               std::abs(one.error - last.error) < 1e-9 * last.error;
+      });
   }
 
 

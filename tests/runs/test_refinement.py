@@ -192,6 +192,21 @@ def test_tolerance():
     check(errors[-1] <= 0.02 < errors[-2], f"ends at the tolerance: {errors}")
 
 
+def test_joining():
+    """The first mesh is smaller than the one before, which is no reason to end; a
+    mesh that comes back is."""
+    for joined, cells, halved, target in ((0.005, 2, 3, 3000), (0.1, 10, 0, 8000)):
+        results = run(SCENE, "joining", ELASTIC + [
+            ADAPTIVE, "Discretisation/Degree=2",
+            f"Geometry/Subdivisions={cells}, {cells}", f"Geometry/Refinements={halved}",
+            f"Refinement/Target unknowns={target}",
+            f"Refinement/Coarsen fraction={joined}"])
+        unknowns = [mesh["unknowns"] for mesh in results.summary["refinement"]["meshes"]]
+        check(joined > 0.01 or unknowns[1] < unknowns[0] < 0.9 * target < unknowns[-1],
+              f"{joined} joined: {unknowns}")
+        check(joined < 0.01 or unknowns[-1] in unknowns[:-1], f"ends: {unknowns}")
+
+
 def test_readaptation():
     # A mean load, so that the viscous strain has an integral; a viscosity that
     # redistributes the stress.
@@ -303,6 +318,6 @@ def test_refusals():
 
 for test in (test_grading, test_target, test_solvers_agree, test_ranks,
              test_energy_rates, test_divisions_for_an_estimate, test_tolerance,
-             test_readaptation, test_five_periods, test_refusals):
+             test_joining, test_readaptation, test_five_periods, test_refusals):
     print(test.__name__)
     test()

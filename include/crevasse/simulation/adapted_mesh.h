@@ -82,6 +82,11 @@ namespace Crevasse
     dealii::Vector<float>
     estimate(Log &quiet);
 
+    /** Whether the last mesh has been there before, so that all that follows
+     * would come again: what is joined may balance what is divided. */
+    bool
+    repeats() const;
+
     void
     report(Log &log) const;
 
