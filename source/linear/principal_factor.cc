@@ -44,7 +44,7 @@ namespace Crevasse
       triangle.insert(triangle.end(), &values[n * k], &values[n * k + k] + 1);
     archive.common_list(other_order);
     archive.common_list(triangle);
-    if (archive.is_loading() && archive.has_same_ranks())
+    if (archive.is_loading() && archive.has_same_ranks() && n > 0)
       {
         order = std::move(other_order);
         values.resize(n * n);

@@ -259,6 +259,26 @@ def test_finished():
     check(code == 4 and "--resume" in error, f"nothing there: {code} {error}")
 
 
+def test_other_solvers():
+    """A run may go on with other solvers, which keep other things."""
+    solvers = ("condensed active set", "active set", "projected sor")
+    for first in solvers:
+        for other in solvers:
+            directory = fresh("solvers")
+            for solver, n, more in ((first, 2, []), (other, 3, ["--resume"])):
+                settings = [f"Contact/Solver={solver}", *periods(n),
+                            "Geometry/Subdivisions=14, 4",
+                            "Periodic state/Tolerance=1e-9"]
+                code, error = execute(directory, settings, more=more)
+                check(code == 3, f"{first} and {other}: {code} {error}")
+            check(times_resumed(directory) == 1, f"{first} and {other}")
+            if (first, other) == (solvers[0], solvers[0]):
+                expected = Results(directory).table("contact.csv")["force"]
+            found = Results(directory).table("contact.csv")["force"]
+            check_below(max(abs(a - b) for a, b in zip(expected, found))
+                        / max(expected), 1e-8, f"{first}, then {other}: force")
+
+
 def test_out_of_periods():
     """What ends without a periodic state can be gone on with."""
     for method in ("march", "anderson"):
@@ -339,5 +359,6 @@ def test_nobody_listens():
 
 for test in (test_two_runs, test_nobody_listens, test_out_of_periods, test_begun_anew,
              test_interruptions, test_signals, test_kills, test_damage,
-             test_edited_table, test_full_disk, test_other_format, test_other_scenes, test_finished, test_ranks):
+             test_edited_table, test_full_disk, test_other_format, test_other_scenes,
+             test_other_solvers, test_finished, test_ranks):
     test()

@@ -39,10 +39,10 @@ namespace Crevasse
     std::vector<bool>
     first_set() const override;
 
-    void
-    serialize_factors(StateArchive &archive) override
+    PrincipalFactor *
+    lip_factor() override
     {
-      lip_problem.factor.serialize(archive);
+      return &lip_problem.factor;
     }
 
     std::size_t

@@ -11,6 +11,7 @@
 
 namespace Crevasse
 {
+  class PrincipalFactor;
   class StateArchive;
 
   /**
@@ -134,10 +135,11 @@ namespace Crevasse
       return {};
     }
 
-    /** Shows what else rounds the next solution, if the method keeps it. */
-    virtual void
-    serialize_factors(StateArchive &)
+    /** What else rounds the next solution; null if the method has none. */
+    virtual PrincipalFactor *
+    lip_factor()
     {
+      return nullptr;
     }
 
     /** What the method knows about a failure, for its message: sentences that
