@@ -9,6 +9,7 @@
 #include <deal.II/fe/fe_q.h>
 
 #include <algorithm>
+#include <bitset>
 
 namespace Crevasse
 {
@@ -30,32 +31,19 @@ namespace Crevasse
 
 
 
-    /** Whether a vertex of the cell is on the front. */
+    /** Which vertices of a cell are on the front. */
     template <int dim>
-    bool
-    is_at_front(const TriaIterator<CellAccessor<dim>> &cell,
-                const unsigned int                     vertex,
-                const CrackFront<dim>                 &front)
+    std::bitset<GeometryInfo<dim>::vertices_per_cell>
+    at_front(const TriaIterator<CellAccessor<dim>> &cell,
+             const CrackFront<dim>                 &front)
     {
       const double tolerance = 1e-6 * cell->minimum_vertex_distance();
-      return std::any_of(front.begin(), front.end(), [&](const auto &edge) {
-        return distance<dim>(cell->vertex(vertex), edge) <= tolerance;
-      });
-    }
-
-
-
-    template <int dim>
-    bool
-    touches_front(const TriaIterator<CellAccessor<dim>> &cell,
-                  const CrackFront<dim>                 &front)
-    {
-      const auto vertices = cell->vertex_indices();
-      return std::any_of(vertices.begin(),
-                         vertices.end(),
-                         [&](const unsigned int v) {
-                           return is_at_front(cell, v, front);
-                         });
+      std::bitset<GeometryInfo<dim>::vertices_per_cell> vertices;
+      for (const auto &edge : front)
+        for (const unsigned int v : cell->vertex_indices())
+          if (distance<dim>(cell->vertex(v), edge) <= tolerance)
+            vertices.set(v);
+      return vertices;
     }
 
 
@@ -66,7 +54,7 @@ namespace Crevasse
     refine_front(Mesh<dim> &mesh, const CrackFront<dim> &front)
     {
       for (const auto &cell : owned_cells(mesh))
-        if (touches_front<dim>(cell, front))
+        if (at_front<dim>(cell, front).any())
           cell->set_refine_flag();
       mesh.execute_coarsening_and_refinement();
     }
@@ -90,12 +78,12 @@ namespace Crevasse
     std::vector<Values> values(mesh.n_active_cells());
     for (const auto &cell : owned_cells(mesh))
       {
-        const float square = squares(cell->active_cell_index());
-        Values     &mine   = values[cell->active_cell_index()];
-        mine[0]            = square;
+        const float square      = squares(cell->active_cell_index());
+        const auto  is_singular = at_front<dim>(cell, front);
+        Values     &mine        = values[cell->active_cell_index()];
+        mine[0]                 = square;
         for (unsigned int v = 0; v < n_children; ++v)
-          mine[1 + v] =
-            square * (is_at_front<dim>(cell, v, front) ? singular : smooth);
+          mine[1 + v] = square * (is_singular[v] ? singular : smooth);
       }
     parallel::distributed::CellDataTransfer<dim, dim, std::vector<Values>>
       transfer(
