@@ -10,6 +10,8 @@
 
 #include <deal.II/distributed/grid_refinement.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <utility>
 
@@ -254,7 +256,7 @@ namespace Crevasse
     dealii::Vector<float> predicted = squares;
     // Joining may take as many cells away as dividing gives.
     double before = 0., n = count_unknowns(*current, degree);
-    while (before < n && n <= enough && flag(predicted))
+    while (before < n && n <= enough && flag(predicted, n))
       {
         divide_and_predict(*current, front, degree, predicted);
         divides = true;
@@ -271,17 +273,16 @@ namespace Crevasse
 
   template <int dim>
   bool
-  AdaptedMesh<dim>::flag(const dealii::Vector<float> &squares)
+  AdaptedMesh<dim>::flag(const dealii::Vector<float> &squares,
+                         const double                 n_unknowns)
   {
     // If the whole change is too large, fewer cells are divided.
     constexpr unsigned int most_attempts = 6;
     const auto             available     = scene.refinement.target_unknowns;
-    const unsigned int     degree        = scene.discretisation.degree;
     // Around a cell that is divided others may have to be divided as well; this
     // is several times as many as in the scenes that were looked at.
-    const double before  = count_unknowns(*current, degree);
     const double of_each = 3. * GeometryInfo<dim>::max_children_per_cell *
-                           before / current->n_global_active_cells();
+                           n_unknowns / current->n_global_active_cells();
     for (unsigned int attempt = 0; attempt < most_attempts; ++attempt)
       {
         const double      share = std::pow(0.5, attempt);
@@ -289,14 +290,14 @@ namespace Crevasse
           set_flags(*current, squares, scene.refinement, share);
         if (n_flagged == 0)
           return false;
-        if (available == 0 || before + of_each * n_flagged < available)
+        if (available == 0 || n_unknowns + of_each * n_flagged < available)
           return true;
         clear_flags(*current); // a copy would have them too
         Mesh<dim> trial(current->get_communicator());
         trial.copy_triangulation(*current);
         set_flags(trial, squares, scene.refinement, share);
         trial.execute_coarsening_and_refinement();
-        if (count_unknowns(trial, degree) <= available)
+        if (count_unknowns(trial, scene.discretisation.degree) <= available)
           {
             set_flags(*current, squares, scene.refinement, share);
             return true;

@@ -177,7 +177,7 @@ namespace Crevasse
     const FieldNorms<dim> before =
       field_norms(old.space, state.viscous_strain, n_branches);
     if (scene.refinement.tolerance == 0. || error > scene.refinement.tolerance)
-      adapted.flag(squares);
+      adapted.flag(squares, old.space.n_unknowns());
     const std::shared_ptr<Mesh<dim>> mesh = adapted.mesh();
     StateTransfer<dim>               transfer(*mesh,
                                 old.space,

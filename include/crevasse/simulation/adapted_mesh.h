@@ -61,9 +61,10 @@ namespace Crevasse
     /** Flags cells of the mesh for a change that Target unknowns allows, if
      * there is one. Collective.
      *
+     * @param n_unknowns on the mesh as it is.
      * @return whether cells are to be divided. */
     bool
-    flag(const dealii::Vector<float> &squares);
+    flag(const dealii::Vector<float> &squares, const double n_unknowns);
 
     /** To be called after the mesh has been changed: takes another one with the
      * same cells on each rank, in the order in which a checkpoint has them. So
