@@ -201,7 +201,7 @@ def test_other_format():
     (directory / "summary.json").unlink()
     manifest = newest(directory) / "manifest.json"
     content = manifest.read_text().split("\n", 1)[1].replace(
-        '"format": 10', '"format": 999')
+        '"format": 11', '"format": 999')
     manifest.write_text(f"{zlib.crc32(content.encode())}\n{content}")
     before = checkpoints(directory)
     code, error = execute(directory, settings, more=["--resume"])
