@@ -37,8 +37,8 @@ namespace Crevasse
    * left out, one after the other, until the point is possible; without
    * differences it is G(x).
    *
-   * A residual that is the same from point to point is a drift, which no
-   * combination explains. It is followed by 1, 2, 4, … residuals at once, as
+   * A residual that is the same from point to point is a drift, which
+   * combinations explain in part at most. It is followed by 1, 2, 4, … residuals at once, as
    * far as that is possible (projective integration: Gear and Kevrekidis, SIAM
    * J. Sci. Comput. 24, 2003), and from where it ends by half of that the next
    * time.
