@@ -44,7 +44,7 @@ namespace Crevasse
       for (const unsigned int f : cell->face_indices())
         {
           if (!cell->at_boundary(f) ||
-              space.roles.contact.count(cell->face(f)->boundary_id()) == 0)
+              !space.roles.is_lip(cell->face(f)->boundary_id()))
             continue;
           const Point<2> a   = tip.local(cell->face(f)->vertex(0));
           const Point<2> b   = tip.local(cell->face(f)->vertex(1));
@@ -63,9 +63,7 @@ namespace Crevasse
           cell->get_dof_indices(dofs);
           for (const unsigned int i : values.dof_indices())
             {
-              const unsigned int d = fe.system_to_component_index(i).first;
-              if (!fe.has_support_on_face(i, f) ||
-                  std::abs(tip.inward[d]) < 0.5)
+              if (!fe.has_support_on_face(i, f))
                 continue;
               for (const unsigned int q : values.quadrature_point_indices())
                 per_pressure(dofs[i]) +=
@@ -74,11 +72,6 @@ namespace Crevasse
                   values.JxW(q);
             }
         }
-    per_pressure.compress(VectorOperation::add);
-    body.lip.gather_from_held_nodes(per_pressure);
-    std::vector<double> of_forces;
-    for (const LipNode<2> &node : body.lip.nodes)
-      of_forces.push_back(per_pressure(node.dof) / node.weight);
-    return of_forces;
+    return body.lip.of_contact_forces(per_pressure);
   }
 } // namespace Crevasse

@@ -52,7 +52,7 @@ namespace Crevasse
   CellLoops<dim>::find_constraints()
   {
     using Dofs             = std::vector<types::global_dof_index>;
-    const IndexSet &owned  = space.dof_handler.locally_owned_dofs();
+    const IndexSet &owned  = space.locally_owned_unknowns;
     const auto      to_set = [&](Dofs &dofs) {
       std::sort(dofs.begin(), dofs.end());
       IndexSet set(owned.size());
@@ -70,9 +70,8 @@ namespace Crevasse
     const IndexSet ghosts_of_cells = to_set(not_owned);
     const auto     for_each_line   = [&](const auto &f) {
       for (const auto &line : space.constraints.get_lines())
-        if (line.index < owned.size() &&
-            (owned.is_element(line.index) ||
-             ghosts_of_cells.is_element(line.index)))
+        if (owned.is_element(line.index) ||
+            ghosts_of_cells.is_element(line.index))
           f(line);
     };
     for_each_line([&](const auto &line) {

@@ -10,7 +10,6 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace Crevasse
 {
@@ -18,43 +17,6 @@ namespace Crevasse
 
   namespace
   {
-    /** The axis of a lip's normal and the sign of the inward one. */
-    template <int dim>
-    std::pair<unsigned int, double>
-    inward_axis(const Tensor<1, dim> &outward_normal, const Point<dim> &place)
-    {
-      for (unsigned int d = 0; d < dim; ++d)
-        if (std::abs(outward_normal[d]) > 1. - 1e-10)
-          return {d, outward_normal[d] > 0. ? -1. : 1.};
-      throw SceneError(
-        "[Boundary] Contact: the face at " + Text::from_point(place) +
-        " has the normal " + Text::from_point(Point<dim>(outward_normal)) +
-        ", but the crack lip must be parallel to a coordinate axis: turn the "
-        "mesh.");
-    }
-
-
-
-    /** The component of each dof that this rank sees. */
-    template <int dim>
-    std::map<types::global_dof_index, unsigned int>
-    components_of_dofs(const Space<dim> &space)
-    {
-      const FESystem<dim>                            &fe = space.finite_element;
-      std::map<types::global_dof_index, unsigned int> components;
-      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-      for (const auto &cell : space.dof_handler.active_cell_iterators())
-        if (!cell->is_artificial())
-          {
-            cell->get_dof_indices(indices);
-            for (unsigned int i = 0; i < indices.size(); ++i)
-              components[indices[i]] = fe.system_to_component_index(i).first;
-          }
-      return components;
-    }
-
-
-
     /** What coordinates of the body round to. */
     template <int dim>
     double
@@ -64,104 +26,6 @@ namespace Crevasse
       const auto            &corners = box.get_boundary_points();
       return 1e-15 * (corners.first.norm() + corners.second.norm());
     }
-
-
-
-    /** A constrained node of the lip must be held at zero, or hang between
-     * nodes of the lip. One that depends on other components, as on an inclined
-     * plane of symmetry, could penetrate without anybody noticing. */
-    template <int dim>
-    void
-    require_held_or_hanging(const Space<dim>                &space,
-                            const std::vector<LipNode<dim>> &nodes)
-    {
-      std::map<types::global_dof_index, unsigned int> components;
-      for (const LipNode<dim> &node : nodes)
-        for (const auto &[dof, factor] :
-             *space.constraints.get_constraint_entries(node.dof))
-          {
-            (void)factor;
-            if (components.empty())
-              components = components_of_dofs(space);
-            if (components.at(dof) != node.component)
-              throw SceneError(
-                "[Boundary] Contact: the normal displacement of the lip's node "
-                "at " +
-                Text::from_point(node.point) +
-                " is tied to another one by an inclined plane of symmetry, so "
-                "that contact cannot be imposed there. Let the lip end "
-                "elsewhere, or turn the mesh so that the plane is parallel to "
-                "an axis.");
-          }
-    }
-
-
-
-    /** Two lips that meet in one node press it from both sides: it cannot be
-     * kept off a plane. */
-    template <int dim>
-    void
-    require_same_side(const LipNode<dim> &one, const LipNode<dim> &other)
-    {
-      if (one.sign != other.sign)
-        throw SceneError(
-          "[Boundary] Contact: at " + Text::from_point(one.point) +
-          " two faces with opposite normals share a node. The lip touches its "
-          "plane of symmetry from one side: this is not the half model of a "
-          "crack. Model the half above or below the plane, with the crack as "
-          "Contact and the rest of the plane as Symmetry.");
-    }
-
-
-
-    /** Calls f(nodes) for the faces of the lip that this rank sees, with the
-     * weights of this face. */
-    template <int dim, typename Function>
-    void
-    for_each_face(const Space<dim> &space, const Function &f)
-    {
-      const FESystem<dim>                 &fe = space.finite_element;
-      FEFaceValues<dim>                    values(space.mapping,
-                               fe,
-                               space.face_quadrature(),
-                               update_values | update_normal_vectors |
-                                 update_JxW_values);
-      FEValues<dim>                        support_values(space.mapping,
-                                   fe,
-                                   Quadrature<dim>(
-                                     fe.get_unit_support_points()),
-                                   update_quadrature_points);
-      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
-      for (const auto &cell : space.dof_handler.active_cell_iterators())
-        for (const unsigned int face : cell->face_indices())
-          if (!cell->is_artificial() && cell->at_boundary(face) &&
-              space.roles.contact.count(cell->face(face)->boundary_id()) > 0)
-            {
-              values.reinit(cell, face);
-              support_values.reinit(cell);
-              cell->get_dof_indices(indices);
-              const auto [axis, sign] =
-                inward_axis<dim>(values.normal_vector(0),
-                                 cell->face(face)->center());
-              std::vector<LipNode<dim>> nodes;
-              for (unsigned int i = 0; i < indices.size(); ++i)
-                if (fe.system_to_component_index(i).first == axis &&
-                    fe.has_support_on_face(i, face))
-                  {
-                    LipNode<dim> node;
-                    node.dof       = indices[i];
-                    node.component = axis;
-                    node.sign      = sign;
-                    node.point     = support_values.quadrature_point(i);
-                    for (const unsigned int q :
-                         values.quadrature_point_indices())
-                      node.weight += values.shape_value_component(i, q, axis) *
-                                     values.JxW(q);
-                    nodes.push_back(node);
-                  }
-              f(nodes);
-            }
-    }
   } // namespace
 
 
@@ -169,157 +33,80 @@ namespace Crevasse
   template <int dim>
   ContactBoundary<dim>::ContactBoundary(const Space<dim> &space,
                                         Expression      &&gap_formula)
-    : gap(std::move(gap_formula))
+    : space(space)
+    , gap(std::move(gap_formula))
     , rounding(rounding_of_coordinates<dim>(space.mesh()))
   {
-    collectively(space.communicator(), [&]() { find_nodes(space); });
-    share_weights(space);
-  }
-
-
-
-  template <int dim>
-  void
-  ContactBoundary<dim>::find_nodes(const Space<dim> &space)
-  {
-    const IndexSet &owned       = space.dof_handler.locally_owned_dofs();
-    const auto     &constraints = space.constraints;
-
-    // Weights are sums over the faces of all ranks that share a node; ghost
-    // cells are visited too instead of communicating.
-    std::map<types::global_dof_index, LipNode<dim>> found;
-    std::map<types::global_dof_index,
-             std::pair<double, types::global_dof_index>>
-      nearest; // free node on a face of a constrained one, and how far it is
-    for_each_face(space, [&](const std::vector<LipNode<dim>> &on_face) {
-      for (const LipNode<dim> &node : on_face)
-        {
-          if (!owned.is_element(node.dof))
-            continue;
-          const auto [entry, is_new] = found.emplace(node.dof, node);
-          if (!is_new)
+    const auto &all   = space.lip.nodes;
+    const auto &owned = space.locally_owned_unknowns;
+    for (const auto &node : all)
+      {
+        const double gap_there = gap_at(node.point);
+        if (node.has_unknown() && owned.is_element(node.unknown))
+          nodes.push_back({node.unknown,
+                           node.sign,
+                           gap_there,
+                           node.weight,
+                           node.held_weight,
+                           node.point,
+                           node.normal});
+        Place place;
+        if (node.has_unknown())
+          place.speakers.emplace_back(node.unknown, 1.);
+        for (const auto &[number, factor] : node.speakers)
+          place.speakers.emplace_back(all[number].unknown, factor);
+        for (const auto first :
+             std::set<types::global_dof_index>(node.sides.begin(),
+                                               node.sides.end()))
+          if (first != numbers::invalid_dof_index)
             {
-              require_same_side(entry->second, node);
-              entry->second.weight += node.weight;
+              place.dof = first + node.component();
+              if (owned.is_element(place.dof))
+                places.push_back(place);
             }
-          if (!constraints.is_constrained(node.dof))
-            continue;
-          // Cells come in the same order on any number of ranks, and the first
-          // of equals stays.
-          auto &[distance, dof] =
-            nearest
-              .emplace(node.dof,
-                       std::make_pair(std::numeric_limits<double>::max(),
-                                      numbers::invalid_dof_index))
-              .first->second;
-          for (const LipNode<dim> &other : on_face)
-            if (const double length = other.point.distance(node.point);
-                !constraints.is_constrained(other.dof) &&
-                length < (1. - 1e-10) * distance)
-              {
-                distance = length;
-                dof      = other.dof;
-              }
-        }
-    });
-
-    std::vector<LipNode<dim>> constrained;
-    for (auto &[dof, node] : found)
-      {
-        node.gap = gap_at(node.point);
-        if (nearest.count(dof) == 0)
-          nodes.push_back(node);
-        else
-          constrained.push_back(node);
       }
-    require_held_or_hanging(space, constrained);
-    for (const LipNode<dim> &node : constrained)
-      held_nodes.push_back(
-        held_node(node, constraints, nearest[node.dof].second));
+    std::sort(nodes.begin(),
+              nodes.end(),
+              [](const LipNode<dim> &a, const LipNode<dim> &b) {
+                return a.dof < b.dof;
+              });
   }
 
 
 
   template <int dim>
-  typename ContactBoundary<dim>::HeldNode
-  ContactBoundary<dim>::held_node(const LipNode<dim>              &node,
-                                  const AffineConstraints<double> &constraints,
-                                  const types::global_dof_index    nearest)
+  Vector
+  ContactBoundary<dim>::pressure(
+    const std::vector<double> &contact_forces) const
   {
-    HeldNode                held{node.dof, {}, node.weight};
-    double                  rest      = 1.;
-    double                  most      = 0.;
-    types::global_dof_index strongest = nearest;
-    for (const auto &[dof, factor] :
-         *constraints.get_constraint_entries(node.dof))
-      {
-        held.masters.push_back({dof, factor, true});
-        rest -= factor;
-        if (factor > most)
-          {
-            most      = factor;
-            strongest = dof;
-          }
-      }
-    // What a hanging node has from held ones, the nearest of the others has to
-    // tell.
-    if (std::abs(rest) > 1e-10 && strongest != numbers::invalid_dof_index)
-      held.masters.push_back({strongest, rest, false});
-    return held;
-  }
-
-
-
-  template <int dim>
-  void
-  ContactBoundary<dim>::share_weights(const Space<dim> &space)
-  {
-    Vector interpolated = space.ghosted_vector();
-    Vector held         = space.ghosted_vector();
-    for (const HeldNode &node : held_nodes)
-      for (const MasterNode &master : node.masters)
-        (master.interpolates ? interpolated : held)(master.dof) +=
-          master.factor * node.weight;
-    interpolated.compress(VectorOperation::add);
-    held.compress(VectorOperation::add);
-    for (LipNode<dim> &node : nodes)
-      {
-        node.weight += interpolated(node.dof);
-        node.held_weight = held(node.dof);
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  ContactBoundary<dim>::spread_to_held_nodes(Vector &values) const
-  {
+    Vector at_unknowns = space.ghosted_vector();
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      at_unknowns(nodes[k].dof) = contact_forces[k] / nodes[k].weight;
+    at_unknowns.update_ghost_values();
+    Vector values = make_vector(space.dof_handler);
+    for (const Place &place : places)
+      for (const auto &[unknown, factor] : place.speakers)
+        values(place.dof) += factor * at_unknowns(unknown);
     values.update_ghost_values();
-    for (const HeldNode &node : held_nodes)
-      {
-        double value = 0.;
-        for (const MasterNode &master : node.masters)
-          value += master.factor * values(master.dof);
-        values(node.dof) = value;
-      }
-    values.update_ghost_values();
+    return values;
   }
 
 
 
   template <int dim>
-  void
-  ContactBoundary<dim>::gather_from_held_nodes(Vector &values) const
+  std::vector<double>
+  ContactBoundary<dim>::of_contact_forces(Vector &weights) const
   {
-    values.zero_out_ghost_values();
-    for (const HeldNode &node : held_nodes)
-      {
-        for (const MasterNode &master : node.masters)
-          values(master.dof) += master.factor * values(node.dof);
-        values(node.dof) = 0.;
-      }
-    values.compress(VectorOperation::add);
+    weights.compress(VectorOperation::add);
+    Vector at_unknowns = space.ghosted_vector();
+    for (const Place &place : places)
+      for (const auto &[unknown, factor] : place.speakers)
+        at_unknowns(unknown) += factor * weights(place.dof);
+    at_unknowns.compress(VectorOperation::add);
+    std::vector<double> factors;
+    for (const LipNode<dim> &node : nodes)
+      factors.push_back(at_unknowns(node.dof) / node.weight);
+    return factors;
   }
 
 

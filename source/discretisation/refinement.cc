@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/refinement.h>
@@ -51,14 +52,108 @@ namespace Crevasse
     /** Divides the cells once that have a vertex on the front. */
     template <int dim>
     void
-    refine_front(Mesh<dim> &mesh, const CrackFront<dim> &front)
+    refine_front(Mesh<dim>             &mesh,
+                 const BoundaryRoles   &roles,
+                 const CrackFront<dim> &front)
     {
       for (const auto &cell : owned_cells(mesh))
         if (at_front<dim>(cell, front).any())
           cell->set_refine_flag();
-      mesh.execute_coarsening_and_refinement();
+      do
+        mesh.execute_coarsening_and_refinement();
+      while (flag_unmatched_lips(mesh, roles));
+    }
+
+
+
+    /** Middles and sizes of faces. */
+    template <int dim>
+    struct FaceList
+    {
+      void
+      add(const Point<dim> &centre, const double size)
+      {
+        centres.push_back(centre);
+        sizes.push_back(size);
+      }
+
+      FaceList
+      of_all_ranks(const MPI_Comm communicator) const
+      {
+        return {Crevasse::of_all_ranks(communicator, centres),
+                Crevasse::of_all_ranks(communicator, sizes)};
+      }
+
+      std::vector<Point<dim>> centres;
+      std::vector<double>     sizes;
+    };
+
+
+
+    /** Calls f(cell, face number) for this rank's faces of cracks. */
+    template <int dim, typename Function>
+    void
+    for_each_crack_face(const Mesh<dim>     &mesh,
+                        const BoundaryRoles &roles,
+                        const Function      &f)
+    {
+      for (const auto &cell : owned_cells(mesh))
+        for (const unsigned int face : cell->face_indices())
+          if (cell->at_boundary(face) &&
+              roles.crack.count(cell->face(face)->boundary_id()) > 0)
+            f(cell, face);
     }
   } // namespace
+
+
+
+  template <int dim>
+  bool
+  flag_unmatched_lips(Mesh<dim> &mesh, const BoundaryRoles &roles)
+  {
+    if (roles.crack.empty())
+      return false;
+    FaceList<dim> own, above; // faces, and those that they are parts of
+    for_each_crack_face(mesh, roles, [&](const auto &cell, const auto face) {
+      own.add(cell->face(face)->center(), cell->face(face)->diameter());
+      for (TriaIterator<CellAccessor<dim>> up = cell; up->level() > 0;)
+        {
+          up = up->parent();
+          above.add(up->face(face)->center(), up->face(face)->diameter());
+        }
+    });
+    const MPI_Comm      communicator = mesh.get_communicator();
+    const FaceList<dim> all          = own.of_all_ranks(communicator);
+    const auto          partners     = find_partners(all.centres, all.sizes);
+    // Faces without partner, and where they lie on one that is divided.
+    FaceList<dim>             wholes  = above.of_all_ranks(communicator);
+    const unsigned int        n_above = wholes.sizes.size();
+    std::vector<unsigned int> alone;
+    for (unsigned int i = 0; i < partners.size(); ++i)
+      if (partners[i] == i)
+        {
+          alone.push_back(i);
+          wholes.add(all.centres[i], all.sizes[i]);
+        }
+    const auto        divided = find_partners(wholes.centres, wholes.sizes);
+    std::vector<bool> is_coarse(partners.size(), false);
+    bool              found = false;
+    for (unsigned int k = 0; k < alone.size(); ++k)
+      if (divided[n_above + k] != n_above + k)
+        found = is_coarse[alone[k]] = true;
+
+    unsigned int i = 0; // of all ranks, this one's after those before it
+    const auto   counts =
+      Utilities::MPI::all_gather(communicator, own.sizes.size());
+    for (unsigned int r = 0; r < Utilities::MPI::this_mpi_process(communicator);
+         ++r)
+      i += counts[r];
+    for_each_crack_face(mesh, roles, [&](const auto &cell, const auto) {
+      if (is_coarse[i++])
+        cell->set_refine_flag();
+    });
+    return found;
+  }
 
 
 
@@ -174,13 +269,13 @@ namespace Crevasse
         const unsigned int largest = n_levels;
         for (n_levels = 0; n_levels < largest; ++n_levels)
           {
-            refine_front(*trial, front);
+            refine_front(*trial, roles, front);
             if (count_unknowns(*trial, degree) > parameters.target_unknowns)
               break;
           }
       }
     for (unsigned int level = 0; level < n_levels; ++level)
-      refine_front(*mesh, front);
+      refine_front(*mesh, roles, front);
     return mesh;
   }
 
@@ -188,6 +283,7 @@ namespace Crevasse
 
 // clang-format off
 #define INSTANTIATE(dim)                                                     \
+  template bool flag_unmatched_lips<dim>(Mesh<dim> &, const BoundaryRoles &); \
   template void divide_and_predict<dim>(                                     \
     Mesh<dim> &, const CrackFront<dim> &, const unsigned int,                \
     dealii::Vector<float> &);                                                \

@@ -77,6 +77,14 @@ namespace Crevasse
                                  space.dof_handler,
                                  FunctionFromFunctionObjects<dim>(components),
                                  modes[m]);
+        if (space.lip.n_unknowns > 0)
+          {
+            Vector unknowns(space.locally_owned_unknowns, space.communicator());
+            for (std::size_t i = 0; i < modes[m].locally_owned_size(); ++i)
+              unknowns.local_element(i) = modes[m].local_element(i);
+            space.from_nodal_values(unknowns);
+            modes[m] = unknowns;
+          }
       }
     return modes;
   }
@@ -252,7 +260,7 @@ namespace Crevasse
       const auto first_part = [&](const types::global_dof_index dof) {
         return *dofs.at(dof).second.begin();
       };
-      for (const auto &line : space.constraints.get_lines())
+      for (const auto &line : space.supports_and_hanging.get_lines())
         if (owned.is_element(line.index))
           {
             violation.assign(gram.m(), 0.);
@@ -321,8 +329,9 @@ namespace Crevasse
       std::vector<std::string> ids;
       for (const types::boundary_id id : space.mesh().get_boundary_ids())
         if (roles.clamped.count(id) + roles.symmetry.count(id) +
-              roles.loaded.count(id) + roles.contact.count(id) ==
-            0)
+                roles.loaded.count(id) ==
+              0 &&
+            !roles.is_lip(id))
           ids.push_back(std::to_string(id));
       return ids.empty() ? ""
                          : " Boundary ids of the mesh that have no role: " +

@@ -45,6 +45,8 @@ namespace Crevasse
         shapes = std::make_unique<SingularShapes>(singular_functions,
                                                   mapping,
                                                   dof_handler);
+    make_supports();
+    lip = LipBasis<dim>(*this, supports_and_hanging);
     number_unknowns();
     choose_rules();
     make_constraints();
@@ -81,6 +83,7 @@ namespace Crevasse
     check("Symmetry", roles.symmetry);
     check("Loaded", roles.loaded);
     check("Contact", roles.contact);
+    check("Crack", roles.crack);
     problems.throw_if_any();
     require_flat_faces(*triangulation, "Symmetry", roles.symmetry);
     require_flat_faces(*triangulation, "Contact", roles.contact);
@@ -152,25 +155,46 @@ namespace Crevasse
 
   template <int dim>
   void
+  Space<dim>::make_supports()
+  {
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    AffineConstraints<double> &all = supports_and_hanging;
+    all.reinit(relevant);
+    DoFTools::make_hanging_node_constraints(dof_handler, all);
+    for (const auto id : roles.clamped)
+      VectorTools::interpolate_boundary_values(
+        mapping, dof_handler, id, Functions::ZeroFunction<dim>(dim), all);
+    if (!roles.symmetry.empty())
+      VectorTools::compute_no_normal_flux_constraints(
+        dof_handler, 0, roles.symmetry, all, mapping);
+    for (const FixedPoint<dim> &fixed_point : supports)
+      constrain(fixed_point);
+    all.close();
+  }
+
+
+
+  template <int dim>
+  void
   Space<dim>::make_constraints()
   {
     constraints.reinit(locally_relevant_unknowns);
-
-    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-    for (const auto id : roles.clamped)
-      VectorTools::interpolate_boundary_values(mapping,
-                                               dof_handler,
-                                               id,
-                                               Functions::ZeroFunction<dim>(
-                                                 dim),
-                                               constraints);
-    if (!roles.symmetry.empty())
-      VectorTools::compute_no_normal_flux_constraints(
-        dof_handler, 0, roles.symmetry, constraints, mapping);
-    for (const FixedPoint<dim> &fixed_point : supports)
-      constrain(fixed_point);
+    const auto add = [&](const auto index, const auto &entries) {
+      constraints.add_line(index);
+      constraints.add_entries(index, entries);
+    };
+    for (const auto &line : supports_and_hanging.get_lines())
+      add(line.index, line.entries);
+    for (const auto &[index, entries] : lip.combinations)
+      if (constraints.can_store_line(index))
+        add(index, entries);
+    for (const auto &node : lip.nodes)
+      if (roles.closed && node.has_unknown() &&
+          constraints.can_store_line(node.unknown))
+        constraints.add_line(node.unknown);
     // Without a lip there is none that it could open.
-    if (shapes != nullptr && roles.contact.empty())
+    if (shapes != nullptr && (!roles.has_lip() || roles.closed))
       constraints.add_line(singular_unknown(0));
     constraints.close();
   }
@@ -205,8 +229,8 @@ namespace Crevasse
                         " is already tied to another one by an inclined plane "
                         "of symmetry or a hanging node; fix another component "
                         "or another vertex.");
-                    if (!constraints.is_constrained(dof))
-                      constraints.add_line(dof);
+                    if (!supports_and_hanging.is_constrained(dof))
+                      supports_and_hanging.add_line(dof);
                   }
             }
     });
@@ -224,8 +248,7 @@ namespace Crevasse
   Vector
   Space<dim>::nodal_values(const Vector &displacement) const
   {
-    // deal.II 9.6 wants as many entries as the constraints know unknowns, among
-    // them those of singular functions, the last.
+    // deal.II 9.6 wants as many entries as the constraints know unknowns.
     Vector unknowns(locally_owned_unknowns, communicator());
     unknowns.copy_locally_owned_data_from(displacement);
     constraints.distribute(unknowns);
@@ -241,13 +264,34 @@ namespace Crevasse
 
   template <int dim>
   void
+  Space<dim>::from_nodal_values(Vector &displacement) const
+  {
+    if (lip.n_unknowns > 0)
+      {
+        Vector unknowns = ghosted_vector();
+        for (const auto &[unknown, weights] : lip.functionals)
+          for (const auto &[dof, weight] : weights)
+            if (locally_owned_unknowns.is_element(dof))
+              unknowns(unknown) += weight * displacement(dof);
+        unknowns.compress(VectorOperation::add);
+        for (const auto &[unknown, weights] : lip.functionals)
+          if (locally_owned_unknowns.is_element(unknown))
+            displacement(unknown) = unknowns(unknown);
+      }
+    constraints.set_zero(displacement);
+  }
+
+
+
+  template <int dim>
+  void
   Space<dim>::get_unknowns(
     const typename DoFHandler<dim>::active_cell_iterator &cell,
     std::vector<types::global_dof_index>                 &indices) const
   {
     indices.resize(finite_element.n_dofs_per_cell());
     cell->get_dof_indices(indices);
-    for (auto i = dof_handler.n_dofs(); i < n_unknowns(); ++i)
+    for (auto i = singular_unknown(0); i < n_unknowns(); ++i)
       indices.push_back(i);
   }
 

@@ -196,7 +196,7 @@ namespace Crevasse
   {
     std::vector<double> coefficients;
     if (displacement != nullptr)
-      for (auto k = space.dof_handler.n_dofs(); k < space.n_unknowns(); ++k)
+      for (auto k = space.singular_unknown(0); k < space.n_unknowns(); ++k)
         coefficients.push_back(dealii::Utilities::MPI::sum(
           displacement->in_local_range(k) ? (*displacement)(k) : 0.,
           space.communicator()));

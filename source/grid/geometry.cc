@@ -202,9 +202,10 @@ namespace Crevasse
 
     template <int dim>
     CoarseMesh<dim>
-    read_gmsh(const std::string &file_name)
+    read_gmsh(const std::string            &file_name,
+              const std::set<unsigned int> &cracks)
     {
-      const GmshMesh mesh     = read_gmsh_file(file_name, dim);
+      const GmshMesh mesh     = read_gmsh_file(file_name, dim, cracks);
       const auto     point_of = [&](const std::size_t number) {
         Point<dim> point;
         for (unsigned int d = 0; d < dim; ++d)
@@ -254,9 +255,10 @@ namespace Crevasse
      * triangles. Collective; one rank reads a Gmsh file for all. */
     template <int dim>
     void
-    read_mesh(const std::string  &file_name,
-              const MPI_Comm      communicator,
-              Triangulation<dim> &triangulation)
+    read_mesh(const std::string            &file_name,
+              const std::set<unsigned int> &cracks,
+              const MPI_Comm                communicator,
+              Triangulation<dim>           &triangulation)
     {
       const std::string where   = "[Geometry] Mesh file = " + file_name + ": ";
       const bool        is_gmsh = Text::suffix(file_name) == ".msh";
@@ -267,7 +269,7 @@ namespace Crevasse
           CoarseMesh<dim> mesh;
           collectively(communicator, [&]() {
             if (is_gmsh && is_reader)
-              mesh = read_gmsh<dim>(file_name);
+              mesh = read_gmsh<dim>(file_name, cracks);
             else if (!is_gmsh)
               try
                 {
@@ -317,12 +319,16 @@ namespace Crevasse
   void
   make_mesh(const GeometryParameters                      &parameters,
             Triangulation<dim>                            &mesh,
-            const std::function<void(const CellCounts &)> &on_cell_count)
+            const std::function<void(const CellCounts &)> &on_cell_count,
+            const std::set<unsigned int>                  &cracks)
   {
     const bool         is_file = parameters.shape == Shape::mesh_file;
     Triangulation<dim> from_file;
     if (is_file)
-      read_mesh(parameters.mesh_file, mesh.get_communicator(), from_file);
+      read_mesh(parameters.mesh_file,
+                cracks,
+                mesh.get_communicator(),
+                from_file);
     if (on_cell_count)
       {
         const double n = is_file ? from_file.n_active_cells()
@@ -346,9 +352,11 @@ namespace Crevasse
   template void
   make_mesh<2>(const GeometryParameters &,
                Triangulation<2> &,
-               const std::function<void(const CellCounts &)> &);
+               const std::function<void(const CellCounts &)> &,
+               const std::set<unsigned int> &);
   template void
   make_mesh<3>(const GeometryParameters &,
                Triangulation<3> &,
-               const std::function<void(const CellCounts &)> &);
+               const std::function<void(const CellCounts &)> &,
+               const std::set<unsigned int> &);
 } // namespace Crevasse

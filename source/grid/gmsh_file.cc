@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
+#include <crevasse/grid/cut_cracks.h>
 #include <crevasse/grid/gmsh_file.h>
 
 #include <algorithm>
@@ -280,7 +281,9 @@ namespace Crevasse
 
 
   GmshMesh
-  read_gmsh_file(const std::string &file_name, const unsigned int dim)
+  read_gmsh_file(const std::string            &file_name,
+                 const unsigned int            dim,
+                 const std::set<unsigned int> &cracks)
   {
     check_head_and_counts(file_name);
     require_that_gmsh_survives(file_name, dim);
@@ -309,6 +312,7 @@ namespace Crevasse
            : std::string(". If there are physical groups, Gmsh saves nothing "
                          "else: give the body one too, as by Physical ") +
                (dim == 2 ? "Surface" : "Volume") + "(\"body\", 1) = {1}"));
+    cut_cracks(cracks, mesh);
     check_faces(mesh.cells, mesh.boundary);
     return mesh;
   }

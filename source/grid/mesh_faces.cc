@@ -21,29 +21,6 @@ namespace Crevasse
       unsigned int               group;
     };
 
-    using LocalFaces = std::vector<std::vector<unsigned int>>;
-
-
-
-    /** The nodes of each face, in Gmsh's order of the nodes of a cell. */
-    const LocalFaces &
-    local_faces(const std::size_t n_nodes)
-    {
-      static const LocalFaces of_quadrilateral = {{0, 1},
-                                                  {1, 2},
-                                                  {2, 3},
-                                                  {3, 0}};
-      static const LocalFaces of_hexahedron    = {{0, 1, 2, 3},
-                                                  {4, 5, 6, 7},
-                                                  {0, 1, 5, 4},
-                                                  {1, 2, 6, 5},
-                                                  {2, 3, 7, 6},
-                                                  {3, 0, 4, 7}};
-      return n_nodes == 4 ? of_quadrilateral : of_hexahedron;
-    }
-
-
-
     Face
     make_face(const std::vector<std::size_t> &nodes, const MeshElement &element)
     {
@@ -125,9 +102,26 @@ namespace Crevasse
             std::to_string(begin->element) + " and " +
             std::to_string((begin + 1)->element) +
             "; only its surface can be boundary (Gmsh: physical groups of "
-            "the surface alone, Mesh.SaveAll = 0)");
+            "the surface alone, Mesh.SaveAll = 0), and a crack that [Boundary] "
+            "Crack names");
     }
   } // namespace
+
+
+
+  const std::vector<std::vector<unsigned int>> &
+  local_faces(const std::size_t n_nodes)
+  {
+    using LocalFaces = std::vector<std::vector<unsigned int>>;
+    static const LocalFaces of_quadrilateral = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    static const LocalFaces of_hexahedron    = {{0, 1, 2, 3},
+                                                {4, 5, 6, 7},
+                                                {0, 1, 5, 4},
+                                                {1, 2, 6, 5},
+                                                {2, 3, 7, 6},
+                                                {3, 0, 4, 7}};
+    return n_nodes == 4 ? of_quadrilateral : of_hexahedron;
+  }
 
 
 

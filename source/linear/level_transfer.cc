@@ -12,6 +12,19 @@ namespace Crevasse
   namespace
   {
     using Cells = std::vector<types::global_cell_index>;
+
+
+
+    /** Calls f(unknown, dof) for the openings that are no degrees of freedom,
+     * with one of their nodes. */
+    template <int dim, typename Function>
+    void
+    for_each_opening(const Space<dim> &space, const Function &f)
+    {
+      for (const auto &node : space.lip.nodes)
+        if (node.has_unknown() && node.unknown >= space.dof_handler.n_dofs())
+          f(node.unknown, node.sides[0] + node.component());
+    }
   } // namespace
 
 
@@ -27,6 +40,7 @@ namespace Crevasse
   {
     make_rows();
     distribute_nodes(mesh);
+    find_lip();
   }
 
 
@@ -123,6 +137,9 @@ namespace Crevasse
       if (!finer.locally_owned_unknowns.is_element(dof))
         for (unsigned int c = 0; c < dim; ++c)
           needed.push_back(dof + c);
+    for (const auto &[unknown, weights] : finer.lip.functionals)
+      if (!finer.locally_owned_unknowns.is_element(unknown))
+        needed.push_back(unknown);
     std::sort(needed.begin(), needed.end());
     IndexSet ghosts(finer.n_unknowns());
     ghosts.add_indices(needed.begin(), needed.end());
@@ -160,6 +177,24 @@ namespace Crevasse
       if (work.local_element(index) > 1.5)
         shared.emplace_back(index, 1. / work.local_element(index));
     work.zero_out_ghost_values();
+  }
+
+
+
+  template <int dim>
+  void
+  LevelTransfer<dim>::find_lip()
+  {
+    const auto &lip   = finer.lip;
+    const auto  local = [this](const types::global_dof_index unknown) {
+      return work.get_partitioner()->global_to_local(unknown);
+    };
+    for (const auto &[unknown, weights] : lip.functionals)
+      if (lip.combinations.count(unknown) == 0)
+        for (const auto &[dof, weight] : weights)
+          if (finer.locally_owned_unknowns.is_element(dof))
+            lip_entries.push_back(
+              {local(unknown), local(dof), LevelReal(weight)});
   }
 
 
@@ -209,6 +244,12 @@ namespace Crevasse
     }
     weight_shared_nodes();
     work.compress(VectorOperation::add);
+    if (!finer.lip.functionals.empty())
+      {
+        for (const auto &[unknown, dof, weight] : lip_entries)
+          work.local_element(unknown) += weight * work.local_element(dof);
+        work.compress(VectorOperation::add);
+      }
     for (const unsigned int unknown : finer_loops->constrained())
       work.local_element(unknown) = 0.;
     for (std::size_t i = 0; i < of_finer.locally_owned_size(); ++i)
@@ -227,6 +268,12 @@ namespace Crevasse
     for (const unsigned int unknown : finer_loops->constrained())
       work.local_element(unknown) = 0.;
     work.update_ghost_values();
+    if (!finer.lip.functionals.empty())
+      {
+        for (const auto &[unknown, dof, weight] : lip_entries)
+          work.local_element(dof) += weight * work.local_element(unknown);
+        work.update_ghost_values();
+      }
     weight_shared_nodes();
 
     of_coarser.zero_out_ghost_values();
@@ -265,6 +312,12 @@ namespace Crevasse
     for (const unsigned int unknown : of_finer)
       work.local_element(unknown) = 1.;
     work.update_ghost_values();
+    // Openings that are no degrees of freedom are where their nodes are.
+    for_each_opening(finer, [this](const auto unknown, const auto dof) {
+      if (finer.locally_owned_unknowns.is_element(dof))
+        work(dof) = work(unknown);
+    });
+    work.update_ghost_values();
 
     Vector found;
     loops->initialize(found);
@@ -282,10 +335,21 @@ namespace Crevasse
         }
     found.compress(VectorOperation::add);
     work.zero_out_ghost_values();
+    Vector openings(coarser.locally_owned_unknowns,
+                    coarser.locally_relevant_unknowns,
+                    coarser.communicator());
+    for_each_opening(coarser, [&](const auto unknown, const auto dof) {
+      if (coarser.locally_owned_unknowns.is_element(dof))
+        {
+          openings(unknown) += found(dof);
+          found(dof) = 0.;
+        }
+    });
+    openings.compress(VectorOperation::add);
 
     std::vector<unsigned int> of_coarser;
     for (std::size_t i = 0; i < found.locally_owned_size(); ++i)
-      if (found.local_element(i) > 0.)
+      if (found.local_element(i) + openings.local_element(i) > 0.)
         of_coarser.push_back(i);
     return of_coarser;
   }
@@ -299,7 +363,8 @@ namespace Crevasse
     return starts.size() * sizeof(std::size_t) +
            first_indices.size() *
              (sizeof(unsigned int) + sizeof(std::uint16_t)) +
-           shared.size() * sizeof(shared[0]) + work.memory_consumption();
+           shared.size() * sizeof(shared[0]) +
+           lip_entries.size() * sizeof(LipEntry) + work.memory_consumption();
   }
 
 

@@ -44,7 +44,8 @@ namespace Crevasse
     if (type == LinearSolverType::amg)
       return std::make_unique<AmgCg>(matrix,
                                      rigid_modes(space),
-                                     dim,
+                                     // Those of lips are not sorted by nodes.
+                                     space.lip.n_unknowns == 0 ? dim : 1,
                                      space.finite_element.degree > 1);
     if (type == LinearSolverType::mumps)
       return std::make_unique<Mumps>(matrix, lip);

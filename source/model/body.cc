@@ -147,6 +147,7 @@ namespace Crevasse
     add("symmetry", roles.symmetry);
     add("loaded", roles.loaded);
     add("contact", roles.contact);
+    add("crack", roles.crack);
     // As in a scene: components follow a colon unless all are fixed.
     for (const FixedPoint<dim> &fixed : fixed_points<dim>(scene))
       {
@@ -169,9 +170,13 @@ namespace Crevasse
   {
     const auto unrefined = [&scene, communicator]() {
       auto mesh = std::make_shared<Mesh<dim>>(communicator);
-      make_mesh<dim>(scene.geometry, *mesh, [&](const CellCounts &cells) {
-        require_room<dim>(scene, cells, communicator);
-      });
+      make_mesh<dim>(
+        scene.geometry,
+        *mesh,
+        [&](const CellCounts &cells) {
+          require_room<dim>(scene, cells, communicator);
+        },
+        boundary_roles(scene).crack);
       // The middle of a face between arcs would have to lie on its surface.
       if (dim == 3 && has_curved_edges(*mesh) &&
           (scene.geometry.refinements > 0 ||

@@ -44,11 +44,10 @@ namespace Crevasse
         return solution(solver, loads);
       }
 
-    // A closed lip is a symmetry plane. The other space's constraints agree
-    // with this one's but for the lip, where the loads then do not count.
-    BoundaryRoles roles = body.space.roles;
-    roles.symmetry.insert(roles.contact.begin(), roles.contact.end());
-    roles.contact.clear();
+    // The other space's constraints agree with this one's but for the openings,
+    // where the loads then do not count.
+    BoundaryRoles roles                = body.space.roles;
+    roles.closed                       = true;
     const SingularShapes *const shapes = body.space.singular_shapes();
     const Space<dim>            closed_space(body.space.triangulation,
                                   body.space.finite_element.degree,

@@ -83,14 +83,15 @@ namespace Crevasse
   {
     const MaterialParameters &material = scene.material;
     const unsigned int n_singular  = scene.discretisation.singular_functions;
-    const bool         has_contact = !roles.contact.empty();
+    const bool         has_contact = roles.has_lip();
     const bool         is_chain    = material.viscosity == ViscosityType::chain;
     const bool         has_tip     = scene.crack_tip.stress_intensity;
 
     contact      = {"contact",
                     has_contact,
                     std::string(has_contact ? "a" : "no") +
-                      " boundary has the role Contact"};
+                      " boundary has the role " +
+                      (roles.crack.empty() ? "Contact" : "Crack")};
     viscosity    = {"viscosity",
                     material.viscosity != ViscosityType::none,
                     "[Material] Viscosity = " + name_of(material.viscosity)};

@@ -102,6 +102,14 @@ namespace Crevasse
       "plane. \"automatic\" is 4 (none without a crack)" +
         others + allowed,
       prm);
+    crack.add_parameter(
+      "Crack",
+      "Boundary ids of cracks with two lips, which may open but not go through "
+      "each other. A Gmsh file has a crack as a physical group of faces within "
+      "the body, along which the mesh is cut; in other meshes each face of one "
+      "lip lies on one of the other. \"automatic\" is none" +
+        allowed,
+      prm);
     fixed_points.add_parameter(
       "Fixed points",
       "Mesh vertices that are fixed against rigid-body motion, in all "
@@ -112,8 +120,9 @@ namespace Crevasse
       "none, or a list such as 0, 0; 1, 0: 2",
       prm);
     gap.add_parameter("Gap",
-                      "The least normal displacement of the lip, in units of "
-                      "length: 0 for a crack that is closed when nothing is "
+                      "The least normal displacement of the lip, of two lips "
+                      "against each other, in units of length: 0 for a crack "
+                      "that is closed when nothing is "
                       "loaded, negative for one that stands open. Allowed: a "
                       "formula of x, y, z with values of at most 0",
                       prm);

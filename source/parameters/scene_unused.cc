@@ -86,12 +86,12 @@ namespace Crevasse
     {
       const ContactParameters &contact = scene.contact;
       const bool               has_contact =
-        !resolve_roles(scene.boundary, built_in_roles(scene.geometry))
-           .contact.empty();
-      const std::string no_contact = "no boundary has the role Contact";
-      const std::string of_solver  = "Solver = " + name_of(contact.solver);
-      const auto       &solver     = traits(contact.solver);
-      const auto       &linear     = traits(scene.linear_solver.type);
+        resolve_roles(scene.boundary, built_in_roles(scene.geometry)).has_lip();
+      const std::string no_contact =
+        "no boundary has the role Contact or Crack";
+      const std::string of_solver = "Solver = " + name_of(contact.solver);
+      const auto       &solver    = traits(contact.solver);
+      const auto       &linear    = traits(scene.linear_solver.type);
       const bool        counts =
         solver.counts_iterations || !contact.relaxation_table.empty();
       const bool varies =

@@ -99,11 +99,7 @@ namespace Crevasse
                    const ContactBoundary<dim> &lip,
                    const std::vector<double>  &contact_forces)
   {
-    Vector at_dofs = space.ghosted_vector();
-    for (unsigned int k = 0; k < lip.nodes.size(); ++k)
-      at_dofs(lip.nodes[k].dof) = contact_forces[k] / lip.nodes[k].weight;
-    lip.spread_to_held_nodes(at_dofs);
-
+    const Vector         at_dofs  = lip.pressure(contact_forces);
     Vector               pressure = make_vector(recovery.dof_handler);
     const FESystem<dim> &fe       = space.finite_element;
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
@@ -112,7 +108,7 @@ namespace Crevasse
       {
         cell->get_dof_indices(nodes);
         same_cell(cell->id(), space.dof_handler)->get_dof_indices(dofs);
-        // Only the normal component of a lip node is not zero.
+        // Only one component of a lip node is not zero.
         for (unsigned int i = 0; i < dofs.size(); ++i)
           if (const auto node = nodes[fe.system_to_component_index(i).second];
               at_dofs(dofs[i]) != 0. && pressure.in_local_range(node))

@@ -54,7 +54,7 @@ namespace Crevasse
         // Faces 2d and 2d+1 are where the unit coordinate d is 0 and 1.
         if (cell->face(f)->at_boundary() &&
             std::abs(unit_point[f / 2] - f % 2) <= 1e-10 &&
-            roles.contact.count(cell->face(f)->boundary_id()) > 0)
+            roles.is_lip(cell->face(f)->boundary_id()))
           return f;
       return no_face;
     }
@@ -72,17 +72,20 @@ namespace Crevasse
     , recovery(recovery)
     , lip(lip)
   {
-    const Place place = find_place(space);
-    find_displacement_weights(place, space);
+    const Place place    = find_place(space, false);
+    displacement_weights = displacement_at(place, space);
     find_stress_weights(place);
     find_lip_weights(place, space);
+    if (on_lip)
+      other_lip_weights = displacement_at(find_place(space, true), space);
   }
 
 
 
   template <int dim>
   typename ProbeEvaluator<dim>::Place
-  ProbeEvaluator<dim>::find_place(const Space<dim> &space)
+  ProbeEvaluator<dim>::find_place(const Space<dim> &space,
+                                  const bool        on_other_lip)
   {
     // What comes first: cells with the point on a lip, between materials those
     // on the left, below and in front, or most so, ranks in their order.
@@ -100,6 +103,8 @@ namespace Crevasse
         {
           const unsigned int face =
             lip_face<dim>(cell, unit_point, space.roles);
+          if (on_other_lip && !faces_other_lip(space, cell, face))
+            continue;
           Order                order{{0., face == no_face ? 1. : 0.}};
           const Tensor<1, dim> offset = cell->center() - probe.point;
           for (unsigned int d = 0; recovery.has_interfaces() && d < dim; ++d)
@@ -120,11 +125,15 @@ namespace Crevasse
     const Order mine = first;
     for (const Order &of_rank : Utilities::MPI::all_gather(communicator, first))
       first = std::min(first, of_rank);
+    if (first == outside && on_other_lip)
+      return place;
     if (first == outside)
       throw SceneError("[Output] Probes: " + probe.name + " at " +
                        Text::from_point(probe.point) +
                        " lies outside the mesh.");
     place.found = mine == first;
+    if (on_other_lip)
+      return place;
     if (Utilities::MPI::min(least, communicator) <
         Utilities::MPI::max(most, communicator))
       side_of_interface =
@@ -137,11 +146,32 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  ProbeEvaluator<dim>::find_displacement_weights(const Place      &place,
-                                                 const Space<dim> &space)
+  bool
+  ProbeEvaluator<dim>::faces_other_lip(
+    const Space<dim>                                     &space,
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const unsigned int                                    face) const
+  {
+    if (face == no_face ||
+        space.roles.crack.count(cell->face(face)->boundary_id()) == 0)
+      return false;
+    FEFaceValues<dim> values(space.mapping,
+                             space.finite_element,
+                             QMidpoint<dim - 1>(),
+                             update_normal_vectors);
+    values.reinit(cell, face);
+    return values.normal_vector(0) * normal > 0.5;
+  }
+
+
+
+  template <int dim>
+  typename ProbeEvaluator<dim>::DisplacementWeights
+  ProbeEvaluator<dim>::displacement_at(const Place      &place,
+                                       const Space<dim> &space) const
   {
     const FESystem<dim> &fe = space.finite_element;
+    DisplacementWeights  of_components;
     for (unsigned int d = 0; d < dim; ++d)
       {
         Vector weights = space.ghosted_vector();
@@ -173,8 +203,9 @@ namespace Crevasse
         weights.compress(VectorOperation::add);
         for (unsigned int i = 0; i < weights.locally_owned_size(); ++i)
           if (weights.local_element(i) != 0.)
-            displacement_weights[d].emplace_back(i, weights.local_element(i));
+            of_components[d].emplace_back(i, weights.local_element(i));
       }
+    return of_components;
   }
 
 
@@ -219,34 +250,34 @@ namespace Crevasse
       for (unsigned int i = 0; i < values.size(); ++i)
         {
           const double value = values[i].second;
-          if (value == 0. || !fe.has_support_on_face(i, f) ||
-              std::abs(normal[fe.system_to_component_index(i).first]) < 0.5)
+          if (value == 0. || !fe.has_support_on_face(i, f))
             continue;
           weights(values[i].first) += value;
-          gap += value * lip.gap_at(space.mapping.transform_unit_to_real_cell(
-                           place.cell, fe.unit_support_point(i)));
+          if (fe.system_to_component_index(i).first == 0)
+            gap += value * lip.gap_at(space.mapping.transform_unit_to_real_cell(
+                             place.cell, fe.unit_support_point(i)));
         }
     });
     on_lip = Utilities::MPI::max(on_lip ? 1 : 0, communicator) == 1;
     normal = Utilities::MPI::sum(normal, communicator);
     gap    = Utilities::MPI::sum(gap, communicator);
 
-    weights.compress(VectorOperation::add);
-    lip.gather_from_held_nodes(weights);
-    for (unsigned int k = 0; k < lip.nodes.size(); ++k)
-      if (const LipNode<dim> &node = lip.nodes[k]; weights(node.dof) != 0.)
-        pressure_weights.emplace_back(k, weights(node.dof) / node.weight);
+    const std::vector<double> factors = lip.of_contact_forces(weights);
+    for (unsigned int k = 0; k < factors.size(); ++k)
+      if (factors[k] != 0.)
+        pressure_weights.emplace_back(k, factors[k]);
   }
 
 
 
   template <int dim>
   Tensor<1, dim>
-  ProbeEvaluator<dim>::local_displacement(const Vector &displacement) const
+  ProbeEvaluator<dim>::apply(const DisplacementWeights &weights,
+                             const Vector              &displacement)
   {
     Tensor<1, dim> value;
     for (unsigned int d = 0; d < dim; ++d)
-      for (const auto &[i, weight] : displacement_weights[d])
+      for (const auto &[i, weight] : weights[d])
         value[d] += weight * displacement.local_element(i);
     return value;
   }
@@ -270,15 +301,20 @@ namespace Crevasse
   typename ProbeEvaluator<dim>::Values
   ProbeEvaluator<dim>::local_values(const Sample &sample) const
   {
-    Tensor<1, dim> u = local_displacement(sample.state.displacement);
-    if (sample.secular_flow != nullptr)
-      u += sample.time * local_displacement(sample.secular_flow->velocity);
-    Values values;
-    std::copy(u.begin_raw(), u.end_raw(), values.begin());
+    const auto at = [&](const DisplacementWeights &weights) {
+      Tensor<1, dim> u = apply(weights, sample.state.displacement);
+      if (sample.secular_flow != nullptr)
+        u += sample.time * apply(weights, sample.secular_flow->velocity);
+      return u;
+    };
+    const Tensor<1, dim>   u = at(displacement_weights);
     const VoigtVector<dim> stress =
       StressRecovery<dim>::evaluate(sample.state.stress, stress_weights);
-    std::copy(stress.begin_raw(), stress.end_raw(), values.begin() + dim);
-    values.back() = local_pressure(sample.state.contact_forces);
+    Values values;
+    auto   next = std::copy(u.begin_raw(), u.end_raw(), values.begin());
+    next        = std::copy(stress.begin_raw(), stress.end_raw(), next);
+    *next++     = (u - at(other_lip_weights)) * normal;
+    *next       = local_pressure(sample.state.contact_forces);
     return values;
   }
 
@@ -305,14 +341,9 @@ namespace Crevasse
   ProbeEvaluator<dim>::row(const double time, const Values &values) const
   {
     std::vector<double> row = {time};
-    row.insert(row.end(), values.begin(), values.end() - 1);
+    row.insert(row.end(), values.begin(), values.end() - 2);
     if (on_lip)
-      {
-        double opening = 0.;
-        for (unsigned int d = 0; d < dim; ++d)
-          opening += values[d] * normal[d];
-        row.insert(row.end(), {opening - gap, values.back()});
-      }
+      row.insert(row.end(), {values[values.size() - 2] - gap, values.back()});
     return row;
   }
 

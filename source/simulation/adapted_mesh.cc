@@ -192,7 +192,7 @@ namespace Crevasse
         "[Refinement] Instants: there is no stress at the instants that "
         "adaptive refinement looks at; name some at which the body is loaded.");
     all.push_back({body.space.mesh().n_global_active_cells(),
-                   body.space.n_unknowns(),
+                   body.space.n_independent_unknowns(),
                    estimator.relative_error(),
                    0.5 * estimator.largest_energy(),
                    timer.wall_time()});
@@ -258,7 +258,9 @@ namespace Crevasse
     double before = 0., n = count_unknowns(*current, degree);
     while (before < n && n <= enough && flag(predicted, n))
       {
-        divide_and_predict(*current, front, degree, predicted);
+        do
+          divide_and_predict(*current, front, degree, predicted);
+        while (flag_unmatched_lips(*current, boundary_roles(scene)));
         divides = true;
         before  = std::exchange(n, count_unknowns(*current, degree));
         if (scene.refinement.cycles > 0 ||
@@ -296,7 +298,9 @@ namespace Crevasse
         Mesh<dim> trial(current->get_communicator());
         trial.copy_triangulation(*current);
         set_flags(trial, squares, scene.refinement, share);
-        trial.execute_coarsening_and_refinement();
+        do
+          trial.execute_coarsening_and_refinement();
+        while (flag_unmatched_lips(trial, boundary_roles(scene)));
         if (count_unknowns(trial, scene.discretisation.degree) <= available)
           {
             set_flags(*current, squares, scene.refinement, share);

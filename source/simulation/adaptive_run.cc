@@ -177,7 +177,7 @@ namespace Crevasse
     const FieldNorms<dim> before =
       field_norms(old.space, state.viscous_strain, n_branches);
     if (scene.refinement.tolerance == 0. || error > scene.refinement.tolerance)
-      adapted.flag(squares, old.space.n_unknowns());
+      adapted.flag(squares, old.space.n_independent_unknowns());
     const std::shared_ptr<Mesh<dim>> mesh = adapted.mesh();
     StateTransfer<dim>               transfer(*mesh,
                                 old.space,
@@ -188,7 +188,9 @@ namespace Crevasse
     const double                     moved_before =
       old.space.nodal_values(state.displacement).linfty_norm();
     setup.reset(); // its mesh is about to change
-    transfer.adapt();
+    do
+      transfer.adapt();
+    while (flag_unmatched_lips(*mesh, boundary_roles(scene)));
     adapted.renew();
     setup = std::make_unique<const RunSetup<dim>>(scene, adapted.mesh());
 

@@ -68,8 +68,7 @@ namespace Crevasse
       constexpr int n = n_stress_components<dim>;
       if (type == LinearSolverType::gmg &&
           body.material.at(0.).stiffness->is_individual())
-        one +=
-          0.75 * n * (n + 1) * sizeof(double) * body.points.n_local_points;
+        one += 0.75 * n * (n + 1) * sizeof(double) * body.points.n_local_points;
       // Σ, with MUMPS a factor of it, with CHOLMOD for a moment what it is
       // made of instead, and the factor of the open nodes.
       if (setup.solvers.contact.type == ContactSolverType::condensed_active_set)
@@ -247,7 +246,7 @@ namespace Crevasse
     const Mesh<dim> &mesh         = body.space.mesh();
     const MPI_Comm   communicator = body.space.communicator();
     return {{"cells", mesh.n_global_active_cells()},
-            {"unknowns", body.space.n_unknowns()},
+            {"unknowns", body.space.n_independent_unknowns()},
             {"quadrature_points", body.points.n_points()},
             {"contact_nodes",
              Utilities::MPI::sum(body.lip.nodes.size(), communicator)},

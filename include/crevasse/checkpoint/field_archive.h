@@ -5,6 +5,7 @@
 #define crevasse_checkpoint_field_archive_h
 
 #include <crevasse/base/collectively.h>
+#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/checkpoint/common_archive.h>
 #include <crevasse/model/body.h>
@@ -126,6 +127,8 @@ namespace Crevasse
               if (field.in_local_range(unknowns[i]))
                 field(unknowns[i]) = values[i];
         }
+      if (body.space.lip.n_unknowns > 0)
+        on_lip(field);
     }
     void
     at_points(Vector &field) override
@@ -204,6 +207,24 @@ namespace Crevasse
       std::vector<char> bytes;
       std::size_t       next = 0; ///< to be read
     };
+
+    /** The unknowns of the lips, which belong to no cell and are the same on
+     * any number of ranks. */
+    void
+    on_lip(Vector &field)
+    {
+      const auto          first = body.space.dof_handler.n_dofs();
+      const auto          end   = body.space.singular_unknown(0);
+      std::vector<double> values;
+      for (auto i = first; i < end && !is_loading(); ++i)
+        if (field.in_local_range(i))
+          values.push_back(field(i));
+      values = of_all_ranks(communicator(), values);
+      this->common(values);
+      for (auto i = first; i < end && is_loading(); ++i)
+        if (field.in_local_range(i))
+          field(i) = values[i - first];
+    }
 
     /** Of all ranks. Collective. */
     std::size_t

@@ -10,18 +10,18 @@
 
 namespace Crevasse
 {
-  /** One node of the crack lip on this rank. */
+  /** One place of the lips that may open, on the rank that has its unknown. */
   template <int dim>
   struct LipNode
   {
-    dealii::types::global_dof_index dof       = 0; ///< normal displacement
-    unsigned int                    component = 0;
-    double                          sign      = 1.; ///< u_N = sign × u[dof]
-    double                          gap       = 0.; ///< u_N ≥ gap
-    double                          weight    = 0.; ///< ∫φ over the lip
+    dealii::types::global_dof_index dof = 0; ///< opening: sign × u[dof] − gap
+    double                          sign   = 1.; ///< of the normal displacement
+    double                          gap    = 0.; ///< that is at least this
+    double                          weight = 0.; ///< ∫φ over a lip
     /** ∫φ of the held nodes that take their pressure from this one. */
-    double             held_weight = 0.;
-    dealii::Point<dim> point;
+    double                 held_weight = 0.;
+    dealii::Point<dim>     point;
+    dealii::Tensor<1, dim> normal; ///< unit, into the body of the first side
 
     /** u_N − gap */
     double
@@ -40,23 +40,22 @@ namespace Crevasse
   };
 
   /**
-   * The normal degrees of freedom of the crack lip, L in the paper's notation.
-   * The lip must be parallel to the coordinate axes, which lets u_N be a
-   * degree of freedom. Nodes whose normal displacement is held by a support or
-   * interpolated between others, as hanging nodes are in space, are not contact
-   * nodes.
+   * The crack's lips as the contact problem has them, L in the paper's
+   * notation: u_N is the normal displacement of a lip against that of the other
+   * lip or of a rigid plane. Nodes whose normal displacement is held by a
+   * support, interpolated between others, as hanging nodes are in space, or
+   * shared by both lips are not contact nodes. See LipBasis.
    *
    * A hanging node hands its share of the lip on to the nodes that it is
    * interpolated from, as the shape functions with constraints do. That keeps
    * the cells around it from penetrating with linear elements, and with
    * quadratic ones at the nodes of the coarser side.
    *
-   * A held node, as the crack tip that belongs to the ligament's plane of
-   * symmetry, has no contact force of its own: the support bears it. Its
-   * neighbours show what the lip bears: a held node takes the pressure
-   * of the nearest free node on a face that it belongs to (0 if there is
-   * none). The error is of the order of the mesh size, and none if the
-   * pressure is uniform; an open crack has no pressure at its tip.
+   * A held node, as the crack tip, has no contact force of its own: the support
+   * or the body bears it. Its neighbours show what the lip bears: a held node
+   * takes the pressure of the nearest free node on a face that it belongs to (0
+   * if there is none). The error is of the order of the mesh size, and none if
+   * the pressure is uniform; an open crack has no pressure at its tip.
    */
   template <int dim>
   class ContactBoundary
@@ -65,15 +64,14 @@ namespace Crevasse
     /**
      * Collective.
      *
+     * @param space must outlive this object.
      * @param gap_formula The least u_N, at most 0 (an initial opening is
      * negative).
-     * @throw SceneError if a face of the lip is not parallel to an axis, two
-     * faces with opposite normals share a node, or the gap is positive
-     * somewhere, with the place.
+     * @throw SceneError if the gap is positive somewhere, with the place.
      */
     ContactBoundary(const Space<dim> &space, Expression &&gap_formula);
 
-    /** The free nodes, in the order of their dofs. */
+    /** Of this rank, in the order of their unknowns. */
     std::vector<LipNode<dim>> nodes;
 
     /** The least u_N at any point of the lip. @throw SceneError if it is not
@@ -81,57 +79,33 @@ namespace Crevasse
     double
     gap_at(const dealii::Point<dim> &point) const;
 
-    /**
-     * Gives each held node the value of the free ones that speak for it.
-     * Collective.
-     *
-     * @param values at the dofs of the lip, with the layout of
-     * Space::ghosted_vector(); ghost values are set at the end.
-     */
-    void
-    spread_to_held_nodes(Vector &values) const;
+    /** The pressure at all nodes of the lips, on both sides: values at degrees
+     * of freedom, with ghost values, zero but for the component of a node that
+     * is nearest to the lip's normal. Collective.
+     * @param contact_forces of the nodes of this rank. */
+    Vector
+    pressure(const std::vector<double> &contact_forces) const;
 
-    /** The transpose of spread_to_held_nodes(): adds the values of the held
-     * nodes to those of the free ones that speak for them. Collective. */
-    void
-    gather_from_held_nodes(Vector &values) const;
+    /** The transpose: by what each contact force is multiplied in a sum over
+     * pressures with these weights. Collective.
+     * @param weights with the layout of Space::ghosted_vector(), not
+     * compressed. */
+    std::vector<double>
+    of_contact_forces(Vector &weights) const;
 
   private:
-    /** A free node that speaks for one that is not free, with its factor:
-     * either the interpolation of a hanging node, or for lack of a better
-     * one. */
-    struct MasterNode
+    /** A degree of freedom that holds a pressure, and the unknowns whose nodes
+     * speak for it. */
+    struct Place
     {
       dealii::types::global_dof_index dof;
-      double                          factor;
-      bool                            interpolates;
+      typename LipBasis<dim>::Weights speakers;
     };
 
-    /** A node without contact force of its own, and the free ones that speak
-     * for it, if there are any. */
-    struct HeldNode
-    {
-      dealii::types::global_dof_index dof;
-      std::vector<MasterNode>         masters;
-      double                          weight; ///< ∫φ over the lip
-    };
-
-    void
-    find_nodes(const Space<dim> &space);
-
-    /** @param nearest free node on a face of this constrained one; invalid if
-     * there is none. */
-    static HeldNode
-    held_node(const LipNode<dim>                      &node,
-              const dealii::AffineConstraints<double> &constraints,
-              const dealii::types::global_dof_index    nearest);
-
-    void
-    share_weights(const Space<dim> &space);
-
-    const Expression gap;
-    const double rounding; ///< of coordinates, seen where a gap closes at a tip
-    std::vector<HeldNode> held_nodes;
+    const Space<dim>  &space;
+    const Expression   gap;
+    const double       rounding; ///< of coordinates, where a gap ends at a tip
+    std::vector<Place> places;
   };
 } // namespace Crevasse
 

@@ -17,6 +17,13 @@ namespace Crevasse
   template <int dim>
   constexpr unsigned int finest_level = dim == 2 ? 26 : 16;
 
+  /** Flags the cells at cracks that are coarser than those on the other lip,
+   * whose faces must lie on one another. Collective.
+   * @return whether there are any: then the mesh is to be changed again. */
+  template <int dim>
+  bool
+  flag_unmatched_lips(Mesh<dim> &mesh, const BoundaryRoles &roles);
+
   /** How many unknowns a space on this mesh will have. Collective. */
   template <int dim>
   dealii::types::global_dof_index

@@ -4,6 +4,7 @@
 #ifndef crevasse_discretisation_space_h
 #define crevasse_discretisation_space_h
 
+#include <crevasse/discretisation/lip_basis.h>
 #include <crevasse/discretisation/singular_shapes.h>
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/selections.h>
@@ -57,9 +58,9 @@ namespace Crevasse
    * fixed points. Displacement vectors hold zeros in their constrained
    * entries; constraints.distribute() fills these for output.
    *
-   * Where there are singular functions at the crack tip, displacement vectors
-   * end with their coefficients, which the last rank owns; they are unknowns
-   * like the others.
+   * Displacement vectors end with the unknowns of LipBasis and, where there are
+   * singular functions at the crack tip, with their coefficients. The last rank
+   * owns these; they are unknowns like the others.
    */
   template <int dim>
   class Space
@@ -103,7 +104,11 @@ namespace Crevasse
      */
     const dealii::MappingQ<dim>       mapping;
     dealii::AffineConstraints<double> constraints;
-    const BoundaryRoles               roles;
+    /** Of degrees of freedom alone: supports and hanging nodes. */
+    dealii::AffineConstraints<double> supports_and_hanging;
+    /** The nodes of the lips and the unknowns that their openings are. */
+    LipBasis<dim>       lip;
+    const BoundaryRoles roles;
     /** What D takes from displacements of this space. */
     const VolumetricStrain volumetric_strain;
 
@@ -125,23 +130,32 @@ namespace Crevasse
     dealii::types::global_dof_index
     singular_unknown(const unsigned int k) const
     {
-      return dof_handler.n_dofs() + k;
+      return dof_handler.n_dofs() + lip.n_unknowns + k;
     }
 
-    /** Degrees of freedom of the nodes and coefficients of singular functions.
-     */
+    /** Degrees of freedom of the nodes, unknowns of the lips and coefficients
+     * of singular functions. */
     dealii::types::global_dof_index
     n_unknowns() const
     {
-      return dof_handler.n_dofs() + (shapes == nullptr ? 0 : shapes->size());
+      return singular_unknown(shapes == nullptr ? 0 : shapes->size());
     }
 
     /** Those that belong to this rank, and those of the cells that it sees. */
     dealii::IndexSet locally_owned_unknowns;
     dealii::IndexSet locally_relevant_unknowns;
 
+    /** Those but for what is replaced by others in LipBasis: how much there is
+     * to compute. */
+    dealii::types::global_dof_index
+    n_independent_unknowns() const
+    {
+      return n_unknowns() - lip.combinations.size();
+    }
+
     /** The degrees of freedom of a cell, followed by the unknowns of the
-     * singular functions, which reach everywhere. */
+     * singular functions, which reach everywhere. Those of the lips come in by
+     * constraints. */
     void
     get_unknowns(
       const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
@@ -159,6 +173,11 @@ namespace Crevasse
      * values set. */
     Vector
     nodal_values(const Vector &displacement) const;
+
+    /** The inverse, in place: of values at all degrees of freedom those of the
+     * lips' unknowns, and zeros in constrained entries. Collective. */
+    void
+    from_nodal_values(Vector &displacement) const;
 
     /** The rules that integrate the stiffness, and at whose points the viscous
      * strain lives. The first is that of most cells: Gauss with degree + 1
@@ -198,12 +217,14 @@ namespace Crevasse
     void
     check_roles() const;
     void
+    make_supports();
+    void
     make_constraints();
     /** Whether a constraint makes this unknown depend on others. */
     bool
     is_tied(const dealii::types::global_dof_index dof) const
     {
-      const auto *entries = constraints.get_constraint_entries(dof);
+      const auto *entries = supports_and_hanging.get_constraint_entries(dof);
       return entries != nullptr && !entries->empty();
     }
     /** Fixed points at the nearest vertices whose unknowns are not tied,

@@ -145,7 +145,7 @@ namespace Crevasse
             if (displacement.in_local_range(to[i]))
               displacement(to[i]) = nodal(from[i]);
         }
-      space.constraints.set_zero(displacement);
+      space.from_nodal_values(displacement);
       for (unsigned int branch = 0; branch < branches.size(); ++branch)
         polynomials.evaluate(space,
                              points,

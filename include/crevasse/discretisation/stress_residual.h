@@ -55,15 +55,12 @@ namespace Crevasse
       , here(space.face_quadrature().size(),
              dealii::Vector<double>(n_stress_components<dim>))
       , there(here)
-      , pressure(space.ghosted_vector())
+      , pressure(lip.pressure(contact_forces))
       , pressures(here.size(), dealii::Vector<double>(dim))
     {
       for (const LoadParameters::Force &force : loads.forces())
         (force.in_volume ? volume_forces : tractions)
           .push_back(*force.components);
-      for (unsigned int k = 0; k < lip.nodes.size(); ++k)
-        pressure(lip.nodes[k].dof) = contact_forces[k] / lip.nodes[k].weight;
-      lip.spread_to_held_nodes(pressure);
     }
 
     /** ∫ ‖div s + φ₁‖² */
@@ -131,7 +128,7 @@ namespace Crevasse
       const auto           id    = cell->face(face)->boundary_id();
       if (roles.clamped.count(id) > 0)
         return 0.;
-      const bool is_lip = roles.contact.count(id) > 0;
+      const bool is_lip = roles.is_lip(id);
       if (is_lip)
         {
           displacement.reinit(Cell(&space.mesh(),
@@ -158,7 +155,7 @@ namespace Crevasse
           if (roles.symmetry.count(id) > 0)
             residual -= (residual * normal) * normal;
           else if (is_lip)
-            // The only component that is not zero is the normal one.
+            // Only one component is not zero.
             for (unsigned int d = 0; d < dim; ++d)
               residual += pressures[q][d] * normal;
           integral += residual.norm_square() * values.JxW(q);
@@ -211,7 +208,7 @@ namespace Crevasse
 
     std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
     std::vector<dealii::Vector<double>> here, there; ///< stress at points
-    Vector                              pressure;    ///< at the dofs of the lip
+    const Vector                        pressure;    ///< at the dofs of the lip
     std::vector<dealii::Vector<double>> pressures;   ///< at the points
   };
 } // namespace Crevasse

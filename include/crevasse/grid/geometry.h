@@ -26,6 +26,7 @@ namespace Crevasse
    *
    * @param on_cell_count sees how many cells there are going to be while there
    * is no more than a file that was read; it may throw.
+   * @param cracks boundary ids along which a Gmsh file's mesh is cut.
    * @throw SceneError if the file cannot be understood as a mesh of
    * quadrilaterals (hexahedra), or if the crack cannot be resolved.
    */
@@ -33,7 +34,8 @@ namespace Crevasse
   void
   make_mesh(const GeometryParameters                      &parameters,
             dealii::Triangulation<dim>                    &mesh,
-            const std::function<void(const CellCounts &)> &on_cell_count = {});
+            const std::function<void(const CellCounts &)> &on_cell_count = {},
+            const std::set<unsigned int>                  &cracks        = {});
 } // namespace Crevasse
 
 #endif

@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -35,11 +36,14 @@ namespace Crevasse
    * Reads a .msh file of any format that Gmsh knows, by its library. Not
    * thread-safe.
    *
+   * @param cracks the physical groups along which it is cut.
    * @throw SceneError if Gmsh cannot read it, or if it is no mesh of
    * quadrilaterals (hexahedra) whose faces fit together.
    */
   GmshMesh
-  read_gmsh_file(const std::string &file_name, const unsigned int dim);
+  read_gmsh_file(const std::string            &file_name,
+                 const unsigned int            dim,
+                 const std::set<unsigned int> &cracks);
 } // namespace Crevasse
 
 #endif

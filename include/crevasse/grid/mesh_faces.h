@@ -17,6 +17,11 @@ namespace Crevasse
     std::vector<std::size_t> nodes; ///< its vertices, in Gmsh's order
   };
 
+  /** The nodes of each face of a quadrilateral (hexahedron), in Gmsh's order of
+   * the nodes of a cell. */
+  const std::vector<std::vector<unsigned int>> &
+  local_faces(const std::size_t n_nodes);
+
   /**
    * Whether the elements of a mesh file fit together. deal.II takes for granted
    * that at most two cells share a face and see its nodes in the same order. It

@@ -74,6 +74,9 @@ namespace Crevasse
     distribute_nodes(const CoarserMesh<dim> &mesh);
 
     void
+    find_lip();
+
+    void
     weight_shared_nodes() const;
 
     const Space<dim>                           &coarser;
@@ -92,6 +95,15 @@ namespace Crevasse
 
     /** Nodes that several ranks interpolate, with the weight of each. */
     std::vector<std::pair<unsigned int, LevelReal>> shared;
+
+    /** What this rank's degrees of freedom contribute to an unknown of the
+     * finer lips, as local indices. */
+    struct LipEntry
+    {
+      unsigned int unknown, dof;
+      LevelReal    weight;
+    };
+    std::vector<LipEntry> lip_entries;
 
     mutable Vector work; ///< of the finer space, with what is interpolated here
   };

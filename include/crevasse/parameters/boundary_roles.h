@@ -15,13 +15,29 @@
 namespace Crevasse
 {
   /** Which boundary ids are clamped, symmetry planes, loaded and crack lips.
-   * What is in none of them is free of traction. */
+   * What is in none of them is free of traction. Lips of contact touch rigid
+   * planes, those of a crack each other. */
   struct BoundaryRoles
   {
     std::set<dealii::types::boundary_id> clamped;
     std::set<dealii::types::boundary_id> symmetry;
     std::set<dealii::types::boundary_id> loaded;
     std::set<dealii::types::boundary_id> contact;
+    std::set<dealii::types::boundary_id> crack;
+    /** Whether lips are held closed, for comparison. */
+    bool closed = false;
+
+    bool
+    has_lip() const
+    {
+      return !contact.empty() || !crack.empty();
+    }
+
+    bool
+    is_lip(const dealii::types::boundary_id id) const
+    {
+      return contact.count(id) > 0 || crack.count(id) > 0;
+    }
   };
 
   /** The boundaries that a scene gives a role. */

@@ -55,6 +55,7 @@ namespace Crevasse
     Parsed<BoundaryList>   symmetry{"automatic", parse_boundary_list};
     Parsed<BoundaryList>   loaded{"automatic", parse_boundary_list};
     Parsed<BoundaryList>   contact{"automatic", parse_boundary_list};
+    Parsed<BoundaryList>   crack{"none", parse_boundary_list};
     Parsed<FixedPointList> fixed_points{"automatic", parse_fixed_points};
     /** The least u_N of the lip. */
     Formula gap{"0", parse_gap};
@@ -77,7 +78,8 @@ namespace Crevasse
     {"Clamped", &BoundaryParameters::clamped, &BoundaryRoles::clamped},
     {"Symmetry", &BoundaryParameters::symmetry, &BoundaryRoles::symmetry},
     {"Loaded", &BoundaryParameters::loaded, &BoundaryRoles::loaded},
-    {"Contact", &BoundaryParameters::contact, &BoundaryRoles::contact}};
+    {"Contact", &BoundaryParameters::contact, &BoundaryRoles::contact},
+    {"Crack", &BoundaryParameters::crack, &BoundaryRoles::crack}};
 
   struct MaterialParameters
   {

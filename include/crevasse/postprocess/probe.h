@@ -47,7 +47,8 @@ namespace Crevasse
     dealii::Tensor<1, dim>
     displacement(const Vector &displacement) const
     {
-      return dealii::Utilities::MPI::sum(local_displacement(displacement),
+      return dealii::Utilities::MPI::sum(apply(displacement_weights,
+                                               displacement),
                                          communicator);
     }
 
@@ -59,9 +60,9 @@ namespace Crevasse
                                          communicator);
     }
 
-    /** Displacement with the flow that is split off, stress, and the pressure
-     * on the lip. */
-    using Values = std::array<double, dim + n_stress_components<dim> + 1>;
+    /** Displacement with the flow that is split off, stress, and on the lip
+     * u_N, against the other lip if there is one, and the pressure. */
+    using Values = std::array<double, dim + n_stress_components<dim> + 2>;
 
     /** This rank's part of them. */
     Values
@@ -87,17 +88,29 @@ namespace Crevasse
       unsigned int lip_face = dealii::numbers::invalid_unsigned_int;
     };
 
-    dealii::Tensor<1, dim>
-    local_displacement(const Vector &displacement) const;
+    /** Of this rank's unknowns, by their local index, for each component. */
+    using DisplacementWeights =
+      std::array<std::vector<std::pair<unsigned int, double>>, dim>;
+
+    static dealii::Tensor<1, dim>
+    apply(const DisplacementWeights &weights, const Vector &displacement);
     double
     local_pressure(const std::vector<double> &contact_forces) const;
 
-    /** One rank finds it. */
+    /** One rank finds it. @param on_other_lip across from the lip that has been
+     * found before; there may be none. */
     Place
-    find_place(const Space<dim> &space);
+    find_place(const Space<dim> &space, const bool on_other_lip);
 
-    void
-    find_displacement_weights(const Place &place, const Space<dim> &space);
+    /** Whether a cell's face is one of the other lip of the crack. */
+    bool
+    faces_other_lip(
+      const Space<dim>                                             &space,
+      const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
+      const unsigned int                                            face) const;
+
+    DisplacementWeights
+    displacement_at(const Place &place, const Space<dim> &space) const;
     void
     find_stress_weights(const Place &place);
     void
@@ -108,11 +121,9 @@ namespace Crevasse
     const StressRecovery<dim>  &recovery;
     const ContactBoundary<dim> &lip;
 
-    /** Of this rank's unknowns, by their local index, and lip nodes. */
-    std::array<std::vector<std::pair<unsigned int, double>>, dim>
-                                                 displacement_weights;
+    DisplacementWeights displacement_weights, other_lip_weights;
     typename StressRecovery<dim>::PointWeights   stress_weights;
-    std::vector<std::pair<unsigned int, double>> pressure_weights;
+    std::vector<std::pair<unsigned int, double>> pressure_weights; ///< by node
 
     dealii::Tensor<1, dim> normal; ///< inward, of the lip; 0 off it
     double                 gap = 0.;

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_discretisation_lip_basis_h
+#define crevasse_discretisation_lip_basis_h
+
+#include <crevasse/discretisation/lip_faces.h>
+
+#include <deal.II/base/types.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <map>
+#include <set>
+
+namespace Crevasse
+{
+  /**
+   * The nodes of the lips, and a basis in which the opening of each is an
+   * unknown, so that contact bounds single unknowns.
+   *
+   * The opening is n·(u⁺ − u⁻), or n·u before a rigid plane. If it is a degree
+   * of freedom, nothing changes. Else the k degrees of freedom u on which it
+   * depends, as a·u, become a linear combination of k unknowns numbered after
+   * all degrees of freedom: Householder's reflection with a/|a| as one column,
+   * scaled so that its unknown is the opening. Constraints say so, and nothing
+   * else has to know. Where several openings share degrees of freedom, as where
+   * cracks meet, the later ones combine what the former ones left.
+   *
+   * All ranks know all of it, so that none needs the other lip's cells, and it
+   * does not depend on their number.
+   */
+  template <int dim>
+  class LipBasis
+  {
+  public:
+    using Index   = dealii::types::global_dof_index;
+    using Weights = std::vector<std::pair<Index, double>>;
+
+    struct Node
+    {
+      dealii::Point<dim>     point;
+      dealii::Tensor<1, dim> normal; ///< unit, into the body of the first side
+      /** The first degrees of freedom on both sides; the same twice at a tip,
+       * the second invalid before a rigid plane. */
+      std::array<Index, 2> sides;
+      /** Opening = sign × this unknown; invalid: the node is held by supports,
+       * shared by both lips, or hangs between others. */
+      Index  unknown = dealii::numbers::invalid_dof_index;
+      double sign    = 1.;
+      /** ∫φ over one lip, with the share of hanging nodes. */
+      double weight = 0.;
+      /** ∫φ of the held nodes that take their pressure from this one. */
+      double held_weight = 0.;
+      /** Of a node without unknown: those that speak for it, by their numbers,
+       * with factors. */
+      std::vector<std::pair<unsigned int, double>> speakers;
+
+      bool
+      has_unknown() const
+      {
+        return unknown != dealii::numbers::invalid_dof_index;
+      }
+
+      /** The component whose direction is nearest to the normal. */
+      unsigned int
+      component() const
+      {
+        unsigned int largest = 0;
+        for (unsigned int d = 1; d < dim; ++d)
+          if (std::abs(normal[d]) > std::abs(normal[largest]))
+            largest = d;
+        return largest;
+      }
+    };
+
+    LipBasis() = default;
+
+    /**
+     * Collective.
+     *
+     * @param supports the constraints of supports and hanging nodes, closed.
+     * @throw SceneError if a face of a crack has no partner, or an opening is
+     * not independent of others.
+     */
+    LipBasis(const Space<dim>                        &space,
+             const dealii::AffineConstraints<double> &supports);
+
+    /** How many unknowns there are after the degrees of freedom. */
+    Index n_unknowns = 0;
+
+    std::vector<Node> nodes;
+
+    /** What degrees of freedom, or earlier unknowns, are of the unknowns. */
+    std::map<Index, Weights> combinations;
+
+    /** The inverse: what the unknowns are of the degrees of freedom. */
+    std::map<Index, Weights> functionals;
+
+  private:
+    void
+    collect_nodes(const std::vector<LipFace<dim>> &faces);
+
+    /** The number of the node on these sides, new or not. @param inward ∫φ n
+     * of the face, whose sign it changes if the sides come the other way. */
+    unsigned int
+    node_number(const typename LipFace<dim>::Node &node,
+                const Index                        other_side,
+                dealii::Tensor<1, dim>            &inward);
+
+    void
+    gather_supports(const Space<dim>                        &space,
+                    const dealii::AffineConstraints<double> &supports);
+
+    /** Whether it hangs between other nodes; then these speak for it. */
+    bool
+    hangs(Node &node) const;
+
+    void
+    make_opening(Node &node);
+
+    /** The opening by free degrees of freedom and unknowns. */
+    Weights
+    opening_of(const Node &node) const;
+
+    /** Replaces degrees of freedom @p rest, of which the opening is a linear
+     * function besides that of @p former openings. */
+    Index
+    combine(const Weights &rest, const Weights &former);
+
+    /** For nodes without unknown, which give their weights away. */
+    void
+    choose_speakers();
+
+    std::vector<std::vector<unsigned int>> nodes_of_faces;
+    std::multimap<Index, unsigned int>     nodes_at; ///< by their first dofs
+    std::map<Index, Weights>               supported;
+    std::set<Index>                        openings;
+    Index                                  n_dofs = 0;
+  };
+} // namespace Crevasse
+
+#endif

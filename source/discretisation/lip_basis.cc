@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/discretisation/lip_basis.h>
+#include <crevasse/discretisation/space.h>
+
+#include <algorithm>
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Index   = types::global_dof_index;
+    using Weights = std::vector<std::pair<Index, double>>;
+
+    constexpr double rounding = 1e-12;
+
+
+
+    void
+    add(const Index index, const double weight, Weights &sum)
+    {
+      const auto there =
+        std::find_if(sum.begin(), sum.end(), [index](const auto &term) {
+          return term.first == index;
+        });
+      if (there == sum.end())
+        sum.emplace_back(index, weight);
+      else
+        there->second += weight;
+    }
+
+
+
+    /** A weight times what an index stands for, or the index itself. */
+    void
+    add_expanded(const Index                     index,
+                 const double                    weight,
+                 const std::map<Index, Weights> &meanings,
+                 Weights                        &sum)
+    {
+      const auto meaning = meanings.find(index);
+      if (meaning == meanings.end())
+        add(index, weight, sum);
+      else
+        for (const auto &[other, factor] : meaning->second)
+          add_expanded(other, weight * factor, meanings, sum);
+    }
+
+
+
+    /** Directions that differ from an axis by rounding are that axis. */
+    template <int dim>
+    Tensor<1, dim>
+    unit(Tensor<1, dim> vector)
+    {
+      const double length = vector.norm();
+      for (unsigned int d = 0; d < dim; ++d)
+        if (std::abs(vector[d]) < 1e-10 * length)
+          vector[d] = 0.;
+      return length > 0. ? vector / vector.norm() : vector;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  LipBasis<dim>::LipBasis(const Space<dim>                &space,
+                          const AffineConstraints<double> &supports)
+    : n_dofs(space.dof_handler.n_dofs())
+  {
+    collect_nodes(find_lip_faces(space));
+    gather_supports(space, supports);
+    for (Node &node : nodes)
+      if (!hangs(node))
+        make_opening(node);
+    choose_speakers();
+  }
+
+
+
+  template <int dim>
+  void
+  LipBasis<dim>::collect_nodes(const std::vector<LipFace<dim>> &faces)
+  {
+    std::vector<Point<dim>> centres;
+    std::vector<double>     sizes;
+    for (const LipFace<dim> &face : faces)
+      {
+        centres.push_back(face.centre);
+        sizes.push_back(face.size);
+      }
+    const std::vector<unsigned int> partners = find_partners(centres, sizes);
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      {
+        const LipFace<dim> &face = faces[f], &other = faces[partners[f]];
+        if (face.is_crack && (partners[f] == f || !other.is_crack))
+          throw SceneError(describe_unmatched(face.centre));
+        if (face.is_crack && partners[f] < f)
+          continue;
+        nodes_of_faces.emplace_back();
+        for (const auto &node : face.nodes)
+          {
+            const auto *opposite =
+              face.is_crack ? other.node_at(node.point) : nullptr;
+            if (face.is_crack && opposite == nullptr)
+              throw SceneError(describe_unmatched(face.centre));
+            Tensor<1, dim>     inward = node.inward;
+            const unsigned int number =
+              node_number(node,
+                          opposite == nullptr ? numbers::invalid_dof_index
+                                              : opposite->first,
+                          inward);
+            nodes[number].normal += inward;
+            nodes[number].weight += node.weight;
+            nodes_of_faces.back().push_back(number);
+          }
+      }
+    for (Node &node : nodes)
+      node.normal = unit(node.normal);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  LipBasis<dim>::node_number(const typename LipFace<dim>::Node &node,
+                             const Index                        other_side,
+                             Tensor<1, dim>                    &inward)
+  {
+    const bool is_crack = other_side != numbers::invalid_dof_index;
+    const auto look     = [&](const Index                 first,
+                          const std::array<Index, 2> &sides) -> int {
+      const auto [begin, end] = nodes_at.equal_range(first);
+      for (auto at = begin; at != end; ++at)
+        if (const Node &known = nodes[at->second];
+            known.sides == sides &&
+            // Before rigid planes that meet, a node has an opening for each.
+            (is_crack || unit(known.normal) * unit(inward) > 1. - 1e-10))
+          return at->second;
+      return -1;
+    };
+    if (const int number = look(node.first, {{node.first, other_side}});
+        number >= 0)
+      return number;
+    if (is_crack)
+      if (const int number = look(other_side, {{other_side, node.first}});
+          number >= 0)
+        {
+          inward *= -1.;
+          return number;
+        }
+    Node added;
+    added.point = node.point;
+    added.sides = {{node.first, other_side}};
+    nodes_at.emplace(node.first, nodes.size());
+    nodes.push_back(added);
+    return nodes.size() - 1;
+  }
+
+
+
+  template <int dim>
+  void
+  LipBasis<dim>::gather_supports(const Space<dim>                &space,
+                                 const AffineConstraints<double> &supports)
+  {
+    const IndexSet          &owned = space.dof_handler.locally_owned_dofs();
+    std::map<Index, Weights> mine;
+    for (const Node &node : nodes)
+      for (const Index first : node.sides)
+        for (unsigned int d = 0; d < dim; ++d)
+          if (const Index dof = first + d;
+              first != numbers::invalid_dof_index && owned.is_element(dof))
+            if (const auto *entries = supports.get_constraint_entries(dof))
+              mine[dof] = *entries;
+    for (auto &of_rank : Utilities::MPI::all_gather(space.communicator(), mine))
+      supported.merge(of_rank);
+  }
+
+
+
+  template <int dim>
+  bool
+  LipBasis<dim>::hangs(Node &node) const
+  {
+    const Index        first     = node.sides[0];
+    const unsigned int component = node.component();
+    bool               found     = false;
+    for (unsigned int d = 0; d < dim; ++d)
+      if (const auto line = supported.find(first + d); line != supported.end())
+        for (const auto &[dof, factor] : line->second)
+          if (dof < first || dof >= first + dim)
+            {
+              found = true;
+              if (d != component)
+                continue;
+              const auto [begin, end] = nodes_at.equal_range(dof - component);
+              for (auto at = begin; at != end; ++at)
+                if (nodes[at->second].normal * node.normal > 0.5)
+                  {
+                    node.speakers.emplace_back(at->second, factor);
+                    break;
+                  }
+            }
+    return found;
+  }
+
+
+
+  template <int dim>
+  typename LipBasis<dim>::Weights
+  LipBasis<dim>::opening_of(const Node &node) const
+  {
+    Weights by_dofs, sum;
+    for (const unsigned int side : {0, 1})
+      for (unsigned int d = 0; d < dim; ++d)
+        if (node.sides[side] != numbers::invalid_dof_index)
+          add_expanded(node.sides[side] + d,
+                       (side == 0 ? 1. : -1.) * node.normal[d],
+                       supported,
+                       by_dofs);
+    for (const auto &[dof, weight] : by_dofs)
+      add_expanded(dof, weight, combinations, sum);
+    Weights not_zero;
+    for (const auto &[index, weight] : sum)
+      if (std::abs(weight) > rounding)
+        not_zero.emplace_back(index, weight);
+    return not_zero;
+  }
+
+
+
+  template <int dim>
+  void
+  LipBasis<dim>::make_opening(Node &node)
+  {
+    Weights rest, former;
+    for (const auto &[index, weight] : opening_of(node))
+      (openings.count(index) > 0 ? former : rest).emplace_back(index, weight);
+    if (rest.empty() && former.empty())
+      return; // held, or a tip
+    if (rest.empty())
+      throw SceneError(
+        "[Boundary] Contact or Crack: at " + Text::from_point(node.point) +
+        " lips meet whose openings depend on each other, as where a body "
+        "touches rigid planes from both sides. Model the half above or below "
+        "such a plane, with the crack as Contact and the rest of the plane as "
+        "Symmetry; or the whole body, with Crack.");
+    const bool is_single = former.empty() && rest.size() == 1 &&
+                           std::abs(std::abs(rest[0].second) - 1.) < rounding;
+    // Of a pair it would be a degree of freedom of another rank's.
+    if (is_single && node.sides[1] == numbers::invalid_dof_index &&
+        rest[0].first < n_dofs)
+      {
+        node.unknown = rest[0].first;
+        node.sign    = rest[0].second > 0. ? 1. : -1.;
+      }
+    else
+      node.unknown = combine(rest, former);
+    openings.insert(node.unknown);
+  }
+
+
+
+  template <int dim>
+  typename LipBasis<dim>::Index
+  LipBasis<dim>::combine(const Weights &rest, const Weights &former)
+  {
+    const unsigned int n      = rest.size();
+    double             square = 0.;
+    unsigned int       pivot  = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        square += rest[i].second * rest[i].second;
+        if (std::abs(rest[i].second) >
+            (1. + rounding) * std::abs(rest[pivot].second))
+          pivot = i;
+      }
+    const double length = std::sqrt(square);
+    const auto   w      = [&](const unsigned int i) {
+      return rest[i].second / length;
+    };
+    const auto v = [&](const unsigned int i) {
+      return w(i) + (i == pivot ? std::copysign(1., w(pivot)) : 0.);
+    };
+    const auto reflection = [&](const unsigned int i, const unsigned int j) {
+      return (i == j ? 1. : 0.) - v(i) * v(j) / (1. + std::abs(w(pivot)));
+    };
+
+    const Index first = n_dofs + n_unknowns;
+    n_unknowns += n;
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        Weights &functional = functionals[first + j];
+        for (unsigned int i = 0; i < n; ++i)
+          add_expanded(rest[i].first,
+                       j == pivot ? rest[i].second : reflection(j, i),
+                       functionals,
+                       functional);
+        if (j == pivot)
+          for (const auto &[opening, factor] : former)
+            add_expanded(opening, factor, functionals, functional);
+      }
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        Weights &combination = combinations[rest[i].first];
+        for (unsigned int j = 0; j < n; ++j)
+          if (const double weight =
+                j == pivot ? w(i) / length : reflection(i, j);
+              std::abs(weight) > rounding)
+            combination.emplace_back(first + j, weight);
+        for (const auto &[opening, factor] : former)
+          combination.emplace_back(opening, -factor * w(i) / length);
+      }
+    return first + pivot;
+  }
+
+
+
+  template <int dim>
+  void
+  LipBasis<dim>::choose_speakers()
+  {
+    std::map<unsigned int, std::pair<double, unsigned int>> nearest;
+    for (const auto &on_face : nodes_of_faces)
+      for (const unsigned int i : on_face)
+        if (!nodes[i].has_unknown())
+          for (const unsigned int j : on_face)
+            if (nodes[j].has_unknown())
+              {
+                const double length = nodes[i].point.distance(nodes[j].point);
+                const auto [at, is_first] =
+                  nearest.emplace(i, std::make_pair(length, j));
+                // The first of equals stays.
+                if (!is_first && length < (1. - 1e-10) * at->second.first)
+                  at->second = {length, j};
+              }
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      {
+        Node                                        &node = nodes[i];
+        double                                       rest = 1., most = 0.;
+        std::vector<std::pair<unsigned int, double>> speakers;
+        const auto                                   best = nearest.find(i);
+        int strongest = best == nearest.end() ? -1 : int(best->second.second);
+        for (const auto &[speaker, factor] : node.speakers)
+          if (nodes[speaker].has_unknown())
+            {
+              speakers.emplace_back(speaker, factor);
+              rest -= factor;
+              if (factor > most)
+                strongest = speaker;
+              most = std::max(most, factor);
+            }
+        node.speakers = speakers;
+        if (node.has_unknown() || strongest < 0)
+          continue;
+        // What a hanging node has from held ones, the nearest of the others has
+        // to tell.
+        for (const auto &[speaker, factor] : speakers)
+          nodes[speaker].weight += factor * node.weight;
+        if (std::abs(rest) > 1e-10)
+          {
+            nodes[strongest].held_weight += rest * node.weight;
+            node.speakers.emplace_back(strongest, rest);
+          }
+      }
+  }
+
+
+
+  template class LipBasis<2>;
+  template class LipBasis<3>;
+} // namespace Crevasse

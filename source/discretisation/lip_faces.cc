@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/text.h>
+#include <crevasse/discretisation/lip_faces.h>
+#include <crevasse/discretisation/space.h>
+
+#include <algorithm>
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/vector.hpp>
+#include <numeric>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The contributions of a face whose values are there. */
+    template <int dim>
+    std::vector<typename LipFace<dim>::Node>
+    nodes_of(const FEFaceValues<dim>                    &face,
+             const FEValues<dim>                        &support,
+             const std::vector<types::global_dof_index> &dofs)
+    {
+      const FiniteElement<dim>                &fe = face.get_fe();
+      std::vector<typename LipFace<dim>::Node> nodes;
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        if (fe.system_to_component_index(i).first == 0 &&
+            fe.has_support_on_face(i, face.get_face_number()))
+          {
+            typename LipFace<dim>::Node node{dofs[i],
+                                             support.quadrature_point(i),
+                                             0.,
+                                             {}};
+            for (const unsigned int q : face.quadrature_point_indices())
+              {
+                const double share =
+                  face.shape_value_component(i, q, 0) * face.JxW(q);
+                node.weight += share;
+                node.inward -= share * face.normal_vector(q);
+              }
+            nodes.push_back(node);
+          }
+      return nodes;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<LipFace<dim>>
+  find_lip_faces(const Space<dim> &space)
+  {
+    if (!space.roles.has_lip())
+      return {};
+    const FESystem<dim>                 &fe = space.finite_element;
+    FEFaceValues<dim>                    values(space.mapping,
+                             fe,
+                             space.face_quadrature(),
+                             update_values | update_normal_vectors |
+                               update_JxW_values);
+    FEValues<dim>                        support(space.mapping,
+                          fe,
+                          Quadrature<dim>(fe.get_unit_support_points()),
+                          update_quadrature_points);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    std::vector<LipFace<dim>>            faces;
+    for (const auto &cell : owned_cells(space.dof_handler))
+      for (const unsigned int f : cell->face_indices())
+        if (const auto face = cell->face(f);
+            face->at_boundary() && space.roles.is_lip(face->boundary_id()))
+          {
+            values.reinit(cell, f);
+            support.reinit(cell);
+            cell->get_dof_indices(dofs);
+            const auto   cell_id = cell->id().template to_binary<dim>();
+            LipFace<dim> mine{
+              {{cell_id[0], cell_id[1], cell_id[2], cell_id[3], f}},
+              face->center(),
+              face->diameter(),
+              space.roles.crack.count(face->boundary_id()) > 0,
+              nodes_of<dim>(values, support, dofs)};
+            faces.push_back(mine);
+          }
+
+    std::vector<LipFace<dim>> all;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(space.communicator(), faces))
+      all.insert(all.end(), of_rank.begin(), of_rank.end());
+    std::sort(all.begin(),
+              all.end(),
+              [](const LipFace<dim> &a, const LipFace<dim> &b) {
+                return a.id < b.id;
+              });
+    return all;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  find_partners(const std::vector<Point<dim>> &points,
+                const std::vector<double>     &sizes)
+  {
+    // Along a direction in which no mesh is aligned.
+    Tensor<1, dim> direction;
+    for (unsigned int d = 0; d < dim; ++d)
+      direction[d] = 1. / (1.618 + d * d);
+    const auto along = [&](const unsigned int i) {
+      return points[i] * direction;
+    };
+    std::vector<unsigned int> partner(points.size());
+    std::iota(partner.begin(), partner.end(), 0);
+    std::vector<unsigned int> order(partner);
+    std::sort(order.begin(),
+              order.end(),
+              [&](const unsigned int i, const unsigned int j) {
+                return along(i) < along(j);
+              });
+    for (std::size_t k = 0; k < order.size(); ++k)
+      {
+        const unsigned int i         = order[k];
+        const double       tolerance = LipFace<dim>::tolerance * sizes[i];
+        for (std::size_t l = k + 1;
+             l < order.size() && along(order[l]) <= along(i) + tolerance;
+             ++l)
+          if (const unsigned int j = order[l];
+              points[i].distance(points[j]) <= tolerance)
+            {
+              partner[i] = j;
+              partner[j] = i;
+            }
+      }
+    return partner;
+  }
+
+
+
+  template <int dim>
+  std::string
+  describe_unmatched(const Point<dim> &centre)
+  {
+    return "[Boundary] Crack: the face at " + Text::from_point(centre) +
+           " has no partner: each face of a crack must lie on one of the other "
+           "lip. Use a Gmsh file that has the crack as a physical group of "
+           "faces within the body, along which it is cut; or [Boundary] "
+           "Contact for a lip that touches a rigid plane.";
+  }
+
+
+
+#define INSTANTIATE(dim)                                                 \
+  template std::vector<LipFace<dim>> find_lip_faces(const Space<dim> &); \
+  template std::vector<unsigned int> find_partners(                      \
+    const std::vector<Point<dim>> &, const std::vector<double> &);       \
+  template std::string describe_unmatched(const Point<dim> &)
+
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+
+#undef INSTANTIATE
+} // namespace Crevasse

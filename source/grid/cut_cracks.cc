@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/grid/cut_cracks.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  namespace
+  {
+    using Nodes = std::vector<std::size_t>;
+    /** Where a face is: its cell and its number there. */
+    using Place = std::pair<std::size_t, std::size_t>;
+
+
+
+    Nodes
+    face_nodes(const MeshElement &cell, const std::size_t face)
+    {
+      Nodes nodes;
+      for (const unsigned int i : local_faces(cell.nodes.size())[face])
+        nodes.push_back(cell.nodes[i]);
+      return nodes;
+    }
+
+
+
+    Nodes
+    sorted(Nodes nodes)
+    {
+      std::sort(nodes.begin(), nodes.end());
+      return nodes;
+    }
+
+
+
+    std::map<Nodes, std::vector<Place>>
+    faces_of(const std::vector<MeshElement> &cells)
+    {
+      std::map<Nodes, std::vector<Place>> faces;
+      for (std::size_t c = 0; c < cells.size(); ++c)
+        for (std::size_t f = 0; f < local_faces(cells[c].nodes.size()).size();
+             ++f)
+          faces[sorted(face_nodes(cells[c], f))].emplace_back(c, f);
+      return faces;
+    }
+
+
+
+    /** The cells around a node in parts that hang together by faces at it which
+     * are not cut. */
+    std::vector<std::vector<std::size_t>>
+    parts_around(const std::size_t                                node,
+                 const std::vector<std::size_t>                  &around,
+                 const std::map<std::size_t, std::vector<Nodes>> &uncut_faces,
+                 const std::map<Nodes, std::vector<Place>>       &faces)
+    {
+      std::map<std::size_t, std::size_t> part_of; // by cell: another one of it
+      for (const std::size_t cell : around)
+        part_of[cell] = cell;
+      const auto root = [&](std::size_t cell) {
+        while (part_of[cell] != cell)
+          cell = part_of[cell];
+        return cell;
+      };
+      for (const Nodes &face : uncut_faces.at(node))
+        if (const auto &sides = faces.at(face); sides.size() == 2)
+          part_of[root(sides[1].first)] = root(sides[0].first);
+      std::map<std::size_t, std::vector<std::size_t>> parts;
+      for (const std::size_t cell : around)
+        parts[root(cell)].push_back(cell);
+      std::vector<std::vector<std::size_t>> list;
+      for (const auto &[first, part] : parts)
+        list.push_back(part);
+      return list;
+    }
+  } // namespace
+
+
+
+  void
+  cut_cracks(const std::set<unsigned int> &groups, GmshMesh &mesh)
+  {
+    if (groups.empty())
+      return;
+    const auto                     faces = faces_of(mesh.cells);
+    const std::vector<MeshElement> uncut = mesh.cells;
+    std::set<Nodes>                cut;
+    std::set<std::size_t>          nodes_of_cuts;
+    for (const MeshElement &element : mesh.boundary)
+      if (const auto face = faces.find(sorted(element.nodes));
+          groups.count(element.group) > 0 && face != faces.end() &&
+          face->second.size() == 2)
+        {
+          cut.insert(face->first);
+          nodes_of_cuts.insert(element.nodes.begin(), element.nodes.end());
+        }
+
+    // What is around the nodes of the cuts.
+    std::map<std::size_t, std::vector<std::size_t>> cells_at;
+    std::map<std::size_t, std::vector<Nodes>>       uncut_faces;
+    for (std::size_t c = 0; c < uncut.size(); ++c)
+      for (const std::size_t node : uncut[c].nodes)
+        if (nodes_of_cuts.count(node) > 0)
+          cells_at[node].push_back(c);
+    for (const auto &[face, places] : faces)
+      if (cut.count(face) == 0)
+        for (const std::size_t node : face)
+          if (nodes_of_cuts.count(node) > 0)
+            uncut_faces[node].push_back(face);
+
+    for (const std::size_t node : nodes_of_cuts)
+      {
+        uncut_faces[node]; // there may be none
+        const auto parts =
+          parts_around(node, cells_at.at(node), uncut_faces, faces);
+        for (std::size_t p = 1; p < parts.size(); ++p)
+          {
+            const std::size_t twin = mesh.nodes.rbegin()->first + 1;
+            mesh.nodes[twin]       = mesh.nodes.at(node);
+            for (const std::size_t c : parts[p])
+              std::replace(mesh.cells[c].nodes.begin(),
+                           mesh.cells[c].nodes.end(),
+                           node,
+                           twin);
+          }
+      }
+
+    // Elements and edges with the new nodes.
+    std::vector<MeshElement> boundary;
+    for (const MeshElement &element : mesh.boundary)
+      {
+        const auto face = faces.find(sorted(element.nodes));
+        if (face == faces.end() ||
+            (face->second.size() > 1 && cut.count(face->first) == 0))
+          boundary.push_back(element); // to be refused
+        else
+          for (const auto &[c, f] : face->second)
+            boundary.push_back(
+              {element.number, element.group, face_nodes(mesh.cells[c], f)});
+      }
+    mesh.boundary = boundary;
+    std::map<EdgeNodes, std::size_t> middles(mesh.middles);
+    for (std::size_t c = 0; c < uncut.size(); ++c)
+      for (std::size_t i = 0; i < uncut[c].nodes.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (const auto middle = mesh.middles.find(
+                std::minmax({uncut[c].nodes[i], uncut[c].nodes[j]}));
+              middle != mesh.middles.end())
+            middles[std::minmax({mesh.cells[c].nodes[i],
+                                 mesh.cells[c].nodes[j]})] = middle->second;
+    mesh.middles = middles;
+  }
+} // namespace Crevasse
