@@ -17,41 +17,16 @@ namespace Crevasse
 
   namespace
   {
-    using Index   = types::global_dof_index;
-    using Weights = std::vector<std::pair<Index, double>>;
-
-    constexpr double rounding = 1e-12;
-
-
-
-    void
-    add(const Index index, const double weight, Weights &sum)
+    template <int dim>
+    [[noreturn]] void
+    throw_dependent(const Point<dim> &point)
     {
-      const auto there =
-        std::find_if(sum.begin(), sum.end(), [index](const auto &term) {
-          return term.first == index;
-        });
-      if (there == sum.end())
-        sum.emplace_back(index, weight);
-      else
-        there->second += weight;
-    }
-
-
-
-    /** A weight times what an index stands for, or the index itself. */
-    void
-    add_expanded(const Index                     index,
-                 const double                    weight,
-                 const std::map<Index, Weights> &meanings,
-                 Weights                        &sum)
-    {
-      const auto meaning = meanings.find(index);
-      if (meaning == meanings.end())
-        add(index, weight, sum);
-      else
-        for (const auto &[other, factor] : meaning->second)
-          add_expanded(other, weight * factor, meanings, sum);
+      throw SceneError(
+        "[Boundary] Contact or Crack: at " + Text::from_point(point) +
+        " lips meet whose openings depend on each other, as two lips with "
+        "opposite normals that share a node. Give a crack within the body the "
+        "role Crack; or model the half above or below its plane, with the "
+        "crack as Contact and the rest of the plane as Symmetry.");
     }
 
 
@@ -74,13 +49,18 @@ namespace Crevasse
   template <int dim>
   LipBasis<dim>::LipBasis(const Space<dim>                &space,
                           const AffineConstraints<double> &supports)
-    : n_dofs(space.dof_handler.n_dofs())
+    : OpeningUnknowns(space.dof_handler.n_dofs())
   {
     collect_nodes(find_lip_faces(space));
     gather_supports(space, supports);
     for (Node &node : nodes)
       if (!hangs(node))
         make_opening(node);
+    const auto renumbered = number_unknowns();
+    for (Node &node : nodes)
+      if (const auto found = renumbered.find(node.unknown);
+          found != renumbered.end())
+        node.unknown = found->second;
     choose_speakers();
   }
 
@@ -136,22 +116,26 @@ namespace Crevasse
                              Tensor<1, dim>                    &inward)
   {
     const bool is_crack = other_side != numbers::invalid_dof_index;
-    const auto look     = [&](const Index                 first,
-                          const std::array<Index, 2> &sides) -> int {
+    const auto search   = [&](const Index                 first,
+                            const std::array<Index, 2> &sides) -> int {
       const auto [begin, end] = nodes_at.equal_range(first);
       for (auto at = begin; at != end; ++at)
-        if (const Node &known = nodes[at->second];
-            known.sides == sides &&
+        if (const Node &known = nodes[at->second]; known.sides == sides)
+          {
             // Before rigid planes that meet, a node has an opening for each.
-            (is_crack || unit(known.normal) * unit(inward) > 1. - 1e-10))
-          return at->second;
+            const double cosine = unit(known.normal) * unit(inward);
+            if (!is_crack && cosine < -1. + 1e-10)
+              throw_dependent(node.point);
+            if (is_crack || cosine > 1. - 1e-10)
+              return at->second;
+          }
       return -1;
     };
-    if (const int number = look(node.first, {{node.first, other_side}});
+    if (const int number = search(node.first, {{node.first, other_side}});
         number >= 0)
       return number;
     if (is_crack)
-      if (const int number = look(other_side, {{other_side, node.first}});
+      if (const int number = search(other_side, {{other_side, node.first}});
           number >= 0)
         {
           inward *= -1.;
@@ -216,111 +200,22 @@ namespace Crevasse
 
 
   template <int dim>
-  typename LipBasis<dim>::Weights
-  LipBasis<dim>::opening_of(const Node &node) const
+  void
+  LipBasis<dim>::make_opening(Node &node)
   {
-    Weights by_dofs, sum;
+    Weights opening;
     for (const unsigned int side : {0, 1})
       for (unsigned int d = 0; d < dim; ++d)
         if (node.sides[side] != numbers::invalid_dof_index)
           add_expanded(node.sides[side] + d,
                        (side == 0 ? 1. : -1.) * node.normal[d],
                        supported,
-                       by_dofs);
-    for (const auto &[dof, weight] : by_dofs)
-      add_expanded(dof, weight, combinations, sum);
-    Weights not_zero;
-    for (const auto &[index, weight] : sum)
-      if (std::abs(weight) > rounding)
-        not_zero.emplace_back(index, weight);
-    return not_zero;
-  }
-
-
-
-  template <int dim>
-  void
-  LipBasis<dim>::make_opening(Node &node)
-  {
-    Weights rest, former;
-    for (const auto &[index, weight] : opening_of(node))
-      (openings.count(index) > 0 ? former : rest).emplace_back(index, weight);
-    if (rest.empty() && former.empty())
-      return; // held, or a tip
-    if (rest.empty())
-      throw SceneError(
-        "[Boundary] Contact or Crack: at " + Text::from_point(node.point) +
-        " lips meet whose openings depend on each other, as where a body "
-        "touches rigid planes from both sides. Model the half above or below "
-        "such a plane, with the crack as Contact and the rest of the plane as "
-        "Symmetry; or the whole body, with Crack.");
-    const bool is_single = former.empty() && rest.size() == 1 &&
-                           std::abs(std::abs(rest[0].second) - 1.) < rounding;
-    // Of a pair it would be a degree of freedom of another rank's.
-    if (is_single && node.sides[1] == numbers::invalid_dof_index &&
-        rest[0].first < n_dofs)
-      {
-        node.unknown = rest[0].first;
-        node.sign    = rest[0].second > 0. ? 1. : -1.;
-      }
-    else
-      node.unknown = combine(rest, former);
-    openings.insert(node.unknown);
-  }
-
-
-
-  template <int dim>
-  typename LipBasis<dim>::Index
-  LipBasis<dim>::combine(const Weights &rest, const Weights &former)
-  {
-    const unsigned int n      = rest.size();
-    double             square = 0.;
-    unsigned int       pivot  = 0;
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        square += rest[i].second * rest[i].second;
-        if (std::abs(rest[i].second) >
-            (1. + rounding) * std::abs(rest[pivot].second))
-          pivot = i;
-      }
-    const double length = std::sqrt(square);
-    const auto   w      = [&](const unsigned int i) {
-      return rest[i].second / length;
-    };
-    const auto v = [&](const unsigned int i) {
-      return w(i) + (i == pivot ? std::copysign(1., w(pivot)) : 0.);
-    };
-    const auto reflection = [&](const unsigned int i, const unsigned int j) {
-      return (i == j ? 1. : 0.) - v(i) * v(j) / (1. + std::abs(w(pivot)));
-    };
-
-    const Index first = n_dofs + n_unknowns;
-    n_unknowns += n;
-    for (unsigned int j = 0; j < n; ++j)
-      {
-        Weights &functional = functionals[first + j];
-        for (unsigned int i = 0; i < n; ++i)
-          add_expanded(rest[i].first,
-                       j == pivot ? rest[i].second : reflection(j, i),
-                       functionals,
-                       functional);
-        if (j == pivot)
-          for (const auto &[opening, factor] : former)
-            add_expanded(opening, factor, functionals, functional);
-      }
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        Weights &combination = combinations[rest[i].first];
-        for (unsigned int j = 0; j < n; ++j)
-          if (const double weight =
-                j == pivot ? w(i) / length : reflection(i, j);
-              std::abs(weight) > rounding)
-            combination.emplace_back(first + j, weight);
-        for (const auto &[opening, factor] : former)
-          combination.emplace_back(opening, -factor * w(i) / length);
-      }
-    return first + pivot;
+                       opening);
+    if (is_dependent(opening))
+      throw_dependent(node.point);
+    // Of a pair it might be a degree of freedom of the other lip's rank alone.
+    std::tie(node.unknown, node.sign) =
+      make_unknown(opening, node.sides[1] == numbers::invalid_dof_index);
   }
 
 

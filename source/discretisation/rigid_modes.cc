@@ -78,13 +78,7 @@ namespace Crevasse
                                  FunctionFromFunctionObjects<dim>(components),
                                  modes[m]);
         if (space.lip.n_unknowns > 0)
-          {
-            Vector unknowns(space.locally_owned_unknowns, space.communicator());
-            for (std::size_t i = 0; i < modes[m].locally_owned_size(); ++i)
-              unknowns.local_element(i) = modes[m].local_element(i);
-            space.from_nodal_values(unknowns);
-            modes[m] = unknowns;
-          }
+          modes[m] = space.from_nodal_values(modes[m]);
       }
     return modes;
   }

@@ -263,22 +263,20 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  Space<dim>::from_nodal_values(Vector &displacement) const
+  Vector
+  Space<dim>::from_nodal_values(const Vector &values) const
   {
-    if (lip.n_unknowns > 0)
-      {
-        Vector unknowns = ghosted_vector();
-        for (const auto &[unknown, weights] : lip.functionals)
-          for (const auto &[dof, weight] : weights)
-            if (locally_owned_unknowns.is_element(dof))
-              unknowns(unknown) += weight * displacement(dof);
-        unknowns.compress(VectorOperation::add);
-        for (const auto &[unknown, weights] : lip.functionals)
-          if (locally_owned_unknowns.is_element(unknown))
-            displacement(unknown) = unknowns(unknown);
-      }
+    const IndexSet &dofs         = dof_handler.locally_owned_dofs();
+    Vector          displacement = ghosted_vector();
+    for (const auto &[unknown, weights] : lip.functionals)
+      for (const auto &[dof, weight] : weights)
+        if (dofs.is_element(dof))
+          displacement(unknown) += weight * values(dof);
+    displacement.compress(VectorOperation::add);
+    for (std::size_t i = 0; i < dofs.n_elements(); ++i)
+      displacement.local_element(i) = values.local_element(i);
     constraints.set_zero(displacement);
+    return displacement;
   }
 
 

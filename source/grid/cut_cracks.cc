@@ -11,7 +11,7 @@ namespace Crevasse
   {
     using Nodes = std::vector<std::size_t>;
     /** Where a face is: its cell and its number there. */
-    using Place = std::pair<std::size_t, std::size_t>;
+    using CellFace = std::pair<std::size_t, std::size_t>;
 
 
 
@@ -35,10 +35,10 @@ namespace Crevasse
 
 
 
-    std::map<Nodes, std::vector<Place>>
+    std::map<Nodes, std::vector<CellFace>>
     faces_of(const std::vector<MeshElement> &cells)
     {
-      std::map<Nodes, std::vector<Place>> faces;
+      std::map<Nodes, std::vector<CellFace>> faces;
       for (std::size_t c = 0; c < cells.size(); ++c)
         for (std::size_t f = 0; f < local_faces(cells[c].nodes.size()).size();
              ++f)
@@ -54,7 +54,7 @@ namespace Crevasse
     parts_around(const std::size_t                                node,
                  const std::vector<std::size_t>                  &around,
                  const std::map<std::size_t, std::vector<Nodes>> &uncut_faces,
-                 const std::map<Nodes, std::vector<Place>>       &faces)
+                 const std::map<Nodes, std::vector<CellFace>>    &faces)
     {
       std::map<std::size_t, std::size_t> part_of; // by cell: another one of it
       for (const std::size_t cell : around)

@@ -190,11 +190,10 @@ namespace Crevasse
       return work.get_partitioner()->global_to_local(unknown);
     };
     for (const auto &[unknown, weights] : lip.functionals)
-      if (lip.combinations.count(unknown) == 0)
-        for (const auto &[dof, weight] : weights)
-          if (finer.locally_owned_unknowns.is_element(dof))
-            lip_entries.push_back(
-              {local(unknown), local(dof), LevelReal(weight)});
+      for (const auto &[dof, weight] : weights)
+        if (finer.locally_owned_unknowns.is_element(dof))
+          lip_entries.push_back(
+            {local(unknown), local(dof), LevelReal(weight)});
   }
 
 

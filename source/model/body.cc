@@ -4,12 +4,12 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/discretisation/refinement.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/grid/curved_edges.h>
 #include <crevasse/model/body.h>
 #include <crevasse/model/linear_choice.h>
 #include <crevasse/model/mesh_materials.h>
+#include <crevasse/model/refinement.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
 #include <deal.II/fe/mapping_q1.h>

@@ -58,6 +58,43 @@ namespace Crevasse
           return f;
       return no_face;
     }
+
+
+
+    /** The cells with a point and its place there. deal.II finds one, and those
+     * that share a vertex with it: the other lip of a crack has others. */
+    template <int dim>
+    std::vector<
+      std::pair<typename DoFHandler<dim>::active_cell_iterator, Point<dim>>>
+    cells_around(const Space<dim> &space, const Point<dim> &point)
+    {
+      auto found =
+        GridTools::find_all_active_cells_around_point(space.mapping,
+                                                      space.dof_handler,
+                                                      point);
+      if (space.roles.crack.empty())
+        return found;
+      for (const auto &cell : owned_cells(space.dof_handler))
+        {
+          bool is_new = cell->at_boundary() &&
+                        cell->center().distance(point) < cell->diameter();
+          for (const auto &other : found)
+            is_new = is_new && other.first != cell;
+          if (!is_new)
+            continue;
+          try
+            {
+              const Point<dim> unit =
+                space.mapping.transform_real_to_unit_cell(cell, point);
+              if (GeometryInfo<dim>::distance_to_unit_cell(unit) < 1e-10)
+                found.emplace_back(cell, unit);
+            }
+          catch (const typename Mapping<dim>::ExcTransformationFailed &)
+            {
+            } // it lies elsewhere
+        }
+      return found;
+    }
   } // namespace
 
 
@@ -95,19 +132,21 @@ namespace Crevasse
     Order        first = outside;
     Place        place;
     unsigned int least = numbers::invalid_unsigned_int, most = 0;
-    for (const auto &[cell, unit_point] :
-         GridTools::find_all_active_cells_around_point(space.mapping,
-                                                       space.dof_handler,
-                                                       probe.point))
+    for (const auto &[cell, unit_point] : cells_around(space, probe.point))
       if (cell->is_locally_owned())
         {
           const unsigned int face =
             lip_face<dim>(cell, unit_point, space.roles);
-          if (on_other_lip && !faces_other_lip(space, cell, face))
+          const bool on_crack =
+            face != no_face &&
+            space.roles.crack.count(cell->face(face)->boundary_id()) > 0;
+          if (on_other_lip && !(on_crack && faces_other_lip(space, cell, face)))
             continue;
           Order                order{{0., face == no_face ? 1. : 0.}};
           const Tensor<1, dim> offset = cell->center() - probe.point;
-          for (unsigned int d = 0; recovery.has_interfaces() && d < dim; ++d)
+          for (unsigned int d = 0;
+               d < dim && (recovery.has_interfaces() || on_crack);
+               ++d)
             {
               const double along = offset[d] / offset.norm();
               order[2 + d]       = along > -0.1 ? 1. : 0.;
@@ -152,9 +191,6 @@ namespace Crevasse
     const typename DoFHandler<dim>::active_cell_iterator &cell,
     const unsigned int                                    face) const
   {
-    if (face == no_face ||
-        space.roles.crack.count(cell->face(face)->boundary_id()) == 0)
-      return false;
     FEFaceValues<dim> values(space.mapping,
                              space.finite_element,
                              QMidpoint<dim - 1>(),

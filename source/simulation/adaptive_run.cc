@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/format.h>
-#include <crevasse/discretisation/state_transfer.h>
+#include <crevasse/model/state_transfer.h>
 #include <crevasse/simulation/adaptive_run.h>
 #include <crevasse/simulation/compute_periods.h>
 #include <crevasse/simulation/conclusion.h>

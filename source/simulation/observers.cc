@@ -42,7 +42,7 @@ namespace Crevasse
           run.largest_displacement = run.largest_opening = viscous_strain = 0.;
         run.largest_displacement =
           std::max(run.largest_displacement,
-                   sample.state.displacement.linfty_norm());
+                   largest_displacement(body.space, sample.state.displacement));
         if (sample.viscous_strain.size() > 0)
           viscous_strain =
             std::max(viscous_strain, sample.viscous_strain.linfty_norm());

@@ -5,12 +5,10 @@
 #define crevasse_discretisation_lip_basis_h
 
 #include <crevasse/discretisation/lip_faces.h>
+#include <crevasse/discretisation/opening_unknowns.h>
 
-#include <deal.II/base/types.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <map>
-#include <set>
 
 namespace Crevasse
 {
@@ -19,23 +17,16 @@ namespace Crevasse
    * unknown, so that contact bounds single unknowns.
    *
    * The opening is n·(u⁺ − u⁻), or n·u before a rigid plane. If it is a degree
-   * of freedom, nothing changes. Else the k degrees of freedom u on which it
-   * depends, as a·u, become a linear combination of k unknowns numbered after
-   * all degrees of freedom: Householder's reflection with a/|a| as one column,
-   * scaled so that its unknown is the opening. Constraints say so, and nothing
-   * else has to know. Where several openings share degrees of freedom, as where
-   * cracks meet, the later ones combine what the former ones left.
+   * of freedom, nothing changes. Else it becomes one of OpeningUnknowns.
+   * Constraints say so, and nothing else has to know.
    *
    * All ranks know all of it, so that none needs the other lip's cells, and it
    * does not depend on their number.
    */
   template <int dim>
-  class LipBasis
+  class LipBasis : public OpeningUnknowns
   {
   public:
-    using Index   = dealii::types::global_dof_index;
-    using Weights = std::vector<std::pair<Index, double>>;
-
     struct Node
     {
       dealii::Point<dim>     point;
@@ -85,16 +76,7 @@ namespace Crevasse
     LipBasis(const Space<dim>                        &space,
              const dealii::AffineConstraints<double> &supports);
 
-    /** How many unknowns there are after the degrees of freedom. */
-    Index n_unknowns = 0;
-
     std::vector<Node> nodes;
-
-    /** What degrees of freedom, or earlier unknowns, are of the unknowns. */
-    std::map<Index, Weights> combinations;
-
-    /** The inverse: what the unknowns are of the degrees of freedom. */
-    std::map<Index, Weights> functionals;
 
   private:
     void
@@ -118,24 +100,13 @@ namespace Crevasse
     void
     make_opening(Node &node);
 
-    /** The opening by free degrees of freedom and unknowns. */
-    Weights
-    opening_of(const Node &node) const;
-
-    /** Replaces degrees of freedom @p rest, of which the opening is a linear
-     * function besides that of @p former openings. */
-    Index
-    combine(const Weights &rest, const Weights &former);
-
     /** For nodes without unknown, which give their weights away. */
     void
     choose_speakers();
 
     std::vector<std::vector<unsigned int>> nodes_of_faces;
     std::multimap<Index, unsigned int>     nodes_at; ///< by their first dofs
-    std::map<Index, Weights>               supported;
-    std::set<Index>                        openings;
-    Index                                  n_dofs = 0;
+    Meanings                               supported;
   };
 } // namespace Crevasse
 

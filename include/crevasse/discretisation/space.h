@@ -174,10 +174,9 @@ namespace Crevasse
     Vector
     nodal_values(const Vector &displacement) const;
 
-    /** The inverse, in place: of values at all degrees of freedom those of the
-     * lips' unknowns, and zeros in constrained entries. Collective. */
-    void
-    from_nodal_values(Vector &displacement) const;
+    /** The inverse, with zeros in constrained entries. Collective. */
+    Vector
+    from_nodal_values(const Vector &values) const;
 
     /** The rules that integrate the stiffness, and at whose points the viscous
      * strain lives. The first is that of most cells: Gauss with degree + 1

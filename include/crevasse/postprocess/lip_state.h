@@ -61,6 +61,30 @@ namespace Crevasse
     dealii::Utilities::MPI::max(maxima, communicator, maxima);
     return {static_cast<unsigned int>(sums[0]), sums[1], maxima[0], maxima[1]};
   }
+
+  /** The largest component, of unknowns that are displacements and of those
+   * that the lips' are combined to: see LipBasis. Collective. */
+  template <int dim>
+  double
+  largest_displacement(const Space<dim> &space, const Vector &displacement)
+  {
+    if (space.lip.n_unknowns == 0)
+      return displacement.linfty_norm();
+    const auto n_dofs  = space.dof_handler.n_dofs();
+    double     largest = 0.;
+    for (std::size_t i = 0; i < space.dof_handler.n_locally_owned_dofs(); ++i)
+      largest = std::max(largest, std::abs(displacement.local_element(i)));
+    for (const auto &[dof, weights] : space.lip.combinations)
+      {
+        double sum = 0.; // of the last rank, which has these unknowns
+        for (const auto &[unknown, weight] : weights)
+          if (displacement.in_local_range(unknown))
+            sum += weight * displacement(unknown);
+        if (dof < n_dofs)
+          largest = std::max(largest, std::abs(sum));
+      }
+    return dealii::Utilities::MPI::max(largest, space.communicator());
+  }
 } // namespace Crevasse
 
 #endif

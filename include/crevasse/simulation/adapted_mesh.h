@@ -6,8 +6,8 @@
 
 #include <crevasse/base/summary.h>
 #include <crevasse/checkpoint/checkpoints.h>
-#include <crevasse/discretisation/refinement.h>
 #include <crevasse/model/body.h>
+#include <crevasse/model/refinement.h>
 #include <crevasse/time/step_list.h>
 
 namespace Crevasse

@@ -4,8 +4,8 @@
 // What goes over from a mesh to the one that it becomes: polynomials exactly,
 // whatever else with the same integral.
 
-#include <crevasse/discretisation/state_transfer.h>
 #include <crevasse/discretisation/strain_operator.h>
+#include <crevasse/model/state_transfer.h>
 
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_generator.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_discretisation_refinement_h
-#define crevasse_discretisation_refinement_h
+#ifndef crevasse_model_refinement_h
+#define crevasse_model_refinement_h
 
 #include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/space.h>

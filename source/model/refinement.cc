@@ -4,7 +4,7 @@
 #include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/discretisation/crack_tip.h>
-#include <crevasse/discretisation/refinement.h>
+#include <crevasse/model/refinement.h>
 
 #include <deal.II/distributed/cell_data_transfer.templates.h>
 #include <deal.II/fe/fe_q.h>
@@ -66,30 +66,6 @@ namespace Crevasse
 
 
 
-    /** Middles and sizes of faces. */
-    template <int dim>
-    struct FaceList
-    {
-      void
-      add(const Point<dim> &centre, const double size)
-      {
-        centres.push_back(centre);
-        sizes.push_back(size);
-      }
-
-      FaceList
-      of_all_ranks(const MPI_Comm communicator) const
-      {
-        return {Crevasse::of_all_ranks(communicator, centres),
-                Crevasse::of_all_ranks(communicator, sizes)};
-      }
-
-      std::vector<Point<dim>> centres;
-      std::vector<double>     sizes;
-    };
-
-
-
     /** Calls f(cell, face number) for this rank's faces of cracks. */
     template <int dim, typename Function>
     void
@@ -113,29 +89,38 @@ namespace Crevasse
   {
     if (roles.crack.empty())
       return false;
-    FaceList<dim> own, above; // faces, and those that they are parts of
+    // Faces, and those that they are parts of.
+    std::vector<Point<dim>> centres, centres_above;
+    std::vector<double>     sizes, sizes_above;
     for_each_crack_face(mesh, roles, [&](const auto &cell, const auto face) {
-      own.add(cell->face(face)->center(), cell->face(face)->diameter());
+      centres.push_back(cell->face(face)->center());
+      sizes.push_back(cell->face(face)->diameter());
       for (TriaIterator<CellAccessor<dim>> up = cell; up->level() > 0;)
         {
           up = up->parent();
-          above.add(up->face(face)->center(), up->face(face)->diameter());
+          centres_above.push_back(up->face(face)->center());
+          sizes_above.push_back(up->face(face)->diameter());
         }
     });
-    const MPI_Comm      communicator = mesh.get_communicator();
-    const FaceList<dim> all          = own.of_all_ranks(communicator);
-    const auto          partners     = find_partners(all.centres, all.sizes);
+    const MPI_Comm communicator = mesh.get_communicator();
+    const auto counts = Utilities::MPI::all_gather(communicator, sizes.size());
+    centres           = of_all_ranks(communicator, centres);
+    sizes             = of_all_ranks(communicator, sizes);
+    centres_above     = of_all_ranks(communicator, centres_above);
+    sizes_above       = of_all_ranks(communicator, sizes_above);
+
     // Faces without partner, and where they lie on one that is divided.
-    FaceList<dim>             wholes  = above.of_all_ranks(communicator);
-    const unsigned int        n_above = wholes.sizes.size();
+    const auto                partners = find_partners(centres, sizes);
+    const unsigned int        n_above  = sizes_above.size();
     std::vector<unsigned int> alone;
     for (unsigned int i = 0; i < partners.size(); ++i)
       if (partners[i] == i)
         {
           alone.push_back(i);
-          wholes.add(all.centres[i], all.sizes[i]);
+          centres_above.push_back(centres[i]);
+          sizes_above.push_back(sizes[i]);
         }
-    const auto        divided = find_partners(wholes.centres, wholes.sizes);
+    const auto        divided = find_partners(centres_above, sizes_above);
     std::vector<bool> is_coarse(partners.size(), false);
     bool              found = false;
     for (unsigned int k = 0; k < alone.size(); ++k)
@@ -143,8 +128,6 @@ namespace Crevasse
         found = is_coarse[alone[k]] = true;
 
     unsigned int i = 0; // of all ranks, this one's after those before it
-    const auto   counts =
-      Utilities::MPI::all_gather(communicator, own.sizes.size());
     for (unsigned int r = 0; r < Utilities::MPI::this_mpi_process(communicator);
          ++r)
       i += counts[r];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_discretisation_state_transfer_h
-#define crevasse_discretisation_state_transfer_h
+#ifndef crevasse_model_state_transfer_h
+#define crevasse_model_state_transfer_h
 
 #include <crevasse/discretisation/cell_polynomials.h>
 #include <crevasse/discretisation/cell_values.h>
@@ -145,7 +145,8 @@ namespace Crevasse
             if (displacement.in_local_range(to[i]))
               displacement(to[i]) = nodal(from[i]);
         }
-      space.from_nodal_values(displacement);
+      displacement.copy_locally_owned_data_from(
+        space.from_nodal_values(displacement));
       for (unsigned int branch = 0; branch < branches.size(); ++branch)
         polynomials.evaluate(space,
                              points,
