@@ -48,6 +48,7 @@ namespace Crevasse
 
 
   AuxiliaryField::AuxiliaryField(const CrackTip     &tip,
+                                 const CrackMode     mode,
                                  const Point<2>     &point,
                                  const SquareWeight &weight)
   {
@@ -55,19 +56,24 @@ namespace Crevasse
     const auto     f = weight.factor(local[0]), g = weight.factor(local[1]);
     if (f[0] == 0. || g[0] == 0.)
       return;
-    // Muskhelishvili's potentials: φ = √z/√(2π) and ψ = φ/2 have K_I = 1.
-    // Differentiated along the crack they are Φ = φ′ and Ψ = 3/2 Φ, and
-    // 2μ u^B = κ Φ − rest.
-    const Complex z(local[0], std::max(local[1], 0.));
-    const Complex Phi    = 0.5 / std::sqrt(2. * numbers::PI * z);
+    // Muskhelishvili's potentials: φ = √z/√(2π) and ψ = φ/2 have K_I = 1,
+    // φ = −i √z/√(2π) and ψ = −3/2 φ have K_II = 1, and lips without traction.
+    // Differentiated along the crack they are Φ = φ′ and Ψ = 3/2 Φ or −½ Φ,
+    // and 2μ u^B = κ Φ − rest.
+    const bool    opens = mode == CrackMode::opening;
+    const double  n     = opens ? 1.5 : -0.5; // Ψ/Φ
+    const Complex unit_factor =
+      (opens ? Complex(1., 0.) : Complex(0., -1.)) * (tip.two_lips ? 0.5 : 1.);
+    const Complex z(local[0], tip.two_lips ? local[1] : std::max(local[1], 0.));
+    const Complex Phi    = unit_factor * 0.5 / std::sqrt(2. * numbers::PI * z);
     const Complex slope  = -0.5 * Phi / z;
     const Complex second = -1.5 * slope / z;
-    const Complex rest   = z * std::conj(slope) + 1.5 * std::conj(Phi);
-    const double  airy   = (std::conj(z) * Phi + 3. * z * Phi).real(); // φ^B
-    const Complex along  = Phi + rest; // ∂φ^B/∂X + i ∂φ^B/∂Y
-    const double  mean   = 2. * slope.real();
+    const Complex rest   = z * std::conj(slope) + n * std::conj(Phi);
+    const double  airy = (std::conj(z) * Phi + 2. * n * z * Phi).real(); // φ^B
+    const Complex along           = Phi + rest; // ∂φ^B/∂X + i ∂φ^B/∂Y
+    const double  mean            = 2. * slope.real();
     const Complex half_difference = // ½ (σ₂₂ − σ₁₁) + i σ₁₂
-      std::conj(z) * second + 1.5 * slope;
+      std::conj(z) * second + n * slope;
 
     const double q = f[0] * g[0], q_1 = f[1] * g[0], q_2 = f[0] * g[1];
     const std::array<double, 3> rest_of_tau = {

@@ -104,13 +104,17 @@ namespace Crevasse
   InteractionIntegral::InteractionIntegral(const Body<2>        &body,
                                            const PointGeometry  &points,
                                            const TipRegion      &region,
+                                           const CrackMode       mode,
                                            const LoadParameters &loads,
                                            const Squares        &squares)
     : body(body)
     , points(points)
     , region(region)
+    , mode(mode)
     , of_contact_forces(
-        lip_integral(body, region.tip, weight_of(region, squares.size)))
+        mode == CrackMode::opening
+          ? lip_integral(body, region.tip, weight_of(region, squares.size))
+          : std::vector<double>())
   {
     for (const LoadParameters::Force &force : loads.forces())
       for (unsigned int d = 0; force.in_volume && d < force.components->size();
@@ -134,7 +138,7 @@ namespace Crevasse
                          const Point<2> &point,
                          const double    share) {
       const auto field_of = [&](const SquareWeight &weight) {
-        return AuxiliaryField(region.tip, point, weight);
+        return AuxiliaryField(region.tip, mode, point, weight);
       };
       kernel.field.add(share, field_of(whole));
       for (const auto &[weight, factor] : of_creep)

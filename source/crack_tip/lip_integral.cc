@@ -40,6 +40,7 @@ namespace Crevasse
     const FESystem<2>                   &fe    = space.finite_element;
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     Vector                               per_pressure = space.ghosted_vector();
+    const double factor = tip.two_lips ? 1. : 2.; // the same on the other lip
     for (const auto &cell : owned_cells(space.dof_handler))
       for (const unsigned int f : cell->face_indices())
         {
@@ -50,8 +51,8 @@ namespace Crevasse
           const Point<2> b   = tip.local(cell->face(f)->vertex(1));
           const double   r_a = -a[0], r_b = -b[0];
           // Another lip may be anywhere.
-          if (std::abs(a[1]) + std::abs(b[1]) > 1e-8 * (b - a).norm() ||
-              r_a + r_b <= 0. || std::min(r_a, r_b) >= weight.radius)
+          if (!tip.is_on_line(a) || !tip.is_on_line(b) || r_a + r_b <= 0. ||
+              std::min(r_a, r_b) >= weight.radius)
             continue;
           FEFaceValues<2> values(space.mapping,
                                  fe,
@@ -67,7 +68,8 @@ namespace Crevasse
                 continue;
               for (const unsigned int q : values.quadrature_point_indices())
                 per_pressure(dofs[i]) +=
-                  2. / std::sqrt(2. * numbers::PI) * values.shape_value(i, q) *
+                  factor / std::sqrt(2. * numbers::PI) *
+                  values.shape_value(i, q) *
                   weight.factor(tip.local(values.quadrature_point(q))[0])[0] *
                   values.JxW(q);
             }

@@ -9,32 +9,11 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  NestedFits::NestedFits(const PointGeometry      &points,
-                         const ContactBoundary<2> &lip,
-                         const TipRegion          &region,
-                         const double              radius,
-                         const MPI_Comm            communicator)
-    : lip(lip)
-    , region(region)
-    , communicator(communicator)
-  {
-    // Each has a disc of half its radius, which needs data.
-    const double least =
-      2. * WilliamsFit::least_radius(points, region, communicator);
-    constexpr double closer = 0.7;
-    double           next   = radius;
-    do
-      {
-        fits.emplace_back(points, lip, region, next, communicator);
-        radii.push_back(next);
-        next *= closer;
-    } while (next >= least);
-  }
-
-
-
   double
-  NestedFits::open_length(const State &state) const
+  open_length(const ContactBoundary<2> &lip,
+              const CrackTip           &tip,
+              const State              &state,
+              const MPI_Comm            communicator)
   {
     constexpr double never    = std::numeric_limits<double>::max();
     const double     touching = 1e-10 * state.displacement.linfty_norm();
@@ -44,8 +23,8 @@ namespace Crevasse
     for (std::size_t k = 0; k < lip.nodes.size(); ++k)
       {
         const LipNode<2> &node  = lip.nodes[k];
-        const Point<2>    local = region.tip.local(node.point);
-        if (local[0] < 0. && std::abs(local[1]) <= 1e-8 * -local[0])
+        const Point<2>    local = tip.local(node.point);
+        if (local[0] < 0. && tip.is_on_line(local))
           nodes.emplace_back(-local[0],
                              state.contact_forces[k] > 0. &&
                                node.opening(state.displacement) <= touching);
@@ -60,6 +39,27 @@ namespace Crevasse
       if (distance < closed)
         open = std::max(open, distance);
     return closed == never ? never : Utilities::MPI::max(open, communicator);
+  }
+
+
+
+  NestedFits::NestedFits(const PointGeometry      &points,
+                         const ContactBoundary<2> &lip,
+                         const TipRegion          &region,
+                         const double              radius,
+                         const MPI_Comm            communicator)
+  {
+    // Each has a disc of half its radius, which needs data.
+    const double least =
+      2. * WilliamsFit::least_radius(points, region, communicator);
+    constexpr double closer = 0.7;
+    double           next   = radius;
+    do
+      {
+        fits.emplace_back(points, lip, region, next, communicator);
+        radii.push_back(next);
+        next *= closer;
+    } while (next >= least);
   }
 
 

@@ -20,17 +20,6 @@ namespace Crevasse
   {
     constexpr double rounding = 1e-10;
 
-    const std::string &
-    setting()
-    {
-      static const std::string text =
-        Text::parameter(CrackTipParameters::section, "Stress intensity") +
-        " = true";
-      return text;
-    }
-
-
-
     double
     square_norm(const Point<2> &local)
     {
@@ -84,15 +73,16 @@ namespace Crevasse
 
 
 
-  TipRegion::TipRegion(const Space<2> &space)
-    : tip(only_crack_tip(space.mesh(), space.roles, setting()))
+  TipRegion::TipRegion(const Space<2> &space, const CrackTip &tip)
+    : tip(tip)
     , communicator(space.communicator())
   {
     measure_cells(space);
     find_boundaries(space);
     if (end < cell_radius * (1. - rounding))
       throw SceneError(
-        setting() + ": the cells at the crack tip " +
+        Text::parameter(CrackTipParameters::section, "Stress intensity") +
+        " = true: the cells at the crack tip " +
         Text::from_point(tip.position) + " reach to " +
         Text::from_number(cell_radius) +
         " around it, but another boundary begins at " + Text::from_number(end) +
@@ -175,14 +165,18 @@ namespace Crevasse
           {
             const Point<2> a     = tip.local(face->vertex(0));
             const Point<2> b     = tip.local(face->vertex(1));
-            const double   tiny  = rounding * (b - a).norm();
             const bool     ahead = a[0] + b[0] > 0.;
             const auto    &own =
-              ahead ? space.roles.symmetry : space.roles.contact;
-            if (std::abs(a[1]) > tiny || std::abs(b[1]) > tiny ||
+              ahead ? space.roles.symmetry
+                       : (tip.two_lips ? space.roles.crack : space.roles.contact);
+            if (!tip.is_on_line(a) || !tip.is_on_line(b) ||
                 own.count(face->boundary_id()) == 0)
               end = std::min(end, distance_of_segment(a, b));
           }
+    for (const CrackTip &other : find_crack_tips(space.mesh(), space.roles))
+      if (const double distance = square_norm(tip.local(other.position));
+          tip.two_lips && distance > 0.)
+        end = std::min(end, distance);
     end = Utilities::MPI::min(end, communicator);
   }
 

@@ -5,6 +5,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/crack_tip.h>
 
+#include <algorithm>
 
 namespace Crevasse
 {
@@ -100,6 +101,27 @@ namespace Crevasse
               f(index, lip, plane->second);
         }
     }
+
+
+
+    /** Calls f(lip face, other lip face) where the two lips of a crack meet. */
+    template <int dim, typename Function>
+    void
+    for_each_end_of_crack(const Triangulation<dim> &mesh,
+                          const BoundaryRoles      &roles,
+                          const Function           &f)
+    {
+      const FacesAtEnds<dim> lips = faces_with(roles.crack, mesh);
+      for (auto first = lips.begin(); first != lips.end();)
+        {
+          const auto last = lips.upper_bound(first->first);
+          if (const auto next = std::next(first);
+              std::distance(first, last) == 2 &&
+              first->second.normal * next->second.normal < -1. + 1e-10)
+            f(first->second, next->second);
+          first = last;
+        }
+    }
   } // namespace
 
 
@@ -122,6 +144,13 @@ namespace Crevasse
     std::vector<CrackTip> list;
     for (const auto &[vertex, tip] : tips)
       list.push_back(tip);
+    for_each_end_of_crack<2>(
+      mesh, roles, [&list](const FaceAtEnd<2> &lip, const FaceAtEnd<2> &) {
+        const Point<2>    &tip      = lip.end.first;
+        const double       distance = tip.distance(lip.center);
+        const Tensor<1, 2> ahead    = (tip - lip.center) / distance;
+        list.push_back({tip, ahead, Tensor<1, 2>({-ahead[1], ahead[0]}), true});
+      });
     return list;
   }
 
@@ -137,7 +166,8 @@ namespace Crevasse
       throw SceneError(wanted_by +
                        ": the mesh has no crack tip, a vertex where a face of "
                        "the lip ([Boundary] Contact) goes straight on as one "
-                       "of the plane of symmetry ([Boundary] Symmetry). Give "
+                       "of the plane of symmetry ([Boundary] Symmetry), or "
+                       "where the lips of a [Boundary] Crack meet. Give "
                        "the body a crack, or turn this off.");
     if (tips.size() > 1)
       {
@@ -150,7 +180,28 @@ namespace Crevasse
                          ", where one is allowed. Model a part with one of "
                          "them, using symmetry, or turn this off.");
       }
+    if (tips.front().two_lips)
+      throw SceneError(wanted_by + ": the crack at " +
+                       Text::from_point(tips.front().position) +
+                       " has two lips ([Boundary] Crack), where one on a plane "
+                       "of symmetry is needed. Turn this off.");
     return tips.front();
+  }
+
+
+
+  std::vector<CrackTip>
+  crack_tips(const Triangulation<2> &mesh,
+             const BoundaryRoles    &roles,
+             const std::string      &wanted_by)
+  {
+    const std::vector<CrackTip> tips = find_crack_tips(mesh, roles);
+    if (!tips.empty() &&
+        std::all_of(tips.begin(), tips.end(), [](const CrackTip &tip) {
+          return tip.two_lips;
+        }))
+      return tips;
+    return {only_crack_tip(mesh, roles, wanted_by)};
   }
 
 
@@ -167,6 +218,10 @@ namespace Crevasse
                                       const FaceAtEnd<dim> &) {
                                front.push_back(lip.end);
                              });
+    for_each_end_of_crack<dim>(
+      mesh, roles, [&front](const FaceAtEnd<dim> &lip, const FaceAtEnd<dim> &) {
+        front.push_back(lip.end);
+      });
     return front;
   }
 

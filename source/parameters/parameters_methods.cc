@@ -242,7 +242,9 @@ namespace Crevasse
     prm.add_parameter("Stress intensity",
                       stress_intensity,
                       "Whether crack_tip.csv has the stress intensity "
-                      "factor K_I of each step.");
+                      "factor K_I of each step, or crack_tip_1.csv, "
+                      "crack_tip_2.csv, ... K_I and K_II of each tip of "
+                      "cracks with two lips.");
     add_selection("Method", method, prm);
     prm.add_parameter(
       "Radius",

@@ -11,13 +11,16 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  CrackTipAnalysis::CrackTipAnalysis(const Scene        &scene,
-                                     const Body<2>      &body,
-                                     const SecularSplit &split,
-                                     const StepList     &steps)
+  CrackTipAnalysis::CrackTipAnalysis(
+    const Scene                                &scene,
+    const Body<2>                              &body,
+    const CrackTip                             &tip,
+    const SecularSplit                         &split,
+    const StepList                             &steps,
+    const std::shared_ptr<const PointGeometry> &geometry)
     : scene(scene)
     , body(body)
-    , intensity(scene, body, steps)
+    , intensity(scene, body, tip, steps, geometry)
     , energy(body.material, intensity.points)
     , growth_law(describe_growth_law(scene.crack_tip))
     , has_singular_function(body.space.singular_shapes() != nullptr &&
@@ -59,8 +62,9 @@ namespace Crevasse
   {
     const std::string &why = intensity.why_no_integral();
     return "  crack tip: " + Text::from_point(intensity.region.tip.position) +
-           ", K_I by " + intensity.method() +
-           (why.empty() ? "" : " (" + why + ")") +
+           (intensity.region.tip.two_lips ? ", K_I and K_II by "
+                                          : ", K_I by ") +
+           intensity.method() + (why.empty() ? "" : " (" + why + ")") +
            (growth_law.empty() ? "" : "; " + growth_law);
   }
 
@@ -124,13 +128,41 @@ namespace Crevasse
       });
     const PlaneElasticity viscous(viscous_region->matrix);
     const double size = intensity.region.aligned_radius(viscous_region->radius);
-    const double K =
-      InteractionIntegral(body,
-                          intensity.points,
-                          intensity.region,
-                          scene.loads,
-                          {size, size, false})
-        .of_uniform_body(stress, flow->contact_forces, viscous.kappa());
-    return K * K / viscous.modulus();
+    double       c_star = 0.;
+    for (const CrackMode mode : intensity.modes())
+      {
+        const double K =
+          InteractionIntegral(body,
+                              intensity.points,
+                              intensity.region,
+                              mode,
+                              scene.loads,
+                              {size, size, false})
+            .of_uniform_body(stress, flow->contact_forces, viscous.kappa());
+        c_star += K * K / viscous.modulus();
+      }
+    return c_star;
+  }
+
+
+
+  std::vector<std::unique_ptr<const CrackTipAnalysis>>
+  analyse_crack_tips(const Scene        &scene,
+                     const Body<2>      &body,
+                     const SecularSplit &split,
+                     const StepList     &steps)
+  {
+    const auto geometry =
+      std::make_shared<const PointGeometry>(body.space, body.points);
+    std::vector<std::unique_ptr<const CrackTipAnalysis>> all;
+    for (const CrackTip &tip :
+         crack_tips(body.space.mesh(),
+                    body.space.roles,
+                    Text::parameter(CrackTipParameters::section,
+                                    "Stress intensity") +
+                      " = true"))
+      all.push_back(std::make_unique<const CrackTipAnalysis>(
+        scene, body, tip, split, steps, geometry));
+    return all;
   }
 } // namespace Crevasse

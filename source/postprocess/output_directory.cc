@@ -55,7 +55,7 @@ namespace Crevasse
       static const std::regex ours(
         "summary\\.json(\\.part)?|log\\.txt|solution\\.pvd|used\\.prm|"
         "solution_[0-9.]+\\.p?vtu|(probe_.*|contact|periods|relaxation|"
-        "load_work|crack_tip)\\.csv|report\\.html");
+        "load_work|crack_tip(_[0-9]+)?)\\.csv|report\\.html");
       std::vector<fs::path> found;
       for (const fs::directory_entry &entry : fs::directory_iterator(directory))
         {

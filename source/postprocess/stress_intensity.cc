@@ -26,22 +26,30 @@ namespace Crevasse
 
 
 
-  StressIntensity::StressIntensity(const Scene    &scene,
-                                   const Body<2>  &body,
-                                   const StepList &steps)
+  StressIntensity::StressIntensity(
+    const Scene                                &scene,
+    const Body<2>                              &body,
+    const CrackTip                             &tip,
+    const StepList                             &steps,
+    const std::shared_ptr<const PointGeometry> &geometry)
     : scene(scene)
     , body(body)
-    , points(body.space, body.points)
-    , region(body.space)
+    , geometry(geometry)
+    , points(*geometry)
+    , region(body.space, tip)
     , first_elasticity(find_elasticity(0.))
     , uniform(find_uniform_radii(steps))
     , no_integral(find_no_integral(steps))
     , square(choose_square())
-    , integrals(no_integral.empty() ? std::make_optional(make_integrals())
-                                    : std::nullopt)
-    , fit_radius(choose_fit_radius())
-    , fits(points, body.lip, region, fit_radius, body.space.communicator())
   {
+    if (no_integral.empty())
+      for (const CrackMode mode : modes())
+        integrals.push_back(make_integrals(mode));
+    if (tip.two_lips)
+      return;
+    fit_radius = choose_fit_radius();
+    fits.emplace(
+      points, body.lip, region, fit_radius, body.space.communicator());
   }
 
 
@@ -92,9 +100,15 @@ namespace Crevasse
   std::string
   StressIntensity::find_no_integral(const StepList &steps) const
   {
-    using Method              = StressIntensityMethod;
-    const Method      wish    = scene.crack_tip.method;
-    const std::string setting = "[Crack tip] Method = " + name_of(wish);
+    using Method                     = StressIntensityMethod;
+    const Method      wish           = scene.crack_tip.method;
+    const std::string setting        = "[Crack tip] Method = " + name_of(wish);
+    const bool        must_integrate = // the fit knows one lip
+      wish == Method::interaction_integral || region.tip.two_lips;
+    if (wish == Method::williams_fit && region.tip.two_lips)
+      throw SceneError(setting +
+                       ": is for cracks with one lip, on a plane of "
+                       "symmetry. Set it to automatic.");
     if (wish == Method::williams_fit)
       return setting;
     for (const double t :
@@ -112,10 +126,12 @@ namespace Crevasse
           const std::string why =
             "the viscosity at the crack tip is not isotropic in the plane and "
             "the same on all sides";
-          if (wish == Method::interaction_integral)
+          if (must_integrate)
             throw SceneError(setting + ": " + why +
-                             ", so that the field there is not known. Set it "
-                             "to automatic or williams fit.");
+                             ", so that the field there is not known. " +
+                             (region.tip.two_lips
+                                ? "Set [Crack tip] Stress intensity = false."
+                                : "Set it to automatic or williams fit."));
           return why;
         }
     return "";
@@ -147,8 +163,8 @@ namespace Crevasse
 
 
 
-  std::pair<InteractionIntegral, InteractionIntegral>
-  StressIntensity::make_integrals() const
+  StressIntensity::Integrals
+  StressIntensity::make_integrals(const CrackMode mode) const
   {
     // Different numbers of cells at the tip, so that the difference of the two
     // shows what these leave.
@@ -156,6 +172,7 @@ namespace Crevasse
       return InteractionIntegral(body,
                                  points,
                                  region,
+                                 mode,
                                  scene.loads,
                                  {size,
                                   creep_square(size, cells),
@@ -191,7 +208,7 @@ namespace Crevasse
   double
   StressIntensity::choose_fit_radius() const
   {
-    if (scene.crack_tip.radius > 0. && !integrals)
+    if (scene.crack_tip.radius > 0. && integrals.empty())
       return scene.crack_tip.radius;
     // The smaller disc, of half this radius, needs data.
     const double least =
@@ -213,16 +230,43 @@ namespace Crevasse
   {
     const Vector &stress = sample.state.stress;
     const auto   &g      = sample.state.contact_forces;
-    const double  open   = fits.open_length(sample.state);
-    // Creep may have left a singular stress at a closed tip.
-    if (open == 0. && !body.effects.viscosity.on)
+    const double  open   = open_length_of(sample.state);
+    if (stays_closed(open))
       return {0., 0., 0.};
-    const WilliamsFit &fit       = fits.within(open);
+    const WilliamsFit &fit       = fits->within(open);
     const double       of_stress = fit.value(stress, g);
-    if (!integrals)
+    if (integrals.empty())
       return {of_stress, of_stress, std::abs(fit.correction(stress, g))};
-    const double large = integrals->first.value(t, sample, material, at_tip);
-    const double small = integrals->second.value(t, sample, material, at_tip);
-    return {large, of_stress, std::abs(large - small)};
+    const auto [K, error] = integrate(0, t, sample, material, at_tip);
+    return {K, of_stress, error};
+  }
+
+
+
+  std::array<StressIntensity::ModeEstimate, 2>
+  StressIntensity::evaluate_modes(const double            t,
+                                  const Sample           &sample,
+                                  const MaterialState<2> &material,
+                                  const PlaneElasticity  &at_tip) const
+  {
+    const ModeEstimate opening = stays_closed(open_length_of(sample.state))
+                                   ? ModeEstimate{0., 0.}
+                                   : integrate(0, t, sample, material, at_tip);
+    return {{opening, integrate(1, t, sample, material, at_tip)}};
+  }
+
+
+
+  StressIntensity::ModeEstimate
+  StressIntensity::integrate(const unsigned int      mode,
+                             const double            t,
+                             const Sample           &sample,
+                             const MaterialState<2> &material,
+                             const PlaneElasticity  &at_tip) const
+  {
+    const auto  &squares = integrals[mode];
+    const double large   = squares.first.value(t, sample, material, at_tip);
+    const double small   = squares.second.value(t, sample, material, at_tip);
+    return {large, std::abs(large - small)};
   }
 } // namespace Crevasse

@@ -4,6 +4,7 @@
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/crack_tip_table.h>
 #include <crevasse/postprocess/field_writer.h>
+#include <crevasse/postprocess/mixed_mode_table.h>
 #include <crevasse/postprocess/probe_tables.h>
 #include <crevasse/postprocess/stress_writer.h>
 #include <crevasse/simulation/elastic_comparison.h>
@@ -341,16 +342,30 @@ namespace Crevasse
     if (setup.load_factors)
       add(std::make_unique<ElasticComparison<dim>>(work, motion->drift()));
     if constexpr (dim == 2)
-      if (setup.crack_tip != nullptr)
-        add(std::make_unique<CrackTipTable>(*setup.crack_tip,
-                                            work.systems,
-                                            work.steps,
-                                            work.start.flow,
-                                            tables.table("crack_tip.csv",
-                                                         CrackTipTable::columns(
-                                                           *setup.crack_tip)),
-                                            log));
-    ;
+      if (!setup.crack_tips.empty())
+        {
+          const auto squares =
+            elastic_error_squares(setup.scene, body, work.systems, work.steps);
+          unsigned int number = 0;
+          for (const auto &tip : setup.crack_tips)
+            if (tip->intensity.region.tip.two_lips)
+              add(std::make_unique<MixedModeTable>(
+                *tip,
+                squares,
+                work.steps,
+                work.start.flow,
+                tables.table("crack_tip_" + std::to_string(++number) + ".csv",
+                             MixedModeTable::columns()),
+                log));
+            else
+              add(std::make_unique<CrackTipTable>(
+                *tip,
+                squares,
+                work.steps,
+                work.start.flow,
+                tables.table("crack_tip.csv", CrackTipTable::columns(*tip)),
+                log));
+        }
     if (body.effects.field_output.on)
       add(make_field_writer(work));
     if (setup.scene.output.load_work)

@@ -358,8 +358,8 @@ namespace Crevasse
       log.line("  linear solver: " + setup.solvers.linear.describe());
     if (setup.body.effects.contact.on)
       log.line("  contact solver: " + setup.solvers.contact.describe());
-    if (setup.crack_tip != nullptr)
-      log.line(setup.crack_tip->describe());
+    for (const auto &tip : setup.crack_tips)
+      log.line(tip->describe());
     for (const auto &probe : setup.probes)
       if (const auto &side = probe.side_of_interface)
         log.line("  probe " + probe.name() +

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-// Operators, supports and singular functions on distorted meshes with hanging
-// nodes.
+// Operators, supports, singular functions and crack modes, most on distorted
+// meshes with hanging nodes.
 
 #include <crevasse_tests/tests.h>
 
+void
+crack_modes();
 void
 operators();
 void
@@ -20,7 +22,8 @@ main(int argc, char **argv)
 {
   return run_tests(argc,
                    argv,
-                   {{"operators", operators},
+                   {{"crack_modes", crack_modes},
+                    {"operators", operators},
                     {"patch_test", patch_test},
                     {"rigid_motions", rigid_motions},
                     {"singular_functions", singular_functions}});

@@ -11,6 +11,13 @@
 
 namespace Crevasse
 {
+  /** How the lips move apart: across the crack or along it. */
+  enum class CrackMode
+  {
+    opening, ///< I
+    sliding  ///< II
+  };
+
   /** The weight q = (1 − X²/R²)ⁿ (1 − Y²/R²)ⁿ of the interaction integral, the
    * product of a factor of X and one of Y. */
   struct SquareWeight
@@ -38,7 +45,8 @@ namespace Crevasse
   /**
    * What the interaction integral multiplies at a point, from the auxiliary
    * field times the weight: see InteractionIntegral. N and E' w are
-   * (f₀ + κ f₁) 4/(κ + 1); all is in the coordinates of the mesh.
+   * (f₀ + κ f₁) 4/(κ + 1); all is in the coordinates of the mesh. Half of it
+   * where the tip has two lips: the body on both sides counts then.
    */
   struct AuxiliaryField
   {
@@ -47,6 +55,7 @@ namespace Crevasse
 
     /** @param point not the tip itself. */
     AuxiliaryField(const CrackTip         &tip,
+                   const CrackMode         mode,
                    const dealii::Point<2> &point,
                    const SquareWeight     &weight);
 

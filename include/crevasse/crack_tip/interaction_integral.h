@@ -17,7 +17,10 @@ namespace Crevasse
    * The stress intensity factor K_I as a linear function of the stress and of
    * the strain without stress, by the interaction integral (Yau, Wang, Corten,
    * J. Appl. Mech. 47, 1980) of the half body above the crack, in the form of
-   * Betti's theorem. With the auxiliary field of K_I = 1, differentiated along
+   * Betti's theorem. Where the tip has two lips it is half the integral over
+   * both sides, and gives K_II likewise, with the auxiliary field of K_II = 1:
+   * along straight lips this has no displacement across them, so that p does
+   * not enter. With the auxiliary field of K_I = 1, differentiated along
    * the crack (σ^B ~ r^(−3/2), displacement u^B, stress function φ^B ~ √r), and
    * a weight q,
    *
@@ -40,7 +43,8 @@ namespace Crevasse
    * weight; around a tip where the creep varies, the error of doing so is
    * linear in the size a of this square, and 2 K_I(a) − K_I(2a) is taken.
    *
-   * The weight q is SquareWeight in the square |X| ≤ R, 0 ≤ Y ≤ R. In cells
+   * The weight q is SquareWeight in the square |X| ≤ R, 0 ≤ Y ≤ R, or
+   * |Y| ≤ R. In cells
    * of the usual rule N and τ are projected to the polynomials through its
    * points, so that a polynomial stress is integrated exactly. By Betti's
    * theorem the error of K_I is the square of that of the energy norm's.
@@ -62,10 +66,11 @@ namespace Crevasse
     InteractionIntegral(const Body<2>        &body,
                         const PointGeometry  &points,
                         const TipRegion      &region,
+                        const CrackMode       mode,
                         const LoadParameters &loads,
                         const Squares        &squares);
 
-    /** K_I of an instant. Collective.
+    /** K of an instant. Collective.
      * @param t within the period.
      * @param material of this instant.
      * @param at_tip its stiffness there, without the factor k. */
@@ -75,7 +80,7 @@ namespace Crevasse
           const MaterialState<2> &material,
           const PlaneElasticity  &at_tip) const;
 
-    /** K_I = ∫ s:N dA + ∫_lip …, of a body that is the same everywhere in the
+    /** K = ∫ s:N dA + ∫_lip …, of a body that is the same everywhere in the
      * square and bears neither free strain nor body force there: elastic, or
      * viscous with the stress of a flow. Collective. */
     double
@@ -121,6 +126,7 @@ namespace Crevasse
     const Body<2>                                   &body;
     const PointGeometry                             &points;
     const TipRegion                                 &region;
+    const CrackMode                                  mode;
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<Kernel>                              kernels;
     bool                has_creep = false; ///< whether viscous strain enters

@@ -26,9 +26,10 @@ namespace Crevasse
 
 
   /**
-   * The surroundings of a crack tip, in which the body ends nowhere but at the
-   * lip and the plane of symmetry. Distances are max(|X|, |Y|): they belong to
-   * squares |X| ≤ R, 0 ≤ Y ≤ R.
+   * The surroundings of a crack tip, in which the body ends nowhere but at its
+   * lips and the plane of symmetry, and no other tip is. Distances are
+   * max(|X|, |Y|): they belong to squares |X| ≤ R, 0 ≤ Y ≤ R, or |Y| ≤ R where
+   * the tip has two lips.
    */
   class TipRegion
   {
@@ -36,11 +37,11 @@ namespace Crevasse
     /** Collective.
      * @throw SceneError if another boundary begins within the cells at the tip.
      */
-    explicit TipRegion(const Space<2> &space);
+    TipRegion(const Space<2> &space, const CrackTip &tip);
 
     const CrackTip tip;
 
-    /** Where another boundary begins. */
+    /** Where another boundary begins, or another tip is. */
     double
     largest_radius() const
     {

@@ -8,19 +8,22 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <cmath>
 #include <utility>
 
 namespace Crevasse
 {
   /** The end of a crack in the plane: where a face of the lip goes straight on
-   * as a face of the plane of symmetry. Its own coordinates X and Y begin
-   * there; r and θ are their polar coordinates, so that the upper lip is at
-   * θ = π. */
+   * as a face of the plane of symmetry, or where the two lips of a crack meet.
+   * Its own coordinates X and Y begin there; r and θ are their polar
+   * coordinates, so that the upper lip is at θ = π, and the lower one at −π. */
   struct CrackTip
   {
     dealii::Point<2>     position;
-    dealii::Tensor<1, 2> ahead;  ///< of X, along the plane of symmetry
-    dealii::Tensor<1, 2> inward; ///< of Y, into the body
+    dealii::Tensor<1, 2> ahead;  ///< of X, along the crack
+    dealii::Tensor<1, 2> inward; ///< of Y, into the body above the crack
+    /** Whether the body is modelled on both sides of the crack. */
+    bool two_lips = false;
 
     /** (X, Y) of a point. */
     dealii::Point<2>
@@ -28,6 +31,14 @@ namespace Crevasse
     {
       const dealii::Tensor<1, 2> distance = point - position;
       return {distance * ahead, distance * inward};
+    }
+
+    /** Whether (X, Y) is on the line of the crack, but for rounding. */
+    bool
+    is_on_line(const dealii::Point<2> &local) const
+    {
+      return std::abs(local[1]) <=
+             1e-8 * std::abs(local[0]) + 1e-14 * position.norm();
     }
 
     /** The rotation that makes (X, Y) components of those of the mesh. */
@@ -55,17 +66,23 @@ namespace Crevasse
   find_crack_tips(const dealii::Triangulation<2> &mesh,
                   const BoundaryRoles            &roles);
 
-  /** The one tip there must be.
+  /** The one tip of a half model that there must be.
    * @param wanted_by the parameter that asks for it, "[Section] Name = value".
-   * @throw SceneError if there is none, or more than one. */
+   * @throw SceneError if there is none, more than one, or one with two lips. */
   CrackTip
   only_crack_tip(const dealii::Triangulation<2> &mesh,
                  const BoundaryRoles            &roles,
                  const std::string              &wanted_by);
 
+  /** The only_crack_tip(), or all tips if the lips at each are two. */
+  std::vector<CrackTip>
+  crack_tips(const dealii::Triangulation<2> &mesh,
+             const BoundaryRoles            &roles,
+             const std::string              &wanted_by);
+
   /** Where faces of the lip go straight on as faces of the plane of symmetry in
-   * the coarse mesh: both ends of each edge in space, tips twice in the plane.
-   */
+   * the coarse mesh, and where two lips meet: both ends of each edge in space,
+   * tips twice in the plane. */
   template <int dim>
   using CrackFront =
     std::vector<std::pair<dealii::Point<dim>, dealii::Point<dim>>>;

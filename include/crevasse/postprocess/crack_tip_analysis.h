@@ -13,24 +13,26 @@
 
 namespace Crevasse
 {
-  /** All that is read off at the crack tip of one run. */
+  /** All that is read off at a crack tip of one run. */
   class CrackTipAnalysis
   {
   public:
     /** Finds what is wrong with the tip, before anything is computed.
      * Collective. Arguments must outlive this object.
      * @throw SceneError */
-    CrackTipAnalysis(const Scene        &scene,
-                     const Body<2>      &body,
-                     const SecularSplit &split,
-                     const StepList     &steps);
+    CrackTipAnalysis(const Scene                                &scene,
+                     const Body<2>                              &body,
+                     const CrackTip                             &tip,
+                     const SecularSplit                         &split,
+                     const StepList                             &steps,
+                     const std::shared_ptr<const PointGeometry> &geometry);
 
     /** One line for the log. */
     std::string
     describe() const;
 
-    /** C* = K²/E'_η with the K of the mean stress, which is η times the strain
-     * rate of the flow. */
+    /** C* = Σ K²/E'_η over the modes with the K of the mean stress, which is η
+     * times the strain rate of the flow. */
     std::optional<double>
     c_star(const SecularFlow *flow) const;
 
@@ -57,6 +59,14 @@ namespace Crevasse
     std::optional<TipRegion::Uniform> viscous_region; ///< likewise
     const bool                        mean_load_vanishes;
   };
+
+  /** Of the one tip of a half model, or of each tip with two lips. Collective.
+   * Arguments must outlive what is returned. @throw SceneError */
+  std::vector<std::unique_ptr<const CrackTipAnalysis>>
+  analyse_crack_tips(const Scene        &scene,
+                     const Body<2>      &body,
+                     const SecularSplit &split,
+                     const StepList     &steps);
 } // namespace Crevasse
 
 #endif

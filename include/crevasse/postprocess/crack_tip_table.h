@@ -6,13 +6,7 @@
 
 #include <crevasse/base/csv_table.h>
 #include <crevasse/base/format.h>
-#include <crevasse/base/log.h>
-#include <crevasse/discretisation/stress_estimator.h>
-#include <crevasse/model/elastic_displacement.h>
-#include <crevasse/model/largest_load.h>
-#include <crevasse/postprocess/crack_tip_analysis.h>
-
-#include <deal.II/grid/grid_tools.h>
+#include <crevasse/postprocess/tip_uncertainty.h>
 
 namespace Crevasse
 {
@@ -37,10 +31,11 @@ namespace Crevasse
 
     /** References must outlive this object. Collective.
      *
+     * @param error_squares elastic_error_squares()
      * @param flow none: none was found.
      * @param table with the columns(). */
     CrackTipTable(const CrackTipAnalysis           &analysis,
-                  ContactSystemCache<2>            &systems,
+                  const dealii::Vector<float>      &error_squares,
                   const StepList                   &steps,
                   const std::optional<SecularFlow> &flow,
                   CsvTable                        &&table,
@@ -50,7 +45,7 @@ namespace Crevasse
       , flow(flow)
       , log(log)
       , table(std::move(table))
-      , relative_error(relative_energy_error(systems))
+      , relative_error(relative_energy_error(analysis, error_squares))
     {
     }
 
@@ -135,7 +130,14 @@ namespace Crevasse
                      history.least(),
                      history.largest(),
                      error));
-      warn_of_uncertainty(error, energy, summary);
+      warn_of_uncertainty(analysis,
+                          "K_I",
+                          {std::max(std::abs(history.largest()),
+                                    std::abs(history.least())),
+                           error},
+                          energy,
+                          summary,
+                          log);
       if (history.c_star && *history.c_star > 0.)
         log.line("  crack tip: C* = " + Text::from_number(*history.c_star));
       if (analysis.growth_law.empty())
@@ -186,64 +188,6 @@ namespace Crevasse
                                             sample.state.stress,
                                             sample.viscous_strain);
       return values;
-    }
-
-    /** Of the elastic body at the extreme loads, in the cells around the tip
-     * that touch no other material: what the mesh leaves. */
-    double
-    relative_energy_error(ContactSystemCache<2> &systems) const
-    {
-      StressEstimator<2> estimator(analysis.body.space,
-                                   analysis.body.points,
-                                   analysis.body.lip,
-                                   analysis.scene.loads);
-      look_at_elastic_states(analysis.body,
-                             systems,
-                             instants_of_extreme_loads(analysis.body, steps),
-                             estimator);
-      const dealii::Vector<float> squares = estimator.squares();
-      double                      sum     = 0.;
-      for (const auto &cell : owned_cells(analysis.body.space.mesh()))
-        {
-          const unsigned int i            = cell->active_cell_index();
-          const auto [begin, end_of_cell] = analysis.intensity.region.reach(i);
-          if (begin == 0. || end_of_cell < analysis.intensity.largest_radius())
-            sum += squares(i);
-        }
-      return dealii::Utilities::MPI::sum(sum,
-                                         analysis.body.space.communicator());
-    }
-
-    /** @param energy the largest strain energy of the last period. */
-    void
-    warn_of_uncertainty(const double error,
-                        const double energy,
-                        Summary     &summary)
-    {
-      // A crack that stays closed has an intensity of rounding: the density of
-      // the energy tells of which size others of its length would be.
-      constexpr double large = 0.1, negligible = 1e-3;
-      const double     density =
-        energy /
-        dealii::GridTools::volume(static_cast<const dealii::Triangulation<2> &>(
-          analysis.body.space.mesh()));
-      const double usual =
-        std::sqrt(analysis.body.law.stiffness_factor(0.) *
-                  analysis.intensity.elasticity(0.).modulus() * density *
-                  analysis.intensity.largest_radius());
-      if (const double size =
-            std::max(std::abs(history.largest()), std::abs(history.least()));
-          error > large * size && size > negligible * usual)
-        {
-          const std::string warning =
-            "[Crack tip] Stress intensity: K_I is uncertain by "
-            "about " +
-            Text::from_number(std::round(100. * error / size)) +
-            " %; refine the mesh ([Refinement]) or use [Discretisation] "
-            "Singular functions";
-          summary["warnings"].push_back(warning);
-          log.line("  warning: " + warning);
-        }
     }
 
     const CrackTipAnalysis           &analysis;

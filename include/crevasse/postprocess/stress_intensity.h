@@ -15,7 +15,8 @@ namespace Crevasse
    * K_I of a run at its instants: by the integrals over two squares, where the
    * field at the tip is Williams' series (the moduli are isotropic there and
    * the same on all sides), and by the fit. Squares and discs end where another
-   * boundary or material begins.
+   * boundary or material begins. Where the tip has two lips there is K_II too,
+   * and no fit.
    */
   class StressIntensity
   {
@@ -29,12 +30,21 @@ namespace Crevasse
       double error;
     };
 
+    /** What the integrals over the larger square give, and how much those over
+     * the smaller one differ. */
+    struct ModeEstimate
+    {
+      double intensity, error;
+    };
+
     /** Collective. Arguments must outlive this object.
      * @throw SceneError if the tip is not one whose field is known, or [Crack
      * tip] Radius or Method does not fit it. */
-    StressIntensity(const Scene    &scene,
-                    const Body<2>  &body,
-                    const StepList &steps);
+    StressIntensity(const Scene                                &scene,
+                    const Body<2>                              &body,
+                    const CrackTip                             &tip,
+                    const StepList                             &steps,
+                    const std::shared_ptr<const PointGeometry> &geometry);
 
     StressIntensity(const StressIntensity &) = delete;
 
@@ -46,12 +56,29 @@ namespace Crevasse
              const MaterialState<2> &material,
              const PlaneElasticity  &at_tip) const;
 
+    /** K_I and K_II of a tip with two lips. Collective. */
+    std::array<ModeEstimate, 2>
+    evaluate_modes(const double            t,
+                   const Sample           &sample,
+                   const MaterialState<2> &material,
+                   const PlaneElasticity  &at_tip) const;
+
+    /** Those whose K is found. */
+    std::vector<CrackMode>
+    modes() const
+    {
+      return region.tip.two_lips
+               ? std::vector<CrackMode>{CrackMode::opening, CrackMode::sliding}
+               : std::vector<CrackMode>{CrackMode::opening};
+    }
+
     /** "interaction integral" or "williams fit" */
     std::string
     method() const
     {
-      return name_of(integrals ? StressIntensityMethod::interaction_integral
-                               : StressIntensityMethod::williams_fit);
+      return name_of(!integrals.empty()
+                       ? StressIntensityMethod::interaction_integral
+                       : StressIntensityMethod::williams_fit);
     }
 
     /** Why it is the fit; empty: it is not. */
@@ -82,13 +109,14 @@ namespace Crevasse
     double
     radius() const
     {
-      return integrals ? square : fit_radius;
+      return integrals.empty() ? fit_radius : square;
     }
 
-    const Scene        &scene;
-    const Body<2>      &body;
-    const PointGeometry points;
-    const TipRegion     region;
+    const Scene                               &scene;
+    const Body<2>                             &body;
+    const std::shared_ptr<const PointGeometry> geometry; ///< keeps points
+    const PointGeometry                       &points;
+    const TipRegion                            region;
 
   private:
     /** Half the sides of squares, over the whole period; 0: it varies from the
@@ -100,6 +128,7 @@ namespace Crevasse
       double creep;
     };
 
+    /** Over the larger and the smaller square. */
     using Integrals = std::pair<InteractionIntegral, InteractionIntegral>;
 
     PlaneElasticity
@@ -117,7 +146,32 @@ namespace Crevasse
     choose_square() const;
 
     Integrals
-    make_integrals() const;
+    make_integrals(const CrackMode mode) const;
+
+    /** Of a mode, by its place in modes(). Collective. */
+    ModeEstimate
+    integrate(const unsigned int      mode,
+              const double            t,
+              const Sample           &sample,
+              const MaterialState<2> &material,
+              const PlaneElasticity  &at_tip) const;
+
+    double
+    open_length_of(const State &state) const
+    {
+      return open_length(body.lip,
+                         region.tip,
+                         state,
+                         body.space.communicator());
+    }
+
+    /** Whether K_I is 0. Creep may have left a singular stress at a closed tip.
+     */
+    bool
+    stays_closed(const double open) const
+    {
+      return open == 0. && !body.effects.viscosity.on;
+    }
 
     /** InteractionIntegral::Squares::creep, of as many cells or more. */
     double
@@ -136,13 +190,13 @@ namespace Crevasse
     double
     choose_fit_radius() const;
 
-    const PlaneElasticity          first_elasticity; ///< at t = 0
-    const UniformRadii             uniform;
-    const std::string              no_integral; ///< why; empty: there is one
-    const double                   square;      ///< of the integral
-    const std::optional<Integrals> integrals;   ///< large and small
-    const double                   fit_radius;
-    const NestedFits               fits;
+    const PlaneElasticity     first_elasticity; ///< at t = 0
+    const UniformRadii        uniform;
+    const std::string         no_integral; ///< why; empty: there is one
+    const double              square;      ///< of the integral
+    std::vector<Integrals>    integrals;   ///< of each of modes(), or none
+    double                    fit_radius = 0.;
+    std::optional<NestedFits> fits; ///< with one lip
   };
 } // namespace Crevasse
 

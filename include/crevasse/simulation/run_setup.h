@@ -62,10 +62,7 @@ namespace Crevasse
       solvers = choose_solvers(scene, body);
       if constexpr (dim == 2)
         if (scene.crack_tip.stress_intensity)
-          crack_tip = std::make_unique<const CrackTipAnalysis>(scene,
-                                                               body,
-                                                               secular_split,
-                                                               steps);
+          crack_tips = analyse_crack_tips(scene, body, secular_split, steps);
       const ComparedLip compared = scene.output.elastic_comparison;
       if (compared != ComparedLip::none)
         load_factors =
@@ -123,8 +120,8 @@ namespace Crevasse
     PeriodicChoice                          periodic_choice;
     SecularSplit                            secular_split;
     SolverChoice                            solvers;
-    std::unique_ptr<const CrackTipAnalysis> crack_tip;    ///< or null
-    std::optional<LoadFactors>              load_factors; ///< to compare by
+    std::vector<std::unique_ptr<const CrackTipAnalysis>> crack_tips;
+    std::optional<LoadFactors> load_factors; ///< to compare by
   };
 } // namespace Crevasse
 

@@ -62,6 +62,21 @@ def stress_intensity_charts(run):
                 "Energy release rate, both halves")
 
 
+def mixed_mode_charts(run, name):
+    """K_I and K_II of a tip with two lips, and where it would grow."""
+    table = run.tables[name]
+    kinds = ["K_I", "K_II", "equivalent_intensity"]
+    largest_kind = max(abs(table[column]).max() for column in kinds)
+    yield chart(run, table, kinds, "K (stress × √length)", "Stress intensity",
+                noise=ROUNDING * largest_kind)
+    rests = table["equivalent_intensity"] <= ROUNDING * largest_kind
+    yield chart(run, table | {"growth_angle": numpy.where(
+        rests, 0, table["growth_angle"])}, ["growth_angle"], "degrees from the crack",
+        "Direction of growth by the largest hoop stress")
+    yield chart(run, table, ["energy_release_rate"], "force / length",
+                "Energy release rate")
+
+
 def load_work_charts(run):
     yield chart(run, run.tables["load_work.csv"], ["load_work"], "force × length",
                 "Work ∫ loads · u")
@@ -120,7 +135,9 @@ def symbol(column):
     """u_1 as it is written: with indices below."""
     words = {"K_I_stress": "K_I by the fit to the stress",
              "K_I_singular": "K_I of the singular function",
-             "energy_release_rate": "G", "closed_nodes": "closed nodes", "load_work": "work"}
+             "equivalent_intensity": "equivalent K",
+             "energy_release_rate": "G", "growth_angle": "angle",
+             "closed_nodes": "closed nodes", "load_work": "work"}
     kind, _, index = column.partition("_")
     if not index.isdigit():
         return words.get(column, column)

@@ -18,12 +18,14 @@ Period = collections.namedtuple("Period", "number, begin, end")
 
 # Tables in which "nan" means unknown.
 MAY_BE_UNKNOWN = {"periods.csv": ("stress_change", "stress_error_estimate")}
-ROW_A_STEP = ("probe_", "contact.", "crack_tip.", "load_work.")
+ROW_A_STEP = ("probe_", "contact.", "crack_tip.", "crack_tip_", "load_work.")
 TABLES_OF_EFFECTS = {"contact": "contact.csv", "stress intensity": "crack_tip.csv"}
 # Columns that the charts take; a later version may have others, too.
 COLUMNS = {"probe_": ("t", "u_1", "s_11"),
            "contact.": ("t", "closed_nodes", "force", "largest_pressure"),
            "crack_tip.": ("t", "K_I", "energy_release_rate"),
+           "crack_tip_": ("t", "K_I", "K_II", "energy_release_rate", "growth_angle",
+                          "equivalent_intensity"),
            "load_work.": ("t", "load_work"),
            "periods.": ("period", "t_end", "stress_change",
                         "stress_error_estimate"),
@@ -164,6 +166,9 @@ class Run:
                   named_points(self.parameter("Output/Probes"))]
         names += [name for effect, name in TABLES_OF_EFFECTS.items()
                   if self.summary.get("effects", {}).get(effect, {}).get("on")]
+        if tips := self.summary.get("crack_tips"):  # with two lips
+            names = [name for name in names if name != "crack_tip.csv"]
+            names += [f"crack_tip_{k}.csv" for k in range(1, len(tips) + 1)]
         for name in names:
             if not (self.directory / name).is_file():
                 self.note(self.directory / name, "is missing")

@@ -81,6 +81,11 @@ def history_groups(run):
     if "crack_tip.csv" in run.tables:
         groups.append({"heading": "Crack tip", "charts":
                        list(histories.stress_intensity_charts(run))})
+    for name in run.tables:
+        if name.startswith("crack_tip_"):
+            number = name[len("crack_tip_"):-len(".csv")]
+            groups.append({"heading": f"Crack tip {number}", "charts":
+                           list(histories.mixed_mode_charts(run, name))})
     if "load_work.csv" in run.tables:
         groups.append({"heading": "Loads", "charts":
                        list(histories.load_work_charts(run))})

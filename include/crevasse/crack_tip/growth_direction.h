@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_crack_tip_growth_direction_h
+#define crevasse_crack_tip_growth_direction_h
+
+#include <algorithm>
+#include <cmath>
+
+namespace Crevasse
+{
+  /** Where a crack with K_I and K_II grows, by the criterion of the largest
+   * hoop stress (Erdogan, Sih, J. Basic Eng. 85, 1963):
+   *
+   *     tan θ/2 = (K_I − √(K_I² + 8 K_II²)) / (4 K_II),
+   *     K       = cos θ/2 (K_I cos² θ/2 − 3/2 K_II sin θ).
+   *
+   * A crack that is pressed together has K_I = 0.
+   */
+  struct GrowthDirection
+  {
+    GrowthDirection(const double K_I, const double K_II)
+    {
+      const double opening = std::max(K_I, 0.);
+      // The same tangent, without cancellation.
+      angle               = 0. - 2. * std::atan2(2. * K_II,
+                                   opening + std::sqrt(opening * opening +
+                                                       8. * K_II * K_II));
+      const double cosine = std::cos(0.5 * angle);
+      intensity =
+        cosine * (opening * cosine * cosine - 1.5 * K_II * std::sin(angle));
+    }
+
+    double angle;     ///< θ, from straight ahead, counter-clockwise
+    double intensity; ///< K, of mode I with the same hoop stress
+  };
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,250 @@
+"""Cracks with two lips anywhere in a plate: K_I, K_II and the direction of growth
+at both tips, against closed forms of the infinite plate, against the half model,
+and by what must not change them."""
+
+import contextlib
+import io
+import math
+import pathlib
+import sys
+
+from crevasse_run import (SOURCE, check, check_below, check_close, execute, run,
+                          run_on)
+
+sys.path.insert(0, str(SOURCE / "source" / "python"))
+from crevasse import report as make_report  # noqa: E402
+
+# Code_Aster's SSLP313: an inclined crack in a plate of plane stress.
+A, ANGLE, STRESS, MODULUS = 1e-3, math.radians(37), 1e8, 2e11
+K_0 = STRESS * math.sqrt(math.pi * A)
+K_I = K_0 * math.cos(ANGLE)**2
+K_II = K_0 * math.sin(ANGLE) * math.cos(ANGLE)
+
+# Tension at t = 1/4, as much compression at t = 3/4.
+SCENE = """
+subsection Geometry
+  set Shape     = mesh file
+  set Mesh file = %s.msh
+end
+subsection Boundary
+  set Crack        = 5
+  set Loaded       = 3, 4
+  set Symmetry     = none
+  set Contact      = none
+  set Fixed points = %s
+end
+subsection Material
+  set Young modulus   = 2e11
+  set Poisson ratio   = 0.3
+  set Viscosity       = none
+  set Relaxation time = 0.2
+end
+subsection Loads
+  set Period   = 1
+  set Traction = %s
+end
+subsection Discretisation
+  set Degree = 2
+end
+subsection Refinement
+  set Strategy = tip
+  set Cycles   = %d
+end
+subsection Time integration
+  set Steps per period = 4
+end
+subsection Crack tip
+  set Stress intensity = true
+end
+subsection Output
+  set Fields = none
+end
+"""
+
+
+def lines(end):
+    """Grid lines from the middle of the crack on, in units of its half length."""
+    positions = [0, 0.5, 1, 1.5, 2, 2.75, 4, 6]
+    while positions[-1] < end:
+        positions.append(min(end, 1.6 * positions[-1] + 1))
+    return [-x for x in positions[:0:-1]] + positions
+
+
+def write_mesh(name, width, angle=0., turn=0., half=False, crack=(-1, 1)):
+    """A plate of |x| <= width, |y| <= 2 width with a crack that makes this
+    angle with x, all turned; squares around it are turned less and less from 2
+    to 6. Groups: 3 above, 4 below, 5 the crack; of the upper half 5 the lip and
+    6 the ligament."""
+    def place(x, y):
+        size = max(abs(x), abs(y))
+        part = min(1., max(0., math.log(6 / max(size, 2)) / math.log(3)))
+        c, s = (f(angle * part) for f in (math.cos, math.sin))
+        x, y = c * x - s * y, s * x + c * y
+        c, s = math.cos(turn), math.sin(turn)
+        return A * (c * x - s * y), A * (s * x + c * y)
+
+    xs = lines(width)
+    ys = [y for y in lines(2 * width) if y >= 0 or not half]
+    number = {(i, j): 1 + i + j * len(xs)
+              for j in range(len(ys)) for i in range(len(xs))}
+    nodes = [f"{k} {x!r} {y!r} 0" for (i, j), k in number.items()
+             for x, y in [place(xs[i], ys[j])]]
+    elements = []
+    for i in range(len(xs) - 1):
+        on_crack = crack[0] <= xs[i] and xs[i + 1] <= crack[1]
+        for j, y in enumerate(ys):
+            group = (3 if j == len(ys) - 1 else 5 if y == 0 and on_crack else
+                     6 if y == 0 and half else 4 if j == 0 else None)
+            if group:
+                elements.append((1, group, [number[i, j], number[i + 1, j]]))
+            if j < len(ys) - 1:
+                elements.append((3, 10, [number[i, j], number[i + 1, j],
+                                         number[i + 1, j + 1], number[i, j + 1]]))
+    rows = [f"{k} {kind} 2 {group} {group} " + " ".join(map(str, vertices))
+            for k, (kind, group, vertices) in enumerate(elements, 1)]
+    with open(f"{name}.msh", "w") as file:
+        file.write("\n".join(["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes",
+                              str(len(nodes)), *nodes, "$EndNodes", "$Elements",
+                              str(len(rows)), *rows, "$EndElements", ""]))
+
+    def text(x, y, components):
+        return "{!r}, {!r}: {}".format(*place(x, y), components)
+    if half:
+        return text(width, 0, 1)
+    return text(2, 0, 2) + "; " + text(width, 0, "1, 2")
+
+
+def scene(name, width, cycles, turn=0., **shape):
+    """Pulled along what was y before the plate was turned."""
+    supports = write_mesh(name, width, turn=turn, **shape)
+    s, c = math.sin(turn), math.cos(turn)
+    side = f"if({c!r}*y - {s!r}*x > 0, 1, -1)"
+    load = f"{STRESS!r}*sin(2*pi*t)*{side}"
+    return SCENE % (name, supports, f"{-s!r}*{load}; {c!r}*{load}", cycles)
+
+
+def tips(results, count=2):
+    """The tables of all tips."""
+    summary = results.summary["crack_tips"]
+    check(len(summary) == count, f"{len(summary)} tips instead of {count}")
+    return [results.table(f"crack_tip_{k + 1}.csv") for k in range(count)]
+
+
+def test_inclined():
+    """Open under tension, closed under as much compression, where K_I is 0 and
+    K_II changes its sign. The plate has K larger by a part of 1/width^2."""
+    found = {}
+    for width in (10, 20):
+        results = run(scene(f"inclined_{width}", width, 8, angle=ANGLE),
+                      f"inclined_{width}")
+        for table in tips(results):
+            found.setdefault(width, []).append(
+                (table["K_I"][1], table["K_II"][1], table["K_II"][3]))
+            check(table["K_I"][3] == 0., "a closed tip has no K_I")
+            G = (table["K_I"][1]**2 + table["K_II"][1]**2) / MODULUS
+            check_close(table["energy_release_rate"][1] / G, 1, 1e-12, "G")
+    for k, tip in enumerate(zip(*found.values())):
+        for name, exact, narrow, wide in zip(
+                ("K_I", "K_II", "K_II, closed"), (K_I, K_II, -K_II), *tip):
+            extrapolated = (4 * wide - narrow) / 3
+            print(f"tip {k + 1}, {name}: {narrow:.6g}, {wide:.6g}, "
+                  f"{extrapolated:.6g}, exact {exact:.6g}")
+            check_below(abs(extrapolated / exact - 1), 5e-3, f"tip {k + 1}, {name}")
+    for one, other in zip(*found[20]):
+        check_below(abs(one / other - 1), 1e-6, "both tips have the same K")
+
+    # The summary has the angle at which the tips grow: across the load.
+    for tip in results.summary["crack_tips"]:
+        half = math.tan(math.radians(tip["growth_angle"]) / 2)
+        K = tip["K_I"]["largest"], tip["K_II"]["largest"]
+        check_close(half, (K[0] - math.hypot(K[0], math.sqrt(8) * K[1])) / 4 / K[1],
+                    1e-9, "direction of growth")
+        check(-60 < tip["growth_angle"] < -37, "towards the line across the load")
+        check(tip["K_II"]["smallest"] < -0.9 * K_II, "shear of both signs")
+    with (contextlib.redirect_stdout(io.StringIO()),
+          contextlib.redirect_stderr(io.StringIO()) as stderr):
+        check(make_report.main(["results/inclined_20"]) == 0, stderr.getvalue())
+    page = open("results/inclined_20/report.html").read()
+    check("Crack tip 1" in page and "Crack tip 2" in page and "K_II" in page,
+          "the report has charts of both tips")
+
+
+def largest_difference(one, others, columns):
+    """Of tables, relative to the largest K of the first."""
+    size = max(abs(x) for column in ("K_I", "K_II") if column in one
+               for x in one[column])
+    return max(abs(a - b) / size for column, other in columns.items()
+               for a, b in zip(one[column], others[other], strict=True))
+
+
+def test_half_model():
+    """A crack across the load has the K_I of the half model on the same cells,
+    and no K_II: elastic, and with creep, where a mean load has a C*."""
+    edge = {"crack": (-4, 1)}
+    full_scene = scene("full", 4, 4, **edge)
+    half_scene = scene("half", 4, 4, half=True, **edge).replace(
+        "Crack        = 5", "Crack        = none").replace(
+        "Symmetry     = none", "Symmetry     = 6").replace(
+        "Contact      = none", "Contact      = 5")
+    for name, settings in (
+            ("elastic", []),
+            ("creeping", ["Material/Viscosity=relaxation time",
+                          "Time integration/Steps per period=40",
+                          "Loads/Traction=0; 1e8*(sin(2*pi*t) + 0.3)*if(y>0,1,-1)",
+                          "Periodic state/Secular split=automatic"])):
+        full = run(full_scene, f"full_{name}", settings)
+        half = run(half_scene, f"half_{name}", settings)
+        one, other = half.table("crack_tip.csv"), tips(full, 1)[0]
+        check_below(largest_difference(one, other, {"K_I": "K_I"}), 1e-7,
+                    f"K_I of full and half model, {name}")
+        check_below(max(map(abs, other["K_II"])) / max(one["K_I"]), 1e-7,
+                    f"K_II, {name}")
+        if name == "creeping":
+            a, b = half.summary["crack_tip"], full.summary["crack_tips"][0]
+            check(a["C_star"] > 0, "the mean load makes a flow")
+            check_below(abs(b["C_star"] / a["C_star"] - 1), 1e-7, "C*")
+
+
+def test_invariances():
+    """The whole plate turned, and on two processes."""
+    name = "as_it_is"
+    as_it_is = scene(name, 10, 4, angle=ANGLE)
+    expected = tips(run(as_it_is, name))
+    turned = tips(run(scene("turned", 10, 4, turn=0.4, angle=ANGLE), "turned"))
+    shared = tips(run_on(2, f"{name}.prm", "shared"))
+    for k in range(2):
+        for what, tables, allowed in (("turned", turned, 1e-7),
+                                      ("on two processes", shared, 1e-9)):
+            check_below(largest_difference(expected[k], tables[k],
+                                           {"K_I": "K_I", "K_II": "K_II"}),
+                        allowed, f"tip {k + 1}, {what}")
+
+
+def test_growth_law():
+    """Paris' law with the range of the equivalent intensity."""
+    results = run(scene("grows", 10, 4, angle=ANGLE), "grows", [
+        "Crack tip/Crack growth law=paris", "Crack tip/Paris factor=1e-20",
+        "Crack tip/Paris exponent=2"])
+    for table, tip in zip(tips(results), results.summary["crack_tips"]):
+        K = table["equivalent_intensity"]
+        check_close(tip["da_dN"] / (1e-20 * (max(K) - min(K))**2), 1, 1e-9, "da/dN")
+
+
+def test_refusals():
+    """What is known of cracks with one lip only."""
+    path = pathlib.Path("refused.prm")
+    path.write_text(scene("refused", 10, 1, angle=ANGLE))
+    for setting, message in (
+            ("Crack tip/Method=williams fit", "cracks with one lip"),
+            ("Discretisation/Singular functions=2", "has two lips")):
+        code, _, error = execute(path, "--check", "--set", setting)
+        print(error)
+        check(code == 2 and message in error, f"{setting}: status {code}, {error}")
+
+
+TESTS = [test_inclined, test_half_model, test_invariances, test_growth_law,
+         test_refusals]
+
+if __name__ == "__main__":
+    for test in TESTS:
+        test()
