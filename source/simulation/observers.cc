@@ -6,6 +6,7 @@
 #include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/mixed_mode_table.h>
 #include <crevasse/postprocess/probe_tables.h>
+#include <crevasse/postprocess/slip_while_closed.h>
 #include <crevasse/postprocess/stress_writer.h>
 #include <crevasse/simulation/elastic_comparison.h>
 #include <crevasse/simulation/observers.h>
@@ -338,6 +339,8 @@ namespace Crevasse
                   lip.force,
                   lip.largest_pressure};
         }));
+    if (!body.space.roles.crack.empty())
+      add(std::make_unique<SlipWhileClosed<dim>>(body, log));
     const auto motion = add(std::make_unique<SecularMotion<dim>>(work));
     if (setup.load_factors)
       add(std::make_unique<ElasticComparison<dim>>(work, motion->drift()));

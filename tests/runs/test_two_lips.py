@@ -8,7 +8,8 @@ import random
 
 from cracked import (BOTTOM, CRACK, FRONT, LEFT, TOP, at_edge, square, square_scene,
                      steps, turned, write_block)
-from crevasse_run import check, check_below, execute, run, run_on, tier
+from crevasse_run import (Results, check, check_below, execute, execute_on, overrides,
+                          run, run_on, tier)
 
 AUTOMATIC = ["Contact/Solver=condensed active set"]
 FOUR_STEPS = ["Time integration/Steps per period=12",
@@ -212,15 +213,11 @@ def test_space():
         "Refinement/Cycles=2"])
 
 
-def crossing(path, cracks):
-    """A clamped square with cracks along lines of the mesh: (normal, value, begin,
-    end) each."""
-    def is_crack(middle, normal):
-        return any(normal == axis and abs(middle[axis] - value) < 1e-9
-                   and begin < middle[1 - axis] < end
-                   for axis, value, begin, end in cracks)
-    return write_block(path, [steps(0, 1, 8), steps(0, 1, 8)], is_crack,
-                       turned(20))
+def along(cracks):
+    """On cracks along lines of the mesh: (normal, value, begin, end) each."""
+    return lambda middle, normal: any(
+        normal == axis and abs(middle[axis] - value) < 1e-9
+        and begin < middle[1 - axis] < end for axis, value, begin, end in cracks)
 
 
 SCENE_OF_SQUARE = f"""
@@ -248,6 +245,53 @@ end
 """
 
 
+def compare_contact(one, other, bound, what):
+    mine, theirs = (results.table("contact.csv") for results in (one, other))
+    for column in ("force", "largest_pressure"):
+        if largest(theirs[column]) > 0.:
+            check_below(difference(mine[column], theirs[column]), bound,
+                        f"{what}: {column}")
+
+
+def test_random_scenes():
+    """Cracks along the lines of a distorted mesh, which may cross, with gaps, in
+    two materials, under random loads: the contact solvers agree."""
+    for seed in range(tier(4, 100)):
+        generator = random.Random(seed)
+        n = 8
+        shift = {(i, j): (generator.uniform(-0.02, 0.02), generator.uniform(-0.02, 0.02))
+                 for i in range(n + 1) for j in range(n + 1)}
+        turn = turned(generator.uniform(0, 360))
+
+        def place(point):
+            dx, dy = shift[round(n * point[0]), round(n * point[1])]
+            return turn((point[0] + dx, point[1] + dy))
+        cracks = []
+        for _ in range(generator.randint(1, 3)):
+            begin = generator.randint(1, n - 4) / n
+            cracks.append((generator.randint(0, 1), generator.randint(1, n - 1) / n,
+                           begin, begin + generator.randint(2, 3) / n))
+        soft = generator.random()
+        write_block("random.msh", [steps(0, 1, n)] * 2, along(cracks), place,
+                    lambda middle: 1 + (middle[0] > soft))
+        settings = ["Geometry/Mesh file=random.msh",
+                    f"Discretisation/Degree={generator.randint(1, 2)}",
+                    "Material/Young modulus=1000*material",
+                    f"Boundary/Gap=-{generator.choice((0, 1e-3))}*x^2",
+                    f"Loads/Traction={generator.uniform(-9, 9)}*cos(2*pi*t); "
+                    f"{generator.uniform(-9, 9)}*sin(2*pi*t)"]
+        one, other, third = (run(SCENE_OF_SQUARE, f"random_{solver[:3]}", [
+            *settings, f"Contact/Solver={solver}"]) for solver in (
+                "condensed active set", "active set", "projected sor"))
+        compare_contact(other, one, 1e-8, f"seed {seed}")
+        compare_contact(third, one, 1e-6, f"seed {seed}, SOR")
+        if seed % 10 == 0:
+            pathlib.Path("random.prm").write_text(SCENE_OF_SQUARE)
+            n_ranks = (2, 3, 7)[seed // 10 % 3]
+            compare_contact(run_on(n_ranks, "random.prm", "random_ranks", settings),
+                            one, 1e-8, f"seed {seed}, {n_ranks} processes")
+
+
 def test_crossing_cracks():
     """T- and X-shaped, kinked and interacting cracks: two contact solvers
     agree."""
@@ -257,18 +301,61 @@ def test_crossing_cracks():
               "two": [(1, 0.5, 0.2, 0.6), (1, 0.25, 0.5, 0.9)],
               "border": [(0, 0.5, 0.5, 1.)]}
     for name, cracks in shapes.items():
-        crossing(f"{name}.msh", cracks)
+        write_block(f"{name}.msh", [steps(0, 1, 8)] * 2, along(cracks), turned(20))
         mesh = f"Geometry/Mesh file={name}.msh"
-        ways = [run(SCENE_OF_SQUARE, name, [mesh, *more]) for more in (
-            ["Contact/Solver=condensed active set"],
-            ["Contact/Solver=active set"], ["Contact/Solver=projected sor"])]
+        ways = [run(SCENE_OF_SQUARE, f"{name}_{solver[:3]}", [
+            mesh, f"Contact/Solver={solver}"]) for solver in (
+                "condensed active set", "active set", "projected sor")]
         for other in ways[1:]:
-            mine, theirs = (way.table("contact.csv") for way in (ways[0], other))
-            for column in mine:
-                if column != "t" and largest(theirs[column]) > 0.:
-                    check_below(difference(mine[column], theirs[column]), 1e-7,
-                                f"{name}: {column}")
+            compare_contact(other, ways[0], 1e-7, name)
         check(ways[0].summary["contact_nodes"] > 2, "contact nodes")
+
+
+def test_resumed():
+    """A run that goes on ends as one that never ended, byte for byte; on other
+    processes to rounding."""
+    square("full_17.msh", degrees=17)
+    scene = write("resumed.prm", square_scene("full_17.msh", 17))
+    redistributes = ["Output/Checkpoint every=2", "Periodic state/Tolerance=0",
+                     "Material/Viscosity=isotropic",
+                     "Material/Viscous modulus=780000*if(x<0.3,0.2,1)",
+                     "Material/Viscous Poisson ratio=0.4"]
+
+    def go(name, n_periods, *more, way=execute):
+        return way(scene, "--output", f"results/{name}", *more, *overrides(
+            [*redistributes, f"Periodic state/Maximum periods={n_periods}"]))
+    for name, n_periods in (("whole", 5), ("part", 3), ("part_of_3", 3)):
+        status, _, error = go(name, n_periods, "--force")
+        check(status == 0, error)
+    status, _, error = go("part", 5, "--resume")
+    check(status == 0, error)
+    for table in ("probe_mouth.csv", "contact.csv"):
+        check(pathlib.Path("results/part", table).read_bytes() ==
+              pathlib.Path("results/whole", table).read_bytes(), table)
+    status, _, error = go("part_of_3", 5, "--resume",
+                          way=lambda *words: execute_on(3, *words))
+    check(status == 0, error)
+    check_below(compare_histories(Results("results/part_of_3"),
+                                  Results("results/whole")), 1e-9,
+                "resumed on three processes")
+
+
+def test_slip():
+    """Closed lips slide where the body is sheared, and not by symmetry."""
+    square("full.msh")
+    pressed = run(square_scene("full.msh"), "pressed", [
+        *AUTOMATIC, "Loads/Traction=0; -(5+sin(2*pi*t/600))*y"])
+    check(pressed.table("contact.csv")["closed_nodes"][-1] == 7, "all is closed")
+    slip = pressed.summary["slip_while_closed"]["largest"]
+    size = pressed.summary["extremes"]["displacement"]
+    check_below(slip / size, 1e-9, "slip of symmetric lips")
+    sheared = run(square_scene("full.msh"), "sheared", [
+        *AUTOMATIC, f"Boundary/Clamped={BOTTOM}", f"Boundary/Loaded={TOP}",
+        "Boundary/Fixed points=none", "Loads/Traction=sin(2*pi*t/600); -5"])
+    slip = sheared.summary["slip_while_closed"]
+    size = sheared.summary["extremes"]["displacement"]
+    check(slip["largest"] > 0.01 * size and abs(slip["at"][1]) < 1e-12,
+          f"sheared lips slide: {slip}")
 
 
 def test_unmatched_lip():
@@ -289,4 +376,7 @@ test_ranks()
 test_adapted_meshes()
 test_space()
 test_crossing_cracks()
+test_random_scenes()
+test_resumed()
+test_slip()
 test_unmatched_lip()

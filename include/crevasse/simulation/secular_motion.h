@@ -100,8 +100,9 @@ namespace Crevasse
                                 {"why", work.start.split.effect.why}};
       if (effects.viscosity.on)
         {
-          const double period   = work.steps.period();
-          drift["largest_rate"] = gain.linfty_norm() / period;
+          const double period = work.steps.period();
+          drift["largest_rate"] =
+            largest_displacement(setup.body.space, gain) / period;
           for (const auto &probe : setup.probes)
             drift["per_probe"][probe.name()] =
               components(probe.displacement(gain) / period);
@@ -201,9 +202,10 @@ namespace Crevasse
     summarise_flow(Summary &secular) const
     {
       State mean;
-      mean.displacement        = work.start.flow->velocity;
-      mean.contact_forces      = work.start.flow->contact_forces;
-      secular["largest_rate"]  = mean.displacement.linfty_norm();
+      mean.displacement   = work.start.flow->velocity;
+      mean.contact_forces = work.start.flow->contact_forces;
+      secular["largest_rate"] =
+        largest_displacement(setup.body.space, mean.displacement);
       secular["contact_force"] = dealii::Utilities::MPI::sum(
         contact_force(setup.body.lip, mean.contact_forces), communicator);
       for (const auto &probe : setup.probes)
