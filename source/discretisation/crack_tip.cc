@@ -169,6 +169,12 @@ namespace Crevasse
                        "of the plane of symmetry ([Boundary] Symmetry), or "
                        "where the lips of a [Boundary] Crack meet. Give "
                        "the body a crack, or turn this off.");
+    for (const CrackTip &tip : tips)
+      if (tip.two_lips)
+        throw SceneError(wanted_by + ": the crack at " +
+                         Text::from_point(tip.position) +
+                         " has two lips ([Boundary] Crack), where one on a "
+                         "plane of symmetry is needed. Turn this off.");
     if (tips.size() > 1)
       {
         std::vector<std::string> places;
@@ -180,11 +186,6 @@ namespace Crevasse
                          ", where one is allowed. Model a part with one of "
                          "them, using symmetry, or turn this off.");
       }
-    if (tips.front().two_lips)
-      throw SceneError(wanted_by + ": the crack at " +
-                       Text::from_point(tips.front().position) +
-                       " has two lips ([Boundary] Crack), where one on a plane "
-                       "of symmetry is needed. Turn this off.");
     return tips.front();
   }
 
