@@ -60,16 +60,25 @@ namespace Crevasse
     // φ = −i √z/√(2π) and ψ = −3/2 φ have K_II = 1, and lips without traction.
     // Differentiated along the crack they are Φ = φ′ and Ψ = 3/2 Φ or −½ Φ,
     // and 2μ u^B = κ Φ − rest.
-    const bool    opens = mode == CrackMode::opening;
-    const double  n     = opens ? 1.5 : -0.5; // Ψ/Φ
+    // T has Φ = −1/(2πz) and Ψ = 0, a force at the tip differentiated. The
+    // stress function vanishes on the lips.
+    const double n     = mode == CrackMode::opening
+                           ? 1.5
+                           : (mode == CrackMode::sliding ? -0.5 : 0.); // Ψ/Φ
+    const double power = mode == CrackMode::constant ? -1. : -0.5; // of z in Φ
     const Complex unit_factor =
-      (opens ? Complex(1., 0.) : Complex(0., -1.)) * (tip.two_lips ? 0.5 : 1.);
+      (mode == CrackMode::sliding ? Complex(0., -1.) : Complex(1., 0.)) *
+      (tip.two_lips ? 0.5 : 1.);
     const Complex z(local[0], tip.two_lips ? local[1] : std::max(local[1], 0.));
-    const Complex Phi    = unit_factor * 0.5 / std::sqrt(2. * numbers::PI * z);
-    const Complex slope  = -0.5 * Phi / z;
-    const Complex second = -1.5 * slope / z;
-    const Complex rest   = z * std::conj(slope) + n * std::conj(Phi);
-    const double  airy = (std::conj(z) * Phi + 2. * n * z * Phi).real(); // φ^B
+    const Complex Phi     = mode == CrackMode::constant
+                              ? -unit_factor * 0.5 / (numbers::PI * z)
+                              : unit_factor * 0.5 / std::sqrt(2. * numbers::PI * z);
+    const Complex slope   = power * Phi / z;
+    const Complex second  = (power - 1.) * slope / z;
+    const Complex rest    = z * std::conj(slope) + n * std::conj(Phi);
+    const double  on_lips = mode == CrackMode::constant ? (z * Phi).real() : 0.;
+    const double  airy    = // φ^B
+      (std::conj(z) * Phi + 2. * n * z * Phi).real() - on_lips;
     const Complex along           = Phi + rest; // ∂φ^B/∂X + i ∂φ^B/∂Y
     const double  mean            = 2. * slope.real();
     const Complex half_difference = // ½ (σ₂₂ − σ₁₁) + i σ₁₂

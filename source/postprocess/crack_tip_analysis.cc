@@ -130,17 +130,18 @@ namespace Crevasse
     const double size = intensity.region.aligned_radius(viscous_region->radius);
     double       c_star = 0.;
     for (const CrackMode mode : intensity.modes())
-      {
-        const double K =
-          InteractionIntegral(body,
-                              intensity.points,
-                              intensity.region,
-                              mode,
-                              scene.loads,
-                              {size, size, false})
-            .of_uniform_body(stress, flow->contact_forces, viscous.kappa());
-        c_star += K * K / viscous.modulus();
-      }
+      if (mode != CrackMode::constant)
+        {
+          const double K =
+            InteractionIntegral(body,
+                                intensity.points,
+                                intensity.region,
+                                mode,
+                                scene.loads,
+                                {size, size, false})
+              .of_uniform_body(stress, flow->contact_forces, viscous.kappa());
+          c_star += K * K / viscous.modulus();
+        }
     return c_star;
   }
 

@@ -243,7 +243,7 @@ namespace Crevasse
 
 
 
-  std::array<StressIntensity::ModeEstimate, 2>
+  std::array<StressIntensity::ModeEstimate, 3>
   StressIntensity::evaluate_modes(const double            t,
                                   const Sample           &sample,
                                   const MaterialState<2> &material,
@@ -252,7 +252,9 @@ namespace Crevasse
     const ModeEstimate opening = stays_closed(open_length_of(sample.state))
                                    ? ModeEstimate{0., 0.}
                                    : integrate(0, t, sample, material, at_tip);
-    return {{opening, integrate(1, t, sample, material, at_tip)}};
+    return {{opening,
+             integrate(1, t, sample, material, at_tip),
+             integrate(2, t, sample, material, at_tip)}};
   }
 
 

@@ -117,13 +117,15 @@ def test_inclined():
                       f"inclined_{width}")
         for table in tips(results):
             found.setdefault(width, []).append(
-                (table["K_I"][1], table["K_II"][1], table["K_II"][3]))
+                (table["K_I"][1], table["K_II"][1], table["K_II"][3],
+                 table["T_stress"][1]))
             check(table["K_I"][3] == 0., "a closed tip has no K_I")
             G = (table["K_I"][1]**2 + table["K_II"][1]**2) / MODULUS
             check_close(table["energy_release_rate"][1] / G, 1, 1e-12, "G")
     for k, tip in enumerate(zip(*found.values())):
         for name, exact, narrow, wide in zip(
-                ("K_I", "K_II", "K_II, closed"), (K_I, K_II, -K_II), *tip):
+                ("K_I", "K_II", "K_II, closed", "T"),
+                (K_I, K_II, -K_II, -STRESS * math.cos(2 * ANGLE)), *tip):
             extrapolated = (4 * wide - narrow) / 3
             print(f"tip {k + 1}, {name}: {narrow:.6g}, {wide:.6g}, "
                   f"{extrapolated:.6g}, exact {exact:.6g}")

@@ -11,11 +11,14 @@
 
 namespace Crevasse
 {
-  /** How the lips move apart: across the crack or along it. */
+  /** What is found at a tip: how the lips move apart, across the crack or along
+   * it, and s₁₁ − s₂₂ of the constant stress beside the singular one: T, as
+   * open lips have no s₂₂. */
   enum class CrackMode
   {
-    opening, ///< I
-    sliding  ///< II
+    opening, ///< K_I
+    sliding, ///< K_II
+    constant ///< T
   };
 
   /** The weight q = (1 − X²/R²)ⁿ (1 − Y²/R²)ⁿ of the interaction integral, the

@@ -12,7 +12,7 @@
 namespace Crevasse
 {
   /**
-   * crack_tip_N.csv: K_I and K_II of the N-th tip with two lips at each
+   * crack_tip_N.csv: K_I, K_II and T of the N-th tip with two lips at each
    * accepted step, and what follows from them.
    *
    * The errors are those of StressIntensity::ModeEstimate, or √(K_I² + K_II²)
@@ -52,7 +52,8 @@ namespace Crevasse
               "K_II_error",
               "energy_release_rate",
               "growth_angle",
-              "equivalent_intensity"};
+              "equivalent_intensity",
+              "T_stress"};
     }
 
     void
@@ -70,7 +71,8 @@ namespace Crevasse
                      v.error[1],
                      v.release_rate,
                      v.growth_angle,
-                     v.equivalent});
+                     v.equivalent,
+                     v.t_stress});
     }
 
     void
@@ -123,6 +125,9 @@ namespace Crevasse
                           [](const Values &a, const Values &b) {
                             return a.equivalent < b.equivalent;
                           });
+      const auto [least_T, most_T] =
+        range([](const Values &v) { return v.t_stress; });
+      tip["T_stress"] = {{"largest", most_T}, {"smallest", least_T}};
       tip["equivalent_intensity"] = {{"largest", worst.equivalent}};
       tip["growth_angle"]         = worst.growth_angle;
       summarise_growth(tip, title);
@@ -138,7 +143,8 @@ namespace Crevasse
       double                release_rate;
       double                growth_angle; ///< in degrees
       double                equivalent;   ///< GrowthDirection::intensity
-      double                energy;       ///< of the whole body
+      double                t_stress;
+      double                energy; ///< of the whole body
     };
 
     Values
@@ -165,6 +171,7 @@ namespace Crevasse
       const GrowthDirection growth(values.intensity[0], values.intensity[1]);
       values.growth_angle = growth.angle * 180. / dealii::numbers::PI;
       values.equivalent   = growth.intensity;
+      values.t_stress     = modes[2].intensity;
       values.energy       = analysis.energy.value(material,
                                             sample.state.stress,
                                             sample.viscous_strain);

@@ -15,8 +15,8 @@ namespace Crevasse
    * K_I of a run at its instants: by the integrals over two squares, where the
    * field at the tip is Williams' series (the moduli are isotropic there and
    * the same on all sides), and by the fit. Squares and discs end where another
-   * boundary or material begins. Where the tip has two lips there is K_II too,
-   * and no fit.
+   * boundary or material begins. Where the tip has two lips there are K_II and
+   * T too, and no fit.
    */
   class StressIntensity
   {
@@ -56,20 +56,20 @@ namespace Crevasse
              const MaterialState<2> &material,
              const PlaneElasticity  &at_tip) const;
 
-    /** K_I and K_II of a tip with two lips. Collective. */
-    std::array<ModeEstimate, 2>
+    /** K_I, K_II and T of a tip with two lips. Collective. */
+    std::array<ModeEstimate, 3>
     evaluate_modes(const double            t,
                    const Sample           &sample,
                    const MaterialState<2> &material,
                    const PlaneElasticity  &at_tip) const;
 
-    /** Those whose K is found. */
+    /** What is found. */
     std::vector<CrackMode>
     modes() const
     {
-      return region.tip.two_lips
-               ? std::vector<CrackMode>{CrackMode::opening, CrackMode::sliding}
-               : std::vector<CrackMode>{CrackMode::opening};
+      if (!region.tip.two_lips)
+        return {CrackMode::opening};
+      return {CrackMode::opening, CrackMode::sliding, CrackMode::constant};
     }
 
     /** "interaction integral" or "williams fit" */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-// The interaction integral at a tip with two lips: it finds K_I and K_II, each
-// alone, in exact stress fields, whatever the direction of the crack.
+// The interaction integral at a tip with two lips: it finds K_I, K_II and T,
+// each alone, in exact stress fields, whatever the direction of the crack.
 
 #include <crevasse/crack_tip/growth_direction.h>
 #include <crevasse/crack_tip/interaction_integral.h>
@@ -87,9 +87,9 @@ namespace
 
 
 
-  /** K_I and K_II of a stress with this pressure on the lips. */
+  /** K_I, K_II and T of a stress with this pressure on the lips. */
   template <typename Stress>
-  std::array<double, 2>
+  std::array<double, 3>
   intensities(const Body<2>       &body,
               const PointGeometry &points,
               const TipRegion     &region,
@@ -116,11 +116,12 @@ namespace
     for (const auto &node : body.lip.nodes)
       forces.push_back(pressure * node.weight);
     const double          size = region.largest_radius();
-    std::array<double, 2> K;
+    std::array<double, 3> K;
     const PlaneElasticity elasticity(body.law.stiffness.at(
       Place<2>{region.tip.position, 0., 0., dealii::types::material_id(0)}));
-    for (const CrackMode mode : {CrackMode::opening, CrackMode::sliding})
-      K[mode == CrackMode::opening ? 0 : 1] =
+    for (const CrackMode mode :
+         {CrackMode::opening, CrackMode::sliding, CrackMode::constant})
+      K[static_cast<unsigned int>(mode)] =
         InteractionIntegral(
           body, points, region, mode, LoadParameters(), {size, size, false})
           .of_uniform_body(stress, forces, elasticity.kappa());
@@ -153,18 +154,21 @@ namespace
     constexpr double accuracy    = 2e-3;
     const auto       check_found = [&](const std::string &of,
                                  const ExactStress &stress) {
-      const auto [K_I, K_II] = intensities(body, points, region, stress, 0.);
+      const auto [K_I, K_II, T] = intensities(body, points, region, stress, 0.);
       check_below(name + ": " + of + ", error of K_I",
                   std::abs(K_I - stress.K_I),
                   accuracy);
       check_below(name + ": " + of + ", error of K_II",
                   std::abs(K_II - stress.K_II),
                   accuracy);
+      check_below(name + ": " + of + ", error of T",
+                  std::abs(T - stress.T),
+                  accuracy);
     };
     check_found("mode I", {1., 0., 0., 0.});
     check_found("mode II", {0., 1., 0., 0.});
     check_found("both, T and more", {2., -1.5, 3., {0.4, -0.7}});
-    const auto [K_I, K_II] = intensities(
+    const auto [K_I, K_II, T] = intensities(
       body,
       points,
       region,
@@ -176,6 +180,7 @@ namespace
       1.);
     check_below(name + ": pressure all around, K_I", std::abs(K_I), accuracy);
     check_below(name + ": pressure all around, K_II", std::abs(K_II), accuracy);
+    check_below(name + ": pressure all around, T", std::abs(T), accuracy);
   }
 
 
