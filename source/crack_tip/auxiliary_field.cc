@@ -6,7 +6,6 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
-#include <complex>
 
 namespace Crevasse
 {
@@ -14,7 +13,7 @@ namespace Crevasse
 
   namespace
   {
-    using Complex = std::complex<double>;
+    using Complex = BuecknerField::Complex;
 
     /** A symmetric tensor with these components in the coordinates of the tip
      * as a vector in those of the mesh. */
@@ -47,6 +46,38 @@ namespace Crevasse
 
 
 
+  BuecknerField::BuecknerField(const Point<2> &local,
+                               const CrackMode mode,
+                               const bool      two_lips)
+  {
+    // Muskhelishvili's potentials: φ = √z/√(2π) and ψ = φ/2 have K_I = 1,
+    // φ = −i √z/√(2π) and ψ = −3/2 φ have K_II = 1, and lips without traction.
+    // Differentiated along the crack they are Φ = φ′ and Ψ = 3/2 Φ or −½ Φ.
+    // T has Φ = −1/(2πz) and Ψ = 0, a force at the tip differentiated. The
+    // stress function vanishes on the lips.
+    const bool    is_T  = mode == CrackMode::constant;
+    const double  n     = mode == CrackMode::opening
+                            ? 1.5
+                            : (mode == CrackMode::sliding ? -0.5 : 0.); // Ψ/Φ
+    const double  power = is_T ? -1. : -0.5; // of z in Φ
+    const Complex unit_factor =
+      (mode == CrackMode::sliding ? Complex(0., -1.) : Complex(1., 0.)) *
+      (two_lips ? 0.5 : 1.);
+    const Complex z(local[0], two_lips ? local[1] : std::max(local[1], 0.));
+    Phi                  = is_T ? -unit_factor * 0.5 / (numbers::PI * z)
+                                : unit_factor * 0.5 / std::sqrt(2. * numbers::PI * z);
+    const Complex slope  = power * Phi / z;
+    const Complex second = (power - 1.) * slope / z;
+    rest                 = z * std::conj(slope) + n * std::conj(Phi);
+    airy                 = (std::conj(z) * Phi + 2. * n * z * Phi).real() -
+           (is_T ? (z * Phi).real() : 0.);
+    along           = Phi + rest;
+    mean            = 2. * slope.real();
+    half_difference = std::conj(z) * second + n * slope;
+  }
+
+
+
   AuxiliaryField::AuxiliaryField(const CrackTip     &tip,
                                  const CrackMode     mode,
                                  const Point<2>     &point,
@@ -56,33 +87,8 @@ namespace Crevasse
     const auto     f = weight.factor(local[0]), g = weight.factor(local[1]);
     if (f[0] == 0. || g[0] == 0.)
       return;
-    // Muskhelishvili's potentials: φ = √z/√(2π) and ψ = φ/2 have K_I = 1,
-    // φ = −i √z/√(2π) and ψ = −3/2 φ have K_II = 1, and lips without traction.
-    // Differentiated along the crack they are Φ = φ′ and Ψ = 3/2 Φ or −½ Φ,
-    // and 2μ u^B = κ Φ − rest.
-    // T has Φ = −1/(2πz) and Ψ = 0, a force at the tip differentiated. The
-    // stress function vanishes on the lips.
-    const double n     = mode == CrackMode::opening
-                           ? 1.5
-                           : (mode == CrackMode::sliding ? -0.5 : 0.); // Ψ/Φ
-    const double power = mode == CrackMode::constant ? -1. : -0.5; // of z in Φ
-    const Complex unit_factor =
-      (mode == CrackMode::sliding ? Complex(0., -1.) : Complex(1., 0.)) *
-      (tip.two_lips ? 0.5 : 1.);
-    const Complex z(local[0], tip.two_lips ? local[1] : std::max(local[1], 0.));
-    const Complex Phi     = mode == CrackMode::constant
-                              ? -unit_factor * 0.5 / (numbers::PI * z)
-                              : unit_factor * 0.5 / std::sqrt(2. * numbers::PI * z);
-    const Complex slope   = power * Phi / z;
-    const Complex second  = (power - 1.) * slope / z;
-    const Complex rest    = z * std::conj(slope) + n * std::conj(Phi);
-    const double  on_lips = mode == CrackMode::constant ? (z * Phi).real() : 0.;
-    const double  airy    = // φ^B
-      (std::conj(z) * Phi + 2. * n * z * Phi).real() - on_lips;
-    const Complex along           = Phi + rest; // ∂φ^B/∂X + i ∂φ^B/∂Y
-    const double  mean            = 2. * slope.real();
-    const Complex half_difference = // ½ (σ₂₂ − σ₁₁) + i σ₁₂
-      std::conj(z) * second + n * slope;
+    const BuecknerField field(local, mode, tip.two_lips);
+    const auto &[Phi, rest, airy, along, mean, half_difference] = field;
 
     const double q = f[0] * g[0], q_1 = f[1] * g[0], q_2 = f[0] * g[1];
     const std::array<double, 3> rest_of_tau = {

@@ -228,6 +228,29 @@ namespace Crevasse
 
 
 
+  std::vector<FrontEdge>
+  oriented_crack_front(const Triangulation<3> &mesh, const BoundaryRoles &roles)
+  {
+    std::vector<FrontEdge> front;
+    for_each_end_of_lip<3>(mesh,
+                           roles,
+                           [&front](const unsigned int,
+                                    const FaceAtEnd<3> &lip,
+                                    const FaceAtEnd<3> &plane) {
+                             auto [first, last]  = plane.end;
+                             const auto   inward = -plane.normal;
+                             const double direction =
+                               cross_product_3d(inward, last - first) *
+                               (plane.center - lip.center);
+                             if (direction < 0.)
+                               std::swap(first, last);
+                             front.push_back({first, last, inward});
+                           });
+    return front;
+  }
+
+
+
   template CrackFront<2>
   crack_front<2>(const Triangulation<2> &, const BoundaryRoles &);
   template CrackFront<3>

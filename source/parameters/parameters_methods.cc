@@ -244,14 +244,16 @@ namespace Crevasse
                       "Whether crack_tip.csv has the stress intensity "
                       "factor K_I of each step, or crack_tip_1.csv, "
                       "crack_tip_2.csv, ... K_I and K_II of each tip of "
-                      "cracks with two lips.");
+                      "cracks with two lips; in space crack_front.csv that "
+                      "along the front in the last period.");
     add_selection("Method", method, prm);
     prm.add_parameter(
       "Radius",
       radius,
       "Half the side of that square at most, so that it cuts no "
       "cell, or the larger radius of the fit where that gives "
-      "K_I, in units of length; 0: automatic.",
+      "K_I, in units of length; in space, half the side of the square "
+      "across the front; 0: automatic.",
       not_negative);
     add_selection("Crack growth law", growth_law, prm);
     prm.add_parameter("Paris factor",

@@ -41,10 +41,16 @@ namespace Crevasse
                        " formulas, one for each dimension, separated by "
                        "semicolons, or nothing");
 
-      Checker(CrackTipParameters::section, problems)
-        .demand(!scene.crack_tip.stress_intensity || is_plane,
-                "Stress intensity",
-                "is for Dimension = 2: in space K varies along the front");
+      const Checker crack_tip(CrackTipParameters::section, problems);
+      crack_tip.demand(is_plane || scene.crack_tip.method !=
+                                     StressIntensityMethod::williams_fit,
+                       "Method",
+                       "williams fit is for Dimension = 2");
+      crack_tip.demand(is_plane ||
+                         scene.crack_tip.growth_law == GrowthLawType::none,
+                       "Crack growth law",
+                       "is for Dimension = 2: in space K varies along the "
+                       "front");
     }
 
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/model/largest_load.h>
+#include <crevasse/postprocess/crack_front_table.h>
 #include <crevasse/postprocess/crack_tip_table.h>
 #include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/mixed_mode_table.h>
@@ -11,6 +12,7 @@
 #include <crevasse/simulation/elastic_comparison.h>
 #include <crevasse/simulation/observers.h>
 #include <crevasse/simulation/secular_motion.h>
+#include <crevasse/simulation/tables.h>
 
 #include <deal.II/base/bounding_box.h>
 
@@ -235,39 +237,6 @@ namespace Crevasse
 
 
 
-    /** The tables of a run, which rank 0 writes. */
-    class Tables
-    {
-    public:
-      template <int dim>
-      explicit Tables(const Workspace<dim> &work)
-        : is_continuing(work.state.has_tables())
-        , directory(work.output.directory)
-        , writes(Utilities::MPI::this_mpi_process(
-                   work.setup.body.space.communicator()) == 0)
-      {
-      }
-
-      /** One more, without a file on ranks that do not write. */
-      CsvTable
-      table(const std::string &name, const std::vector<std::string> &columns)
-      {
-        names.push_back(name);
-        return CsvTable(writes ? directory + '/' + name : std::string(),
-                        columns,
-                        is_continuing);
-      }
-
-      std::vector<std::string> names;
-
-    private:
-      const bool        is_continuing; ///< whether they have rows already
-      const std::string directory;
-      const bool        writes;
-    };
-
-
-
     /** ∫ loads · u (force times length, per thickness in the plane). For an
      * elastic body whose lip has no gap half of it is the strain energy, and
      * minus that half the least potential energy, against which errors in the
@@ -369,6 +338,9 @@ namespace Crevasse
                 tables.table("crack_tip.csv", CrackTipTable::columns(*tip)),
                 log));
         }
+    if (setup.crack_front != nullptr)
+      add(std::make_unique<CrackFrontTable>(
+        *setup.crack_front, work.steps, tables.path("crack_front.csv"), log));
     if (body.effects.field_output.on)
       add(make_field_writer(work));
     if (setup.scene.output.load_work)

@@ -360,6 +360,8 @@ namespace Crevasse
       log.line("  contact solver: " + setup.solvers.contact.describe());
     for (const auto &tip : setup.crack_tips)
       log.line(tip->describe());
+    if (setup.crack_front != nullptr)
+      log.line(setup.crack_front->describe());
     for (const auto &probe : setup.probes)
       if (const auto &side = probe.side_of_interface)
         log.line("  probe " + probe.name() +

@@ -7,6 +7,7 @@ from crevasse_run import (SECONDS, SOURCE, check, check_below, check_close, full
                           run)
 
 SCENES = SOURCE / "tests/scenes"
+PENNY = pathlib.Path("prm/penny_crack.prm")  # test_crack_front.py makes its mesh
 BODY = pathlib.Path("prm/raous1980_body.prm")  # is not a scene by itself
 
 
@@ -109,6 +110,7 @@ def test_shipped_scenes():
     scenes = {path.relative_to(SOURCE): path
               for path in sorted(SOURCE.glob("prm/**/*.prm"))}
     del scenes[BODY]
+    del scenes[PENNY]
     for name, path in scenes.items():
         before = SECONDS[0]
         results = run(path, f"shipped_{path.stem}")

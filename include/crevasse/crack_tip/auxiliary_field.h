@@ -8,6 +8,7 @@
 #include <crevasse/material/voigt.h>
 
 #include <cmath>
+#include <complex>
 
 namespace Crevasse
 {
@@ -43,6 +44,25 @@ namespace Crevasse
                2. * exponent * last * ((2. * exponent - 1.) * s * s - 1.) /
                  (radius * radius)}};
     }
+  };
+
+  /** The auxiliary field of the interaction integral: that of a unit K,
+   * differentiated along the crack, Bueckner's, with the stress function φ^B
+   * and 2μ u^B = κ Φ − rest; half of it around a tip with two lips. */
+  struct BuecknerField
+  {
+    using Complex = std::complex<double>;
+
+    /** @param local (X, Y), not (0, 0). */
+    explicit BuecknerField(const dealii::Point<2> &local,
+                           const CrackMode         mode = CrackMode::opening,
+                           const bool              two_lips = false);
+
+    Complex Phi, rest;
+    double  airy;            ///< φ^B
+    Complex along;           ///< ∂φ^B/∂X + i ∂φ^B/∂Y
+    double  mean;            ///< ½ (σ₁₁ + σ₂₂)
+    Complex half_difference; ///< ½ (σ₂₂ − σ₁₁) + i σ₁₂
   };
 
   /**

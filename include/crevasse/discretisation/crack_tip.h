@@ -91,6 +91,18 @@ namespace Crevasse
   CrackFront<dim>
   crack_front(const dealii::Triangulation<dim> &mesh,
               const BoundaryRoles              &roles);
+
+  /** An edge of the coarse mesh on the front of a crack in space, from its
+   * first vertex to its last so that ahead = inward × (last − first). */
+  struct FrontEdge
+  {
+    dealii::Point<3>     first, last;
+    dealii::Tensor<1, 3> inward; ///< normal of the crack plane, into the body
+  };
+
+  std::vector<FrontEdge>
+  oriented_crack_front(const dealii::Triangulation<3> &mesh,
+                       const BoundaryRoles            &roles);
 } // namespace Crevasse
 
 #endif

@@ -7,6 +7,7 @@
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/linear_choice.h>
 #include <crevasse/periodic/periodic_choice.h>
+#include <crevasse/postprocess/crack_front_analysis.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
 #include <crevasse/postprocess/load_factors.h>
 #include <crevasse/postprocess/probe.h>
@@ -63,6 +64,10 @@ namespace Crevasse
       if constexpr (dim == 2)
         if (scene.crack_tip.stress_intensity)
           crack_tips = analyse_crack_tips(scene, body, secular_split, steps);
+      if constexpr (dim == 3)
+        if (scene.crack_tip.stress_intensity)
+          crack_front =
+            std::make_unique<const CrackFrontAnalysis>(scene, body, steps);
       const ComparedLip compared = scene.output.elastic_comparison;
       if (compared != ComparedLip::none)
         load_factors =
@@ -121,6 +126,8 @@ namespace Crevasse
     SecularSplit                            secular_split;
     SolverChoice                            solvers;
     std::vector<std::unique_ptr<const CrackTipAnalysis>> crack_tips;
+    std::unique_ptr<const CrackFrontAnalysis>
+                               crack_front;  ///< in space, or null
     std::optional<LoadFactors> load_factors; ///< to compare by
   };
 } // namespace Crevasse

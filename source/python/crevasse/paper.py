@@ -11,7 +11,7 @@ import io
 import numpy
 from matplotlib import pyplot
 
-from crevasse import field_figures, probe_figures
+from crevasse import field_figures, front_figure, probe_figures
 from crevasse.fields import Fields
 from crevasse.plotting import round_number, write_png
 from crevasse.results import ResultsError, number
@@ -24,7 +24,8 @@ TITLES = {
     "figure4_stress_levels": "Figure 4: level curves of the stress",
     "figure5_principal_stresses": "Figure 5: principal stresses",
     "figure6_deviator_invariant":
-        "Figure 6: second invariant of the deviator"}
+        "Figure 6: second invariant of the deviator",
+    "front": "Stress intensity along the crack front in the last period"}
 
 
 def pictures(run):
@@ -35,6 +36,8 @@ def pictures(run):
                     f"{run.parameter('Periodic state/Maximum periods')}."]
     missing = []
     drawn = [*field_pictures(run, missing), *probe_pictures(run, missing)]
+    if "crack_front.csv" in run.tables:
+        drawn.append(encode("front", front_figure.intensity(run)))
     return sorted(drawn, key=lambda picture: picture.title), missing
 
 

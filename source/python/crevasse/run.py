@@ -19,13 +19,15 @@ Period = collections.namedtuple("Period", "number, begin, end")
 # Tables in which "nan" means unknown.
 MAY_BE_UNKNOWN = {"periods.csv": ("stress_change", "stress_error_estimate")}
 ROW_A_STEP = ("probe_", "contact.", "crack_tip.", "crack_tip_", "load_work.")
-TABLES_OF_EFFECTS = {"contact": "contact.csv", "stress intensity": "crack_tip.csv"}
+TABLES_OF_EFFECTS = {"contact": ("contact.csv", "contact.csv"),  # plane, space
+                     "stress intensity": ("crack_tip.csv", "crack_front.csv")}
 # Columns that the charts take; a later version may have others, too.
 COLUMNS = {"probe_": ("t", "u_1", "s_11"),
            "contact.": ("t", "closed_nodes", "force", "largest_pressure"),
            "crack_tip.": ("t", "K_I", "energy_release_rate"),
            "crack_tip_": ("t", "K_I", "K_II", "energy_release_rate", "growth_angle",
                           "equivalent_intensity"),
+           "crack_front.": ("t", "front", "s", "K_I", "K_I_error"),
            "load_work.": ("t", "load_work"),
            "periods.": ("period", "t_end", "stress_change",
                         "stress_error_estimate"),
@@ -164,7 +166,8 @@ class Run:
         names = ["periods.csv"]
         names += [f"probe_{name}.csv" for name, _ in
                   named_points(self.parameter("Output/Probes"))]
-        names += [name for effect, name in TABLES_OF_EFFECTS.items()
+        names += [of_dimension[self.dimension - 2]
+                  for effect, of_dimension in TABLES_OF_EFFECTS.items()
                   if self.summary.get("effects", {}).get(effect, {}).get("on")]
         if tips := self.summary.get("crack_tips"):  # with two lips
             names = [name for name in names if name != "crack_tip.csv"]

@@ -24,6 +24,8 @@ SHAPES = {
                     "K_I": {EACH: NUMBER}, "K_II": {EACH: NUMBER},
                     "energy_release_rate": {EACH: NUMBER},
                     "equivalent_intensity": {EACH: NUMBER}, "growth_angle": NUMBER}],
+    "crack_front": {"radius": NUMBER, "vertices": NUMBER, "K_I": {EACH: {
+        "value": NUMBER, "t": NUMBER, "s": NUMBER, "position": [NUMBER]}}},
     "contact_solver": {}, "linear_solver": {}, "time_integration": {},
     "libraries": {}, "elastic_comparison": {},
     "refinement": {"meshes": [{}], "readaptations": [{}]},

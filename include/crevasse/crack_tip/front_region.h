@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_crack_tip_front_region_h
+#define crevasse_crack_tip_front_region_h
+
+#include <crevasse/crack_tip/front_curve.h>
+#include <crevasse/discretisation/space.h>
+
+#include <array>
+
+namespace Crevasse
+{
+  /** The vertices of a mesh on the crack front, and the tube around it, in
+   * which the body ends nowhere but at the lip, the plane of symmetry and the
+   * planes across the ends of the front. Distances are max(|X|, |Y|). */
+  class FrontRegion
+  {
+  public:
+    /** Collective. @throw SceneError as FrontCurve does, or if the front of the
+     * refined mesh is not smooth, or another boundary too close. */
+    FrontRegion(const Space<3> &space, const std::string &wanted_by);
+
+    const FrontCurve curve;
+
+    /** One of the active mesh, hanging or not. */
+    struct Vertex
+    {
+      dealii::Point<3> point;
+      unsigned int     chain;
+      double           s; ///< arc length
+      /** To the neighbours on the front; 0: there is none. */
+      double before, after;
+
+      /** Of the hat function. */
+      double
+      integral() const
+      {
+        return 0.5 * (before + after);
+      }
+    };
+
+    std::vector<Vertex> vertices; ///< by chain and s, on all ranks the same
+
+    /** A hat function of a vertex somewhere, and its derivative. */
+    struct Hat
+    {
+      unsigned int vertex;
+      double       value, slope;
+    };
+
+    /** Those two that are not 0 there. */
+    std::array<Hat, 2>
+    hats(const FrontFrame &frame) const;
+
+    using Cell = dealii::Triangulation<3>::active_cell_iterator;
+
+    /** Whether a cell may reach into the tube of this size. */
+    bool
+    is_near(const Cell &cell, const double size) const
+    {
+      return distances[cell->active_cell_index()] - 0.6 * cell->diameter() <
+             std::sqrt(2.) * size;
+    }
+
+    /** Whether a vertex of the cell is on the front. */
+    bool
+    is_at_front(const Cell &cell) const
+    {
+      return at_front[cell->active_cell_index()];
+    }
+
+    double cell_radius  = 0.; ///< of the cells at the front
+    double largest_edge = 0.; ///< between vertices of the front
+
+    /** Where another boundary begins, or half the radius of curvature. */
+    double largest_radius = 0.;
+
+  private:
+    const std::string   wanted_by;
+    std::vector<double> distances; ///< of centers, by active cell index
+    std::vector<bool>   at_front;  ///< likewise
+
+    void
+    find_vertices(const Space<3> &space);
+    void
+    number_vertices(std::vector<Vertex> &found);
+    void
+    find_boundaries(const Space<3> &space);
+    bool
+    is_own_face(const Space<3>                                &space,
+                const dealii::Triangulation<3>::face_iterator &face,
+                const std::vector<FrontFrame>                 &frames) const;
+  };
+} // namespace Crevasse
+
+#endif

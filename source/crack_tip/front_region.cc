@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/of_all_ranks.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/crack_tip/front_region.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    double
+    size_in_tube(const FrontFrame &frame)
+    {
+      return std::max(std::abs(frame.X), std::abs(frame.Y));
+    }
+
+
+
+    bool
+    is_on_edge(const Point<3> &point, const FrontEdge &edge, const double tiny)
+    {
+      const Tensor<1, 3> along = edge.last - edge.first;
+      const double       where = (point - edge.first) * along / (along * along);
+      return point.distance(edge.first + std::clamp(where, 0., 1.) * along) <
+             tiny;
+    }
+
+
+
+    /** The frames at points of a face that is straight between its vertices. */
+    std::vector<FrontFrame>
+    frames_of(const FrontCurve                      &curve,
+              const Triangulation<3>::face_iterator &face)
+    {
+      constexpr unsigned int  n = 4;
+      std::vector<FrontFrame> frames;
+      for (unsigned int i = 0; i <= n; ++i)
+        for (unsigned int j = 0; j <= n; ++j)
+          {
+            const double u = double(i) / n, v = double(j) / n;
+            frames.push_back(curve.frame(Point<3>(
+              (1. - u) * (1. - v) * face->vertex(0) +
+              u * (1. - v) * face->vertex(1) + (1. - u) * v * face->vertex(2) +
+              u * v * face->vertex(3))));
+          }
+      return frames;
+    }
+  } // namespace
+
+
+
+  FrontRegion::FrontRegion(const Space<3> &space, const std::string &wanted_by)
+    : curve(space.mesh(), space.roles, wanted_by)
+    , wanted_by(wanted_by)
+    , distances(space.mesh().n_active_cells())
+    , at_front(space.mesh().n_active_cells())
+  {
+    find_vertices(space);
+    find_boundaries(space);
+    if (largest_radius < cell_radius * (1. - 1e-8))
+      throw SceneError(
+        wanted_by + ": the cells at the crack front reach to " +
+        Text::from_number(cell_radius) +
+        " around it, but another boundary begins, or the front curves, at " +
+        Text::from_number(largest_radius) +
+        ". Make these cells smaller ([Geometry] Subdivisions or the mesh "
+        "file, or [Refinement] Strategy = tip).");
+  }
+
+
+
+  void
+  FrontRegion::find_vertices(const Space<3> &space)
+  {
+    const std::vector<FrontEdge> edges =
+      oriented_crack_front(space.mesh(), space.roles);
+    std::vector<std::array<double, 5>> found; // coordinates, chain, s
+    double worst = 0.; // distance to the curve, of cells 1
+    for (const auto &cell : owned_cells(space.mesh()))
+      {
+        const unsigned int index  = cell->active_cell_index();
+        const double       length = cell->minimum_vertex_distance();
+        distances[index]          = curve.frame(cell->center()).distance();
+        if (!is_near(cell, 0.))
+          continue;
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const Point<3> &point = cell->vertex(v);
+            if (std::none_of(edges.begin(), edges.end(), [&](const auto &edge) {
+                  return is_on_edge(point, edge, 1e-6 * length);
+                }))
+              continue;
+            const FrontFrame frame = curve.frame(point);
+            worst                  = std::max(worst, frame.distance() / length);
+            at_front[index]        = true;
+            found.push_back(
+              {{point[0], point[1], point[2], double(frame.chain), frame.s}});
+          }
+        for (const unsigned int v : cell->vertex_indices())
+          if (at_front[index])
+            cell_radius =
+              std::max(cell_radius, size_in_tube(curve.frame(cell->vertex(v))));
+      }
+    const MPI_Comm communicator = space.communicator();
+    cell_radius           = Utilities::MPI::max(cell_radius, communicator);
+    constexpr double much = 0.1;
+    if (Utilities::MPI::max(worst, communicator) > much)
+      throw SceneError(
+        wanted_by +
+        ": the crack front is a polygon whose corners the refined mesh "
+        "resolves, and K_I is not smooth there. Use a finer mesh file and "
+        "fewer "
+        "[Refinement] Cycles or [Geometry] Refinements.");
+    std::vector<Vertex> all;
+    for (const auto &n : of_all_ranks(communicator, found))
+      all.push_back({Point<3>(n[0], n[1], n[2]),
+                     static_cast<unsigned int>(n[3]),
+                     n[4],
+                     0.,
+                     0.});
+    number_vertices(all);
+  }
+
+
+
+  void
+  FrontRegion::number_vertices(std::vector<Vertex> &found)
+  {
+    const auto length = [this](const Vertex &vertex) {
+      return curve.chains()[vertex.chain].length();
+    };
+    constexpr double rounding = 1e-9;
+    for (Vertex &vertex : found)
+      if (curve.chains()[vertex.chain].is_closed &&
+          vertex.s > (1. - rounding) * length(vertex))
+        vertex.s = 0.;
+    std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
+      return std::make_pair(a.chain, a.s) < std::make_pair(b.chain, b.s);
+    });
+    for (const Vertex &vertex : found)
+      if (vertices.empty() || vertices.back().chain != vertex.chain ||
+          vertex.s - vertices.back().s > rounding * length(vertex))
+        vertices.push_back(vertex);
+    for (unsigned int begin = 0, end = 0; begin < vertices.size(); begin = end)
+      {
+        while (end < vertices.size() &&
+               vertices[end].chain == vertices[begin].chain)
+          ++end;
+        for (unsigned int v = begin + 1; v < end; ++v)
+          vertices[v].before = vertices[v - 1].after =
+            vertices[v].s - vertices[v - 1].s;
+        if (curve.chains()[vertices[begin].chain].is_closed)
+          vertices[begin].before = vertices[end - 1].after =
+            length(vertices[begin]) - vertices[end - 1].s;
+      }
+    for (const Vertex &vertex : vertices)
+      largest_edge = std::max(largest_edge, vertex.after);
+  }
+
+
+
+  std::array<FrontRegion::Hat, 2>
+  FrontRegion::hats(const FrontFrame &frame) const
+  {
+    const auto after =
+      std::upper_bound(vertices.begin(),
+                       vertices.end(),
+                       std::make_pair(frame.chain, frame.s),
+                       [](const auto &place, const Vertex &vertex) {
+                         return place < std::make_pair(vertex.chain, vertex.s);
+                       });
+    // The vertex before; the first of its chain has s = 0, but for rounding.
+    unsigned int i =
+      after == vertices.begin() ? 0 : after - vertices.begin() - 1;
+    if (vertices[i].chain != frame.chain)
+      ++i;
+    if (vertices[i].after == 0.)
+      --i; // at the very end
+    unsigned int next = i + 1;
+    if (next == vertices.size() || vertices[next].chain != vertices[i].chain)
+      for (next = i; next > 0 && vertices[next - 1].chain == vertices[i].chain;)
+        --next; // once round
+    const double length = vertices[i].after;
+    const double part = std::clamp((frame.s - vertices[i].s) / length, 0., 1.);
+    return {{{i, 1. - part, -1. / length}, {next, part, 1. / length}}};
+  }
+
+
+
+  bool
+  FrontRegion::is_own_face(const Space<3>                        &space,
+                           const Triangulation<3>::face_iterator &face,
+                           const std::vector<FrontFrame>         &frames) const
+  {
+    const double tiny = 1e-6 * face->diameter();
+    const auto   id   = face->boundary_id();
+    const auto   all  = [&frames](const auto &condition) {
+      return std::all_of(frames.begin(), frames.end(), condition);
+    };
+    const bool is_lip   = space.roles.contact.count(id) > 0;
+    const bool is_plane = space.roles.symmetry.count(id) > 0;
+    const bool is_loaded =
+      space.roles.loaded.count(id) > 0 || space.roles.clamped.count(id) > 0;
+    if (all([&](const FrontFrame &f) { return std::abs(f.Y) < tiny; }))
+      // With straight edges it may reach a little beyond the front.
+      return frames[frames.size() / 2].X < 0. ? is_lip : is_plane;
+    return !is_lip && !is_loaded && all([&](const FrontFrame &f) {
+      const auto &chain = curve.chains()[f.chain];
+      return !chain.is_closed && (f.s < tiny || f.s > chain.length() - tiny);
+    });
+  }
+
+
+
+  void
+  FrontRegion::find_boundaries(const Space<3> &space)
+  {
+    double end = std::numeric_limits<double>::max();
+    for (const auto &cell : owned_cells(space.mesh()))
+      for (const unsigned int f : cell->face_indices())
+        if (const auto face = cell->face(f); face->at_boundary())
+          {
+            const auto frames = frames_of(curve, face);
+            if (!is_own_face(space, face, frames))
+              for (const FrontFrame &frame : frames)
+                end = std::min(end, size_in_tube(frame));
+          }
+    constexpr double part = 0.5;
+    largest_radius        = std::min(part * curve.reach(),
+                              Utilities::MPI::min(end, space.communicator()));
+  }
+} // namespace Crevasse

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/of_all_ranks.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/model/largest_load.h>
+#include <crevasse/postprocess/crack_front_analysis.h>
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const std::string setting = "[Crack tip] Stress intensity = true";
+
+    constexpr double rounding = 1e-8;
+  } // namespace
+
+
+
+  CrackFrontAnalysis::CrackFrontAnalysis(const Scene    &scene,
+                                         const Body<3>  &body,
+                                         const StepList &steps)
+    : body(body)
+    , region(body.space, setting)
+    , radius(choose_radius(scene.crack_tip.radius))
+    , elasticity(find_elasticity())
+    , large(body, region, scene.loads, elasticity, radius)
+    , small(body,
+            region,
+            scene.loads,
+            elasticity,
+            std::max(0.5 * radius, region.cell_radius))
+  {
+    require_no_force_at_front(scene, steps);
+  }
+
+
+
+  double
+  CrackFrontAnalysis::choose_radius(const double wish) const
+  {
+    // A much larger tube would weigh the stress far away by steep hats.
+    constexpr double several = 3.;
+    if (wish == 0.)
+      return std::min(region.largest_radius,
+                      std::max(several * region.cell_radius,
+                               region.largest_edge));
+    if (wish > region.largest_radius * (1. + rounding) ||
+        wish < region.cell_radius * (1. - rounding))
+      throw SceneError(
+        "[Crack tip] Radius = " + Text::from_number(wish) +
+        ": must be at most " + Text::from_number(region.largest_radius) +
+        ", where another boundary begins, or half the radius of curvature of "
+        "the front, and at least " +
+        Text::from_number(region.cell_radius) +
+        ", where the cells at the front end; or 0.");
+    return wish;
+  }
+
+
+
+  std::optional<VoigtMatrix<3>>
+  CrackFrontAnalysis::uniform_in_tube(
+    const PointValues<VoigtMatrix<3>> &matrices) const
+  {
+    const MPI_Comm              communicator = body.space.communicator();
+    std::set<std::size_t>       seen;
+    std::vector<VoigtMatrix<3>> own;
+    for (const auto &cell : owned_cells(body.space.mesh()))
+      if (region.is_near(cell, radius))
+        for (unsigned int p = 0; p < body.space.quadrature(cell).size(); ++p)
+          if (const std::size_t point = body.points.first_point(cell) + p;
+              seen.insert(matrices.index(point)).second)
+            if (own.empty() || (matrices[point] - own.front()).norm() >
+                                 rounding * own.front().norm())
+              own.push_back(matrices[point]);
+    const std::vector<VoigtMatrix<3>> all = of_all_ranks(communicator, own);
+    for (const VoigtMatrix<3> &matrix : all)
+      if ((matrix - all.front()).norm() > rounding * all.front().norm())
+        return {};
+    return all.front();
+  }
+
+
+
+  FrontElasticity
+  CrackFrontAnalysis::find_elasticity() const
+  {
+    if (body.material.stiffness_varies)
+      throw SceneError(setting +
+                       ": in space the stiffness must not depend on time but "
+                       "by [Material] Stiffness time factor.");
+    const auto stiffness = uniform_in_tube(*body.material.at(0.).stiffness);
+    if (!stiffness)
+      throw SceneError(
+        setting +
+        ": in space the stiffness must be the same at all points within " +
+        Text::from_number(radius) +
+        " of the crack front; lower [Crack tip] Radius, or turn this off.");
+    const double mu = (*stiffness)[3][3], lambda = (*stiffness)[0][1];
+    const double nu = lambda / (2. * (lambda + mu)), E = 2. * mu * (1. + nu);
+    if ((isotropic_stiffness<3>(E, nu, false) - *stiffness).norm() >
+        rounding * stiffness->norm())
+      throw SceneError(setting +
+                       ": the stiffness at the crack front is not isotropic "
+                       "([Material] Stiffness), but the fields there are known "
+                       "to this program for isotropic bodies only.");
+    if (body.effects.viscosity.on)
+      require_compatible_creep(*stiffness);
+    return {E, nu};
+  }
+
+
+
+  void
+  CrackFrontAnalysis::require_compatible_creep(
+    const VoigtMatrix<3> &stiffness) const
+  {
+    if (const auto strain = Effects::first_on(body.effects.free_strains))
+      throw SceneError(setting +
+                       ": in space K_I of a body with viscosity and " +
+                       strain->name +
+                       " is not known to this program. Set [Material] "
+                       "Viscosity = none, or turn this off.");
+    const MaterialState<3> material = body.material.at(0.);
+    for (const auto &fluidity : material.fluidity)
+      {
+        const auto     H = uniform_in_tube(*fluidity);
+        VoigtMatrix<3> rest;
+        if (H)
+          {
+            rest           = *H * stiffness;
+            const double c = trace(rest) / 6.;
+            for (unsigned int i = 0; i < 6; ++i)
+              rest[i][i] -= c;
+          }
+        if (body.material.fluidity_varies || !H ||
+            rest.norm() > rounding * H->norm() * stiffness.norm())
+          throw SceneError(
+            setting +
+            ": in space K_I is known only where viscosity is proportional to "
+            "stiffness, the same at all points within " +
+            Text::from_number(radius) +
+            " of the crack front and at all times: set [Material] Relaxation "
+            "time or Chain to numbers, and leave Viscous Poisson ratio as it "
+            "is; or turn this off.");
+      }
+  }
+
+
+
+  void
+  CrackFrontAnalysis::require_no_force_at_front(const Scene    &scene,
+                                                const StepList &steps) const
+  {
+    const auto points = fixed_points<3>(scene);
+    const auto held =
+      std::find_if(points.begin(), points.end(), [this](const auto &fixed) {
+        return region.curve.frame(fixed.point).distance() <
+               0.5 * region.cell_radius;
+      });
+    if (held == points.end())
+      return;
+    // In the plane of symmetry there are two translations and a rotation.
+    const auto       modes      = rigid_modes(body.space);
+    const auto      &chain      = region.curve.chains().front();
+    constexpr double negligible = 1e-6;
+    for (const double t : instants_of_extreme_loads(body, steps))
+      {
+        const Vector loads = loads_at(body, t);
+        for (unsigned int m = 0; m < 6; ++m)
+          {
+            // Translations along the axes, then rotations about them, the last
+            // axis first.
+            const unsigned int axis = m < 3 ? m : 5 - m;
+            if ((std::abs(chain.inward[axis]) > 0.5) != (m >= 3))
+              continue;
+            double force = 0.;
+            for (std::size_t i = 0; i < loads.locally_owned_size(); ++i)
+              force += modes[m].local_element(i) * loads.local_element(i);
+            force = Utilities::MPI::sum(force, body.space.communicator());
+            if (std::abs(force) > negligible * loads.l1_norm())
+              throw SceneError(
+                setting + ": at t = " + Text::from_number(t) +
+                " the support at " + Text::from_point(held->point) +
+                " on the crack front has to bear loads along the crack plane: "
+                "its stress has a singularity of its own there. Hold the body "
+                "elsewhere ([Boundary] Clamped or Fixed points).");
+          }
+      }
+  }
+
+
+
+  std::string
+  CrackFrontAnalysis::describe() const
+  {
+    double length = 0.;
+    for (const auto &chain : region.curve.chains())
+      length += chain.length();
+    return "  crack front: length " + Text::from_number(length) + ", " +
+           std::to_string(region.vertices.size()) +
+           " vertices, K_I by interaction integral up to " +
+           Text::from_number(radius) + " from it";
+  }
+
+
+
+  std::vector<CrackFrontAnalysis::Estimate>
+  CrackFrontAnalysis::evaluate(const double t, const Sample &sample) const
+  {
+    const MaterialState<3>    material = body.material.at(t);
+    const std::vector<double> K        = large.values(t, sample, material);
+    const std::vector<double> check    = small.values(t, sample, material);
+    const double          E = material.stiffness_factor * elasticity.modulus();
+    std::vector<Estimate> all;
+    for (std::size_t v = 0; v < K.size(); ++v)
+      all.push_back({K[v], K[v] * K[v] / E, std::abs(K[v] - check[v])});
+    return all;
+  }
+} // namespace Crevasse

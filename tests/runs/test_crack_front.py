@@ -1,0 +1,178 @@
+"""K_I along crack fronts in space: a penny-shaped crack against its closed form, a
+slice against the plane, creep and closed lips by what must not change, ranks,
+hanging nodes, and what is refused."""
+
+import math
+import re
+import subprocess
+import sys
+
+from crevasse_run import (SOURCE, check, check_below, check_close, execute,
+                          overrides, run, run_on)
+
+PLATE = """\
+set Dimension = 3
+subsection Geometry
+  set Shape        = edge crack
+  set Thickness    = 0.5
+  set Subdivisions = 8, 4, 3
+end
+subsection Boundary
+  set Symmetry = 2, 5, 6
+end
+subsection Material
+  set Young modulus = 13000
+  set Poisson ratio = 0.3
+  set Viscosity     = none
+end
+subsection Loads
+  set Period   = 600
+  set Traction = 0; 10; 0
+end
+subsection Discretisation
+  set Degree = 2
+end
+subsection Time integration
+  set Steps per period = 1
+end
+subsection Periodic state
+  set Maximum periods = 1
+end
+subsection Crack tip
+  set Stress intensity = true
+end
+subsection Output
+  set Fields = none
+end
+"""
+PLANE = PLATE.replace("Dimension = 3", "Dimension = 2").replace(
+    "8, 4, 3", "8, 4").replace("0; 10; 0", "0; 10").replace(
+    "2, 5, 6", "automatic").replace(
+    "set Viscosity ", "set Plane state   = plane strain\n  set Viscosity ")
+
+PENNY = SOURCE / "prm/penny_crack.prm"
+SIGMA, RADIUS, E, NU = 1e6, 2., 2e11, 0.3
+
+
+def front(results):
+    """The rows of the last instant as dictionaries."""
+    table = results.table("crack_front.csv")
+    rows = [dict(zip(table, row)) for row in zip(*table.values())]
+    return [row for row in rows if row["t"] == rows[-1]["t"]]
+
+
+def penny_mesh(name, *words):
+    subprocess.run([sys.executable, SOURCE / "prm/penny_mesh.py", name, *words],
+                   check=True)
+    return f"Geometry/Mesh file={name}"
+
+
+def test_penny():
+    """Code_Aster's SSLV134: G = 11.58648 N/m at every point."""
+    mesh = penny_mesh("penny.msh")
+    results = run(PENNY, "penny", [mesh])
+    rows = front(results)
+    exact = 11.58648
+    check_close((2 * SIGMA * math.sqrt(RADIUS / math.pi))**2 * (1 - NU**2) / E,
+                exact, 1e-5, "the closed form is the published number")
+    G = [row["energy_release_rate"] for row in rows]
+    print("G:", G, "errors of K_I:", [row["K_I_error"] / row["K_I"] for row in rows])
+    check(len(rows) == 9, "vertices on the front")
+    check_close(rows[-1]["s"], math.pi / 2 * RADIUS, 1e-6, "length of the front")
+    for row in rows:
+        check_close(math.hypot(row["x"], row["y"]), RADIUS, 1e-9, "on the circle")
+        check_close(row["energy_release_rate"] / exact, 1, 0.01, "G at a vertex")
+    check_close(sum(G) / len(G) / exact, 1, 0.003, "mean of G")
+    largest = results.summary["crack_front"]["K_I"]["largest"]
+    check(largest["value"] == max(row["K_I"] for row in rows), "largest K_I")
+
+    # A uniform pressure closes the lip, and is borne without any K_I.
+    pressed = run(PENNY, "pressed", [mesh, "Loads/Traction=0; 0; -1e6"])
+    size = 2 * SIGMA * math.sqrt(RADIUS / math.pi)
+    check_below(max(abs(row["K_I"]) for row in front(pressed)) / size, 1e-3,
+                "K_I of a closed curved front")
+
+    both = run_on(2, PENNY, "penny_on_two_ranks", [mesh])
+    check_below(max(abs(a["K_I"] / b["K_I"] - 1)
+                    for a, b in zip(front(both), rows, strict=True)), 1e-9,
+                "two ranks")
+
+
+def test_slice():
+    """Between rigid planes a straight front is in plane strain."""
+    for name, more, spread in (
+            ("equal", [], 1e-9),
+            # Every second vertex is in the middle of an edge of larger cells.
+            ("graded", ["Refinement/Strategy=tip", "Refinement/Cycles=2"], 3e-3)):
+        plane = run(PLANE, f"plane_{name}", more)
+        expected = plane.table("crack_tip.csv")["K_I"][-1]
+        rows = front(run(PLATE, f"slice_{name}", more))
+        K = [row["K_I"] for row in rows]
+        print(name, K, "plane:", expected, "error:", rows[0]["K_I_error"])
+        for value in K:
+            check_close(value / expected, 1, 3e-3, f"{name}: K_I of the slice")
+        check_below((max(K) - min(K)) / expected, spread, f"{name}: the same along s")
+
+
+def test_free_strain():
+    """A temperature that is linear along the crack bends the free plate without
+    any stress."""
+    free = run(PLATE, "linear_temperature", [
+        "Boundary/Symmetry=2", "Loads/Traction=0; 0; 0", "Loads/Temperature=100*x",
+        "Material/Thermal expansion=1e-5"])
+    held = run(PLATE, "held", ["Loads/Traction=0; 0; 0", "Loads/Temperature=-100*x",
+                               "Material/Thermal expansion=1e-5"])
+    plane = run(PLANE, "held_plane", [
+        "Loads/Traction=0; 0", "Loads/Temperature=-100*x",
+        "Material/Thermal expansion=1e-5"]).table("crack_tip.csv")["K_I"][-1]
+    size = 13000 * 1e-5 * 100
+    check_below(max(abs(row["K_I"]) for row in front(free)) / size, 1e-3,
+                "K_I without stress")
+    print("held between planes:", front(held)[0]["K_I"], "in the plane:", plane)
+    check_below(max(abs(row["K_I"] - plane) for row in front(held)) / size, 3e-3,
+                "thermal K_I of a slice")
+
+
+def test_creep():
+    """With viscosity proportional to stiffness the stress of a constant load is the
+    elastic one."""
+    elastic = front(run(PLATE, "elastic"))
+    creeping = front(run(PLATE, "creeping", [
+        "Material/Viscosity=relaxation time", "Material/Relaxation time=300",
+        "Time integration/Steps per period=8"]))
+    for a, b in zip(elastic, creeping, strict=True):
+        check_close(b["K_I"] / a["K_I"], 1, 1e-9, "K_I with creep")
+        check(a["s"] == b["s"], "arc length")
+
+
+def test_refusals():
+    for name, settings, message in (
+            ("fit", ["Crack tip/Method=williams fit"], "williams fit is for"),
+            ("law", ["Crack tip/Crack growth law=paris", "Crack tip/Paris factor=1"],
+             "Crack growth law = paris: is for Dimension = 2"),
+            ("radius", ["Crack tip/Radius=2"], r"Radius = 2: must be at most 0\.5"),
+            ("stiffness", ["Material/Young modulus=13000*(1 + x)"],
+             "the stiffness must be the same"),
+            ("creep", ["Material/Viscosity=isotropic", "Material/Viscous modulus=1e6",
+                       "Material/Viscous Poisson ratio=0.45"],
+             "viscosity is proportional to stiffness"),
+            ("thermal", ["Material/Viscosity=relaxation time",
+                         "Material/Thermal expansion=1e-5", "Loads/Temperature=x"],
+             "body with viscosity and"),
+            ("force", ["Loads/Traction=1; 10; 0"], "on the crack front has to bear"),
+            ("no crack", ["Geometry/Shape=box", "Boundary/Symmetry=2"],
+             "the mesh has no crack front")):
+        with open("refused.prm", "w") as file:
+            file.write(PLATE)
+        status, _, error = execute("refused.prm", "--output", "results/refused",
+                                   *overrides(settings))
+        check(status == 2, f"{name}: status {status}\n{error}")
+        check(re.search(message, " ".join(error.split())),
+              f"{name}: {error}")
+
+
+test_slice()
+test_penny()
+test_free_strain()
+test_creep()
+test_refusals()
