@@ -265,13 +265,10 @@ namespace Crevasse
         sums = 0.;
         for (const auto &[dof, value] : per_pressure[v])
           sums(dof) += value;
-        sums.compress(VectorOperation::add);
-        body.lip.gather_from_held_nodes(sums);
-        for (std::size_t i = 0; i < body.lip.nodes.size(); ++i)
-          if (const double sum = sums(body.lip.nodes[i].dof); sum != 0.)
-            of_contact_forces.emplace_back(v,
-                                           i,
-                                           sum / body.lip.nodes[i].weight);
+        const std::vector<double> factors = body.lip.of_contact_forces(sums);
+        for (std::size_t i = 0; i < factors.size(); ++i)
+          if (factors[i] != 0.)
+            of_contact_forces.emplace_back(v, i, factors[i]);
       }
     Utilities::MPI::sum(of_lip, space.communicator(), of_lip);
     return of_lip;
