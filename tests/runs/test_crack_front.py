@@ -100,36 +100,38 @@ def test_penny():
 
 def test_slice():
     """Between rigid planes a straight front is in plane strain."""
-    for name, more, spread in (
-            ("equal", [], 1e-9),
-            # Every second vertex is in the middle of an edge of larger cells.
-            ("graded", ["Refinement/Strategy=tip", "Refinement/Cycles=2"], 3e-3)):
+    for name, more, error, spread in (
+            ("equal", [], 1e-3, 1e-9),
+            # Hats are narrower than the larger cells further away.
+            ("graded", ["Refinement/Strategy=tip", "Refinement/Cycles=2"], 1e-2,
+             6e-3)):
         plane = run(PLANE, f"plane_{name}", more)
         expected = plane.table("crack_tip.csv")["K_I"][-1]
         rows = front(run(PLATE, f"slice_{name}", more))
         K = [row["K_I"] for row in rows]
         print(name, K, "plane:", expected, "error:", rows[0]["K_I_error"])
         for value in K:
-            check_close(value / expected, 1, 3e-3, f"{name}: K_I of the slice")
+            check_close(value / expected, 1, error, f"{name}: K_I of the slice")
         check_below((max(K) - min(K)) / expected, spread, f"{name}: the same along s")
 
 
 def test_free_strain():
-    """A temperature that is linear along the crack bends the free plate without
+    """A temperature that is linear ahead of the front bends the free plate without
     any stress."""
     free = run(PLATE, "linear_temperature", [
         "Boundary/Symmetry=2", "Loads/Traction=0; 0; 0", "Loads/Temperature=100*x",
         "Material/Thermal expansion=1e-5"])
-    held = run(PLATE, "held", ["Loads/Traction=0; 0; 0", "Loads/Temperature=-100*x",
-                               "Material/Thermal expansion=1e-5"])
-    plane = run(PLANE, "held_plane", [
-        "Loads/Traction=0; 0", "Loads/Temperature=-100*x",
-        "Material/Thermal expansion=1e-5"]).table("crack_tip.csv")["K_I"][-1]
+    heated = ["Loads/Temperature=2000*sin(6*x)", "Material/Thermal expansion=1e-5",
+              "Crack tip/Radius=0.25"]
+    held = run(PLATE, "held", heated)
+    plane = run(PLANE, "held_plane", heated).table("crack_tip.csv")["K_I"][-1]
+    cold = run(PLANE, "cold_plane").table("crack_tip.csv")["K_I"][-1]
+    check(abs(plane / cold - 1) > 0.05, f"the temperature matters: {plane}, {cold}")
     size = 13000 * 1e-5 * 100
     check_below(max(abs(row["K_I"]) for row in front(free)) / size, 1e-3,
                 "K_I without stress")
     print("held between planes:", front(held)[0]["K_I"], "in the plane:", plane)
-    check_below(max(abs(row["K_I"] - plane) for row in front(held)) / size, 3e-3,
+    check_below(max(abs(row["K_I"] / plane - 1) for row in front(held)), 1e-3,
                 "thermal K_I of a slice")
 
 
@@ -139,7 +141,7 @@ def test_creep():
     elastic = front(run(PLATE, "elastic"))
     creeping = front(run(PLATE, "creeping", [
         "Material/Viscosity=relaxation time", "Material/Relaxation time=300",
-        "Time integration/Steps per period=8"]))
+        "Time integration/Steps per period=8", "Periodic state/Tolerance=0"]))
     for a, b in zip(elastic, creeping, strict=True):
         check_close(b["K_I"] / a["K_I"], 1, 1e-9, "K_I with creep")
         check(a["s"] == b["s"], "arc length")
