@@ -856,7 +856,8 @@ def test_unused_parameters():
     check(len(warnings_of(results / "used.prm")) == 1, "used.prm")
     for path in sorted([*SOURCE.glob("prm/**/*.prm"),
                         *SOURCE.glob("tests/scenes/*.prm")]):
-        if path.name != "raous1980_body.prm":  # part of others
+        if path.name not in ("raous1980_body.prm",  # part of others
+                             "penny_crack.prm"):  # its mesh has to be made first
             check(not warnings_of(path), f"{path}: {warnings_of(path)}")
 
 
