@@ -110,6 +110,18 @@ namespace Crevasse
                        "([Boundary] Contact) go straight on as faces of the "
                        "plane of symmetry ([Boundary] Symmetry). Give the body "
                        "a crack, or turn this off.");
+    // The integral takes pressures and shears by the axes.
+    for (const FrontEdge &edge : edges)
+      if (edge.inward.norm_square() - 1e-10 >
+          std::pow(std::max({std::abs(edge.inward[0]),
+                             std::abs(edge.inward[1]),
+                             std::abs(edge.inward[2])}),
+                   2))
+        throw SceneError(
+          wanted_by + ": the plane of the crack at " +
+          Text::from_point(edge.first) +
+          " is not parallel to two axes, as it must be in space. "
+          "Turn the mesh, or turn this off.");
     join(edges);
     for (Chain &chain : all)
       {

@@ -177,9 +177,10 @@ namespace Crevasse
                            const CrackTip      &tip,
                            const Disc          &disc) const
   {
-    // −e₂ ⊗ e₂, e₂ being one of the axes of the mesh.
-    VoigtVector<2> pressed;
-    pressed[std::abs(tip.inward[0]) > 0.5 ? 0 : 1] = -1.;
+    VoigtVector<2> pressed; // −e₂ ⊗ e₂
+    pressed[0] = -tip.inward[0] * tip.inward[0];
+    pressed[1] = -tip.inward[1] * tip.inward[1];
+    pressed[3] = -tip.inward[0] * tip.inward[1];
     Tensor<1, 2> sums;
     for (const auto &[offset, row] : disc.of_stress)
       {

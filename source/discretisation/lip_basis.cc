@@ -145,6 +145,8 @@ namespace Crevasse
     added.point = node.point;
     added.sides = {{node.first, other_side}};
     nodes_at.emplace(node.first, nodes.size());
+    if (is_crack)
+      nodes_at.emplace(other_side, nodes.size());
     nodes.push_back(added);
     return nodes.size() - 1;
   }
@@ -175,26 +177,39 @@ namespace Crevasse
   bool
   LipBasis<dim>::hangs(Node &node) const
   {
-    const Index        first     = node.sides[0];
     const unsigned int component = node.component();
-    bool               found     = false;
-    for (unsigned int d = 0; d < dim; ++d)
-      if (const auto line = supported.find(first + d); line != supported.end())
-        for (const auto &[dof, factor] : line->second)
-          if (dof < first || dof >= first + dim)
-            {
-              found = true;
-              if (d != component)
-                continue;
-              const auto [begin, end] = nodes_at.equal_range(dof - component);
-              for (auto at = begin; at != end; ++at)
-                if (nodes[at->second].normal * node.normal > 0.5)
-                  {
-                    node.speakers.emplace_back(at->second, factor);
-                    break;
-                  }
-            }
-    return found;
+    const auto add_speaker       = [&](const Index first, const double factor) {
+      const auto [begin, end] = nodes_at.equal_range(first);
+      for (auto at = begin; at != end; ++at)
+        if (std::abs(nodes[at->second].normal * node.normal) > 0.5)
+          {
+            node.speakers.emplace_back(at->second, factor);
+            return;
+          }
+    };
+    unsigned int n_sides = 0, n_hanging = 0;
+    for (const Index first : node.sides)
+      {
+        if (first == numbers::invalid_dof_index)
+          continue;
+        ++n_sides;
+        bool is_hanging = false;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (const auto line = supported.find(first + d);
+              line != supported.end())
+            for (const auto &[dof, factor] : line->second)
+              if (dof < first || dof >= first + dim)
+                {
+                  is_hanging = true;
+                  if (d == component && n_sides == 1)
+                    add_speaker(dof - component, factor);
+                }
+        n_hanging += is_hanging;
+      }
+    // If the other side does not, the opening is not interpolated.
+    if (n_hanging < n_sides)
+      node.speakers.clear();
+    return n_hanging == n_sides;
   }
 
 

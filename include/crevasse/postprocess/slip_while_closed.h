@@ -36,8 +36,11 @@ namespace Crevasse
     {
       const auto &nodes = body.space.lip.nodes;
       if (sample.step == 0)
-        lengths.assign(nodes.size(), 0.);
-      const std::vector<double> values = jumps(sample.state);
+        {
+          lengths.assign(nodes.size(), 0.);
+          before.clear();
+        }
+      const std::vector<double> values = jumps(sample);
       for (unsigned int i = 0; i < nodes.size(); ++i)
         {
           const double *const now = &values[i * (dim + 1)];
@@ -87,13 +90,17 @@ namespace Crevasse
     /** Of each node of LipBasis the jump of the displacement, and 1 if it is
      * closed. Collective. */
     std::vector<double>
-    jumps(const State &state) const
+    jumps(const Sample &sample) const
     {
+      const State                                    &state = sample.state;
       const Space<dim>                               &space = body.space;
       std::map<dealii::types::global_dof_index, bool> is_closed;
       for (unsigned int k = 0; k < body.lip.nodes.size(); ++k)
         is_closed[body.lip.nodes[k].dof] = state.contact_forces[k] > 0.;
-      const Vector        u     = space.nodal_values(state.displacement);
+      Vector whole(state.displacement);
+      if (sample.secular_flow != nullptr)
+        whole.add(sample.time, sample.secular_flow->velocity);
+      const Vector        u     = space.nodal_values(whole);
       const auto         &nodes = space.lip.nodes;
       std::vector<double> values(nodes.size() * (dim + 1));
       for (unsigned int i = 0; i < nodes.size(); ++i)
