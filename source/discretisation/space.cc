@@ -100,10 +100,9 @@ namespace Crevasse
     if (Utilities::MPI::this_mpi_process(communicator()) + 1 ==
         Utilities::MPI::n_mpi_processes(communicator()))
       locally_owned_unknowns.add_range(dof_handler.n_dofs(), n_unknowns());
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
     locally_relevant_unknowns.set_size(n_unknowns());
-    locally_relevant_unknowns.add_indices(relevant);
+    locally_relevant_unknowns.add_indices(
+      supports_and_hanging.get_local_lines());
     locally_relevant_unknowns.add_range(dof_handler.n_dofs(), n_unknowns());
     for (IndexSet *set : {&locally_owned_unknowns, &locally_relevant_unknowns})
       set->compress();
@@ -159,7 +158,7 @@ namespace Crevasse
   {
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-    AffineConstraints<double> &all = supports_and_hanging;
+    auto &all = supports_and_hanging;
     all.reinit(relevant);
     DoFTools::make_hanging_node_constraints(dof_handler, all);
     for (const auto id : roles.clamped)
@@ -248,7 +247,6 @@ namespace Crevasse
   Vector
   Space<dim>::nodal_values(const Vector &displacement) const
   {
-    // deal.II 9.6 wants as many entries as the constraints know unknowns.
     Vector unknowns(locally_owned_unknowns, communicator());
     unknowns.copy_locally_owned_data_from(displacement);
     constraints.distribute(unknowns);
@@ -383,18 +381,15 @@ namespace Crevasse
     };
     try
       {
-        const auto without_supports = make_space({});
+        auto coarser = make_space({});
         if (supports.empty())
-          return without_supports;
-        auto coarser = make_space(without_supports->at_vertices(supports));
+          return coarser;
+        coarser = make_space(coarser->at_vertices(supports));
         return find_free_rigid_motions(*coarser).empty() ? coarser : nullptr;
       }
-    catch (const SceneError &)
+    catch (const SceneError &) // its cells at the lips may not be alike
       {
-        // Its cells at the lips may not be alike, which all ranks find.
-        if (roles.crack.empty())
-          throw;
-        return nullptr;
+        return roles.crack.empty() ? throw : nullptr;
       }
   }
 
