@@ -2,8 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/crack_tip/front_integral.h>
-
-#include <deal.II/fe/fe_dgq.h>
+#include <crevasse/crack_tip/kernel_rules.h>
 
 #include <map>
 
@@ -30,40 +29,6 @@ namespace Crevasse
         }
       return Quadrature<1>(points, weights);
     }
-
-
-
-    /** The polynomials through the points of the cells, at those of a rule that
-     * is fine enough for their product with the kernel. */
-    class FrontRules
-    {
-    public:
-      explicit FrontRules(const Space<3> &space)
-        : per_direction(std::lround(std::cbrt(space.quadratures[0].size())))
-        , polynomials(QGauss<1>(per_direction))
-        , usual(space.mapping, polynomials, QGauss<3>(10), flags)
-        , fine(space.mapping,
-               polynomials,
-               Quadrature<3>(crowded_rule(18)),
-               flags)
-      {
-      }
-
-      const FEValues<3> &
-      reinit(const FrontRegion::Cell &cell, const bool is_at_front)
-      {
-        FEValues<3> &values = is_at_front ? fine : usual;
-        values.reinit(cell);
-        return values;
-      }
-
-    private:
-      const UpdateFlags flags =
-        update_values | update_quadrature_points | update_JxW_values;
-      const unsigned int            per_direction;
-      const FE_DGQArbitraryNodes<3> polynomials;
-      FEValues<3>                   usual, fine;
-    };
 
 
 
@@ -99,12 +64,8 @@ namespace Crevasse
     , region(region)
     , elasticity(elasticity)
     , weight{size, 3}
+    , body_force(components_in_volume(loads))
   {
-    for (const LoadParameters::Force &force : loads.forces())
-      for (unsigned int d = 0; force.in_volume && d < force.components->size();
-           ++d)
-        if (Expression value((*force.components)[d]); !value.is_zero())
-          body_force.emplace_back(d, std::move(value));
     integrate_over_cells();
     balance(integrate_over_lip());
   }
@@ -166,7 +127,9 @@ namespace Crevasse
   void
   FrontIntegral::integrate_over_cells()
   {
-    FrontRules rules(body.space);
+    KernelRules<3> rules(body.space,
+                         QGauss<3>(10),
+                         Quadrature<3>(crowded_rule(18)));
     for (const auto &cell : owned_cells(body.space.mesh()))
       {
         if (!region.is_near(cell, weight.radius))

@@ -2,10 +2,9 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/crack_tip/interaction_integral.h>
+#include <crevasse/crack_tip/kernel_rules.h>
 #include <crevasse/crack_tip/lip_integral.h>
 #include <crevasse/material/voigt_matrix.h>
-
-#include <deal.II/fe/fe_dgq.h>
 
 
 namespace Crevasse
@@ -35,40 +34,6 @@ namespace Crevasse
 
       VoigtMatrix<2> of_stress;
       VoigtVector<2> of_third;
-    };
-
-
-
-    /** For a cell of rule 0: the polynomials through its points, at those of a
-     * rule that is fine enough for their product with the kernel. */
-    class KernelRules
-    {
-    public:
-      explicit KernelRules(const Space<2> &space)
-        : per_direction(std::lround(std::sqrt(space.quadratures[0].size())))
-        , polynomials(QGauss<1>(per_direction))
-        , usual(space.mapping, polynomials, QGauss<2>(per_direction + 4), flags)
-        , fine(space.mapping, polynomials, QIterated<2>(QGauss<1>(4), 8), flags)
-      {
-      }
-
-      /** @param is_at_tip whether the kernel grows in the cell like r^(−3/2).
-       */
-      const FEValues<2> &
-      reinit(const Triangulation<2>::active_cell_iterator &cell,
-             const bool                                    is_at_tip)
-      {
-        FEValues<2> &values = is_at_tip ? fine : usual;
-        values.reinit(cell);
-        return values;
-      }
-
-    private:
-      const UpdateFlags flags =
-        update_values | update_quadrature_points | update_JxW_values;
-      const unsigned int            per_direction;
-      const FE_DGQArbitraryNodes<2> polynomials;
-      FEValues<2>                   usual, fine;
     };
 
 
@@ -111,16 +76,12 @@ namespace Crevasse
     , points(points)
     , region(region)
     , mode(mode)
+    , body_force(components_in_volume(loads))
     , of_contact_forces(
         mode == CrackMode::opening
           ? lip_integral(body, region.tip, weight_of(region, squares.size))
           : std::vector<double>())
   {
-    for (const LoadParameters::Force &force : loads.forces())
-      for (unsigned int d = 0; force.in_volume && d < force.components->size();
-           ++d)
-        if (Expression value((*force.components)[d]); !value.is_zero())
-          body_force.emplace_back(d, std::move(value));
     integrate_over_cells(squares);
     balance();
   }
@@ -145,7 +106,10 @@ namespace Crevasse
         kernel.of_viscous_strain += share * factor * field_of(weight).of_strain;
     };
     const Space<2> &space = body.space;
-    KernelRules     rules(space);
+    using Rules           = KernelRules<2>;
+    Rules rules(space,
+                QGauss<2>(Rules::points_per_direction(space) + 4),
+                QIterated<2>(QGauss<1>(4), 8));
     for (const auto &cell : owned_cells(space.mesh()))
       {
         const auto &reach = region.reach(cell->active_cell_index());

@@ -10,6 +10,20 @@
 
 namespace Crevasse
 {
+  std::vector<std::pair<unsigned int, Expression>>
+  components_in_volume(const LoadParameters &parameters)
+  {
+    std::vector<std::pair<unsigned int, Expression>> components;
+    for (const LoadParameters::Force &force : parameters.forces())
+      for (unsigned int d = 0; force.in_volume && d < force.components->size();
+           ++d)
+        if (Expression value((*force.components)[d]); !value.is_zero())
+          components.emplace_back(d, std::move(value));
+    return components;
+  }
+
+
+
   template <int dim>
   ExternalLoads<dim>::ExternalLoads(const Space<dim>          &space,
                                     const StrainOperator<dim> &strain_operator,

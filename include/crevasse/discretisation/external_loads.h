@@ -14,6 +14,10 @@ namespace Crevasse
   template <int dim>
   class StrainOperator;
 
+  /** The components of forces in the volume that are not zero. */
+  std::vector<std::pair<unsigned int, Expression>>
+  components_in_volume(const LoadParameters &parameters);
+
   /**
    * The load vector ∫ φ₁·v + ∫_∂₃ φ₂·v as a function of time. What can be
    * integrated once is: a component that is a function of time alone becomes
