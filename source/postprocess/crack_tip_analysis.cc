@@ -166,4 +166,30 @@ namespace Crevasse
         scene, body, tip, split, steps, geometry));
     return all;
   }
+
+
+
+  void
+  CrackTipAnalysis::summarise_growth(const TipHistory  &history,
+                                     const std::string &title,
+                                     Summary           &tip,
+                                     Log               &log) const
+  {
+    tip["C_star"] = history.c_star ? Summary(*history.c_star) : Summary();
+    if (!history.c_star)
+      tip["no_C_star"] =
+        no_c_star.empty() ? "the flow was not found" : no_c_star;
+    if (history.c_star && *history.c_star > 0.)
+      log.line(title + "C* = " + Text::from_number(*history.c_star));
+    if (growth_law.empty())
+      return;
+    const double growth = growth_of_period(scene.crack_tip, history);
+    tip["growth_law"]   = growth_law;
+    tip["da_dN"]        = growth; // null if it is not finite
+    if (!std::isfinite(growth))
+      tip["no_da_dN"] = "the law gives no finite growth";
+    tip["da_dt"] = growth / history.period();
+    log.line(title + "grows by " + Text::from_number(growth) + " a period (" +
+             growth_law + ")");
+  }
 } // namespace Crevasse

@@ -36,6 +36,14 @@ namespace Crevasse
     std::optional<double>
     c_star(const SecularFlow *flow) const;
 
+    /** Adds C* and what the growth law makes of a history, and prints them.
+     * @param title of lines in the log. */
+    void
+    summarise_growth(const TipHistory  &history,
+                     const std::string &title,
+                     Summary           &tip,
+                     Log               &log) const;
+
     const Scene          &scene;
     const Body<2>        &body;
     const StressIntensity intensity;

@@ -120,10 +120,6 @@ namespace Crevasse
       tip["energy_release_rate"] = {{"largest", most_release},
                                     {"smallest", least_release}};
       tip["strain_energy"]       = {{"largest", energy}};
-      tip["C_star"] = history.c_star ? Summary(*history.c_star) : Summary();
-      if (!history.c_star)
-        tip["no_C_star"] = analysis.no_c_star.empty() ? "the flow was not found"
-                                                      : analysis.no_c_star;
       log.line(
         Text::format("  crack tip: K_I from %.6g to %.6g in the last "
                      "period, estimated error %.1e",
@@ -138,18 +134,7 @@ namespace Crevasse
                           energy,
                           summary,
                           log);
-      if (history.c_star && *history.c_star > 0.)
-        log.line("  crack tip: C* = " + Text::from_number(*history.c_star));
-      if (analysis.growth_law.empty())
-        return;
-      const double growth = growth_of_period(analysis.scene.crack_tip, history);
-      tip["growth_law"]   = analysis.growth_law;
-      tip["da_dN"]        = growth; // null if it is not finite
-      if (!std::isfinite(growth))
-        tip["no_da_dN"] = "the law gives no finite growth";
-      tip["da_dt"] = growth / history.period();
-      log.line("  crack tip: grows by " + Text::from_number(growth) +
-               " a period (" + analysis.growth_law + ")");
+      analysis.summarise_growth(history, "  crack tip: ", tip, log);
     }
 
   private:

@@ -199,18 +199,7 @@ namespace Crevasse
       for (const Values &values : of_last_period)
         history.intensity.push_back(values.equivalent);
       history.c_star = analysis.c_star(flow ? &*flow : nullptr);
-      tip["C_star"]  = history.c_star ? Summary(*history.c_star) : Summary();
-      if (!history.c_star)
-        tip["no_C_star"] = analysis.no_c_star.empty() ? "the flow was not found"
-                                                      : analysis.no_c_star;
-      if (analysis.growth_law.empty())
-        return;
-      const double growth = growth_of_period(analysis.scene.crack_tip, history);
-      tip["growth_law"]   = analysis.growth_law;
-      tip["da_dN"]        = growth; // null if it is not finite
-      tip["da_dt"]        = growth / history.period();
-      log.line(title + "grows by " + Text::from_number(growth) + " a period (" +
-               analysis.growth_law + ")");
+      analysis.summarise_growth(history, title, tip, log);
     }
 
     void
