@@ -12,6 +12,8 @@ namespace Crevasse
     using Nodes = std::vector<std::size_t>;
     /** Where a face is: its cell and its number there. */
     using CellFace = std::pair<std::size_t, std::size_t>;
+    /** By their sorted nodes. */
+    using Faces = std::map<Nodes, std::vector<CellFace>>;
 
 
 
@@ -35,10 +37,10 @@ namespace Crevasse
 
 
 
-    std::map<Nodes, std::vector<CellFace>>
+    Faces
     faces_of(const std::vector<MeshElement> &cells)
     {
-      std::map<Nodes, std::vector<CellFace>> faces;
+      Faces faces;
       for (std::size_t c = 0; c < cells.size(); ++c)
         for (std::size_t f = 0; f < local_faces(cells[c].nodes.size()).size();
              ++f)
@@ -51,10 +53,9 @@ namespace Crevasse
     /** The cells around a node in parts that hang together by faces at it which
      * are not cut. */
     std::vector<std::vector<std::size_t>>
-    parts_around(const std::size_t                                node,
-                 const std::vector<std::size_t>                  &around,
-                 const std::map<std::size_t, std::vector<Nodes>> &uncut_faces,
-                 const std::map<Nodes, std::vector<CellFace>>    &faces)
+    parts_around(const std::vector<std::size_t> &around,
+                 const std::vector<Nodes>       &uncut_faces,
+                 const Faces                    &faces)
     {
       std::map<std::size_t, std::size_t> part_of; // by cell: another one of it
       for (const std::size_t cell : around)
@@ -64,7 +65,7 @@ namespace Crevasse
           cell = part_of[cell];
         return cell;
       };
-      for (const Nodes &face : uncut_faces.at(node))
+      for (const Nodes &face : uncut_faces)
         if (const auto &sides = faces.at(face); sides.size() == 2)
           part_of[root(sides[1].first)] = root(sides[0].first);
       std::map<std::size_t, std::vector<std::size_t>> parts;
@@ -75,6 +76,101 @@ namespace Crevasse
         list.push_back(part);
       return list;
     }
+
+
+
+    /** Faces between two cells of these groups. */
+    std::set<Nodes>
+    find_cuts(const std::set<unsigned int>   &groups,
+              const std::vector<MeshElement> &boundary,
+              const Faces                    &faces)
+    {
+      std::set<Nodes> cuts;
+      for (const MeshElement &element : boundary)
+        if (const auto face = faces.find(sorted(element.nodes));
+            groups.count(element.group) > 0 && face != faces.end() &&
+            face->second.size() == 2)
+          cuts.insert(face->first);
+      return cuts;
+    }
+
+
+
+    void
+    double_nodes(const std::set<Nodes> &cuts,
+                 const Faces           &faces,
+                 GmshMesh              &mesh)
+    {
+      std::map<std::size_t, std::vector<std::size_t>> cells_at;
+      std::map<std::size_t, std::vector<Nodes>>       uncut_faces;
+      for (const Nodes &cut : cuts)
+        for (const std::size_t node : cut)
+          uncut_faces[node]; // there may be none
+      for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+        for (const std::size_t node : mesh.cells[c].nodes)
+          if (uncut_faces.count(node) > 0)
+            cells_at[node].push_back(c);
+      for (const auto &[face, places] : faces)
+        if (cuts.count(face) == 0)
+          for (const std::size_t node : face)
+            if (const auto at = uncut_faces.find(node); at != uncut_faces.end())
+              at->second.push_back(face);
+
+      for (const auto &[node, around] : uncut_faces)
+        {
+          const auto parts = parts_around(cells_at.at(node), around, faces);
+          for (std::size_t p = 1; p < parts.size(); ++p)
+            {
+              const std::size_t twin = mesh.nodes.rbegin()->first + 1;
+              mesh.nodes[twin]       = mesh.nodes.at(node);
+              for (const std::size_t c : parts[p])
+                std::replace(mesh.cells[c].nodes.begin(),
+                             mesh.cells[c].nodes.end(),
+                             node,
+                             twin);
+            }
+        }
+    }
+
+
+
+    /** Boundary elements with the nodes that their cells have now, one for
+     * either side of a cut. */
+    std::vector<MeshElement>
+    boundary_of(const GmshMesh        &mesh,
+                const std::set<Nodes> &cuts,
+                const Faces           &faces)
+    {
+      std::vector<MeshElement> boundary;
+      for (const MeshElement &element : mesh.boundary)
+        if (const auto face = faces.find(sorted(element.nodes));
+            face == faces.end() ||
+            (face->second.size() > 1 && cuts.count(face->first) == 0))
+          boundary.push_back(element); // to be refused
+        else
+          for (const auto &[c, f] : face->second)
+            boundary.push_back(
+              {element.number, element.group, face_nodes(mesh.cells[c], f)});
+      return boundary;
+    }
+
+
+
+    /** Adds the middles of edges that have other nodes now. */
+    void
+    add_middles(const std::vector<MeshElement> &uncut, GmshMesh &mesh)
+    {
+      const std::map<EdgeNodes, std::size_t> before(mesh.middles);
+      for (std::size_t c = 0; c < uncut.size(); ++c)
+        for (std::size_t i = 0; i < uncut[c].nodes.size(); ++i)
+          for (std::size_t j = 0; j < i; ++j)
+            if (const auto middle = before.find(
+                  std::minmax({uncut[c].nodes[i], uncut[c].nodes[j]}));
+                middle != before.end())
+              mesh.middles[std::minmax(
+                {mesh.cells[c].nodes[i], mesh.cells[c].nodes[j]})] =
+                middle->second;
+    }
   } // namespace
 
 
@@ -84,72 +180,11 @@ namespace Crevasse
   {
     if (groups.empty())
       return;
-    const auto                     faces = faces_of(mesh.cells);
     const std::vector<MeshElement> uncut = mesh.cells;
-    std::set<Nodes>                cut;
-    std::set<std::size_t>          nodes_of_cuts;
-    for (const MeshElement &element : mesh.boundary)
-      if (const auto face = faces.find(sorted(element.nodes));
-          groups.count(element.group) > 0 && face != faces.end() &&
-          face->second.size() == 2)
-        {
-          cut.insert(face->first);
-          nodes_of_cuts.insert(element.nodes.begin(), element.nodes.end());
-        }
-
-    // What is around the nodes of the cuts.
-    std::map<std::size_t, std::vector<std::size_t>> cells_at;
-    std::map<std::size_t, std::vector<Nodes>>       uncut_faces;
-    for (std::size_t c = 0; c < uncut.size(); ++c)
-      for (const std::size_t node : uncut[c].nodes)
-        if (nodes_of_cuts.count(node) > 0)
-          cells_at[node].push_back(c);
-    for (const auto &[face, places] : faces)
-      if (cut.count(face) == 0)
-        for (const std::size_t node : face)
-          if (nodes_of_cuts.count(node) > 0)
-            uncut_faces[node].push_back(face);
-
-    for (const std::size_t node : nodes_of_cuts)
-      {
-        uncut_faces[node]; // there may be none
-        const auto parts =
-          parts_around(node, cells_at.at(node), uncut_faces, faces);
-        for (std::size_t p = 1; p < parts.size(); ++p)
-          {
-            const std::size_t twin = mesh.nodes.rbegin()->first + 1;
-            mesh.nodes[twin]       = mesh.nodes.at(node);
-            for (const std::size_t c : parts[p])
-              std::replace(mesh.cells[c].nodes.begin(),
-                           mesh.cells[c].nodes.end(),
-                           node,
-                           twin);
-          }
-      }
-
-    // Elements and edges with the new nodes.
-    std::vector<MeshElement> boundary;
-    for (const MeshElement &element : mesh.boundary)
-      {
-        const auto face = faces.find(sorted(element.nodes));
-        if (face == faces.end() ||
-            (face->second.size() > 1 && cut.count(face->first) == 0))
-          boundary.push_back(element); // to be refused
-        else
-          for (const auto &[c, f] : face->second)
-            boundary.push_back(
-              {element.number, element.group, face_nodes(mesh.cells[c], f)});
-      }
-    mesh.boundary = boundary;
-    std::map<EdgeNodes, std::size_t> middles(mesh.middles);
-    for (std::size_t c = 0; c < uncut.size(); ++c)
-      for (std::size_t i = 0; i < uncut[c].nodes.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-          if (const auto middle = mesh.middles.find(
-                std::minmax({uncut[c].nodes[i], uncut[c].nodes[j]}));
-              middle != mesh.middles.end())
-            middles[std::minmax({mesh.cells[c].nodes[i],
-                                 mesh.cells[c].nodes[j]})] = middle->second;
-    mesh.middles = middles;
+    const Faces                    faces = faces_of(uncut);
+    const std::set<Nodes> cuts = find_cuts(groups, mesh.boundary, faces);
+    double_nodes(cuts, faces, mesh);
+    mesh.boundary = boundary_of(mesh, cuts, faces);
+    add_middles(uncut, mesh);
   }
 } // namespace Crevasse
