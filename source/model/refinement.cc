@@ -89,48 +89,55 @@ namespace Crevasse
   {
     if (roles.crack.empty())
       return false;
-    // Faces, and those that they are parts of.
-    std::vector<Point<dim>> centres, centres_above;
-    std::vector<double>     sizes, sizes_above;
+    std::vector<Point<dim>> centres;
+    std::vector<double>     sizes;
     for_each_crack_face(mesh, roles, [&](const auto &cell, const auto face) {
       centres.push_back(cell->face(face)->center());
       sizes.push_back(cell->face(face)->diameter());
-      for (TriaIterator<CellAccessor<dim>> up = cell; up->level() > 0;)
-        {
-          up = up->parent();
-          centres_above.push_back(up->face(face)->center());
-          sizes_above.push_back(up->face(face)->diameter());
-        }
     });
     const MPI_Comm communicator = mesh.get_communicator();
     const auto counts = Utilities::MPI::all_gather(communicator, sizes.size());
     centres           = of_all_ranks(communicator, centres);
     sizes             = of_all_ranks(communicator, sizes);
-    centres_above     = of_all_ranks(communicator, centres_above);
-    sizes_above       = of_all_ranks(communicator, sizes_above);
+    const auto   partners = find_partners(centres, sizes);
+    unsigned int first    = 0; // of this rank's faces among all
+    for (unsigned int r = 0; r < Utilities::MPI::this_mpi_process(communicator);
+         ++r)
+      first += counts[r];
 
-    // Faces without partner, and where they lie on one that is divided.
-    const auto                partners = find_partners(centres, sizes);
-    const unsigned int        n_above  = sizes_above.size();
+    // What faces without partner are parts of: a coarser one lies there.
+    std::vector<Point<dim>> wholes;
+    std::vector<double>     sizes_of_wholes;
+    unsigned int            i = first;
+    for_each_crack_face(mesh, roles, [&](const auto &cell, const auto face) {
+      TriaIterator<CellAccessor<dim>> up = cell;
+      while (partners[i] == i && up->level() > 0)
+        {
+          up = up->parent();
+          wholes.push_back(up->face(face)->center());
+          sizes_of_wholes.push_back(up->face(face)->diameter());
+        }
+      ++i;
+    });
+    wholes          = of_all_ranks(communicator, wholes);
+    sizes_of_wholes = of_all_ranks(communicator, sizes_of_wholes);
+    const unsigned int        n_wholes = wholes.size();
     std::vector<unsigned int> alone;
-    for (unsigned int i = 0; i < partners.size(); ++i)
+    for (i = 0; i < partners.size(); ++i)
       if (partners[i] == i)
         {
           alone.push_back(i);
-          centres_above.push_back(centres[i]);
-          sizes_above.push_back(sizes[i]);
+          wholes.push_back(centres[i]);
+          sizes_of_wholes.push_back(sizes[i]);
         }
-    const auto        divided = find_partners(centres_above, sizes_above);
+    const auto        divided = find_partners(wholes, sizes_of_wholes);
     std::vector<bool> is_coarse(partners.size(), false);
     bool              found = false;
     for (unsigned int k = 0; k < alone.size(); ++k)
-      if (divided[n_above + k] != n_above + k)
+      if (divided[n_wholes + k] != n_wholes + k)
         found = is_coarse[alone[k]] = true;
 
-    unsigned int i = 0; // of all ranks, this one's after those before it
-    for (unsigned int r = 0; r < Utilities::MPI::this_mpi_process(communicator);
-         ++r)
-      i += counts[r];
+    i = first;
     for_each_crack_face(mesh, roles, [&](const auto &cell, const auto) {
       if (is_coarse[i++])
         cell->set_refine_flag();
@@ -232,9 +239,9 @@ namespace Crevasse
     if (front.empty())
       throw SceneError(
         "[Refinement] Strategy = tip: the mesh has no crack tip, where faces "
-        "of "
-        "the lip ([Boundary] Contact) go straight on as faces of a plane of "
-        "symmetry; use adaptive or none, or look at the roles of the "
+        "of the lip ([Boundary] Contact) go straight on as faces of a plane of "
+        "symmetry, or where the lips of a [Boundary] Crack meet; use adaptive "
+        "or none, or look at the roles of the "
         "boundaries.");
     const unsigned int begin = mesh->n_global_levels() - 1;
     if (begin + parameters.cycles > finest_level<dim>)
