@@ -70,19 +70,20 @@ namespace Crevasse
   {
     if (space.lip.n_unknowns == 0)
       return displacement.linfty_norm();
-    const auto n_dofs  = space.dof_handler.n_dofs();
-    double     largest = 0.;
+    double largest = 0.;
     for (std::size_t i = 0; i < space.dof_handler.n_locally_owned_dofs(); ++i)
       largest = std::max(largest, std::abs(displacement.local_element(i)));
+    std::vector<double> combined; // each rank adds what it has
     for (const auto &[dof, weights] : space.lip.combinations)
       {
-        double sum = 0.; // of the last rank, which has these unknowns
+        combined.push_back(0.);
         for (const auto &[unknown, weight] : weights)
           if (displacement.in_local_range(unknown))
-            sum += weight * displacement(unknown);
-        if (dof < n_dofs)
-          largest = std::max(largest, std::abs(sum));
+            combined.back() += weight * displacement(unknown);
       }
+    dealii::Utilities::MPI::sum(combined, space.communicator(), combined);
+    for (const double value : combined)
+      largest = std::max(largest, std::abs(value));
     return dealii::Utilities::MPI::max(largest, space.communicator());
   }
 } // namespace Crevasse
