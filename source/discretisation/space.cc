@@ -8,6 +8,7 @@
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/grid/curved_edges.h>
+#include <crevasse/parameters/parameters.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/numerics/vector_tools.h>
@@ -79,11 +80,8 @@ namespace Crevasse
                        "no face of the mesh has this boundary id; there are:" +
                          list.str());
     };
-    check("Clamped", roles.clamped);
-    check("Symmetry", roles.symmetry);
-    check("Loaded", roles.loaded);
-    check("Contact", roles.contact);
-    check("Crack", roles.crack);
+    for (const BoundaryRole &role : boundary_role_table)
+      check(role.name, roles.*role.ids);
     problems.throw_if_any();
     require_flat_faces(*triangulation, "Symmetry", roles.symmetry);
     require_flat_faces(*triangulation, "Contact", roles.contact);
@@ -247,13 +245,13 @@ namespace Crevasse
   Vector
   Space<dim>::nodal_values(const Vector &displacement) const
   {
+    // deal.II 9.6 wants as many entries as the constraints know unknowns.
     Vector unknowns(locally_owned_unknowns, communicator());
     unknowns.copy_locally_owned_data_from(displacement);
     constraints.distribute(unknowns);
 
     Vector values = make_vector(dof_handler);
-    for (std::size_t i = 0; i < values.locally_owned_size(); ++i)
-      values.local_element(i) = unknowns.local_element(i);
+    std::copy_n(unknowns.begin(), values.locally_owned_size(), values.begin());
     values.update_ghost_values();
     return values;
   }
@@ -271,8 +269,7 @@ namespace Crevasse
         if (dofs.is_element(dof))
           displacement(unknown) += weight * values(dof);
     displacement.compress(VectorOperation::add);
-    for (std::size_t i = 0; i < dofs.n_elements(); ++i)
-      displacement.local_element(i) = values.local_element(i);
+    std::copy_n(values.begin(), dofs.n_elements(), displacement.begin());
     constraints.set_zero(displacement);
     return displacement;
   }
@@ -387,9 +384,12 @@ namespace Crevasse
         coarser = make_space(coarser->at_vertices(supports));
         return find_free_rigid_motions(*coarser).empty() ? coarser : nullptr;
       }
-    catch (const SceneError &) // its cells at the lips may not be alike
+    catch (const SceneError &)
       {
-        return roles.crack.empty() ? throw : nullptr;
+        // Cells at both lips may not be joined alike.
+        if (roles.crack.empty())
+          throw;
+        return nullptr;
       }
   }
 
