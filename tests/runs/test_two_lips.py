@@ -2,6 +2,7 @@
 symmetry, turned, by all solvers, on several processes, where cracks kink, cross
 and separate parts, and on adapted meshes."""
 
+import csv
 import math
 import pathlib
 import random
@@ -9,7 +10,7 @@ import random
 from cracked import (BOTTOM, CRACK, FRONT, LEFT, TOP, at_edge, square, square_scene,
                      steps, turned, write_block)
 from crevasse_run import (Results, check, check_below, execute, execute_on, overrides,
-                          run, run_on, tier)
+                          run, run_on, start, tier)
 
 AUTOMATIC = ["Contact/Solver=condensed active set"]
 FOUR_STEPS = ["Time integration/Steps per period=12",
@@ -358,6 +359,20 @@ def test_slip():
           f"sheared lips slide: {slip}")
 
 
+def test_sweep():
+    """Where there is contact a study measures its force unasked."""
+    square("full.msh")
+    scene = write("swept.prm", square_scene("full.msh"))
+    status, _, error = start(
+        "sweep", scene, "--output", "results/sweep",
+        "--vary", "Time integration/Steps per period=20,40", *overrides(AUTOMATIC),
+        "--reference", "Time integration/Steps per period=80")
+    check(status == 0, error)
+    with open("results/sweep/sweep.csv") as file:
+        errors = [float(row["error:contact/force"]) for row in csv.DictReader(file)]
+    check(0 < errors[1] < errors[0], errors)
+
+
 def test_unmatched_lip():
     square("full.msh")
     scene = square_scene("full.msh").replace(f"set Crack = {CRACK}",
@@ -379,4 +394,5 @@ test_crossing_cracks()
 test_random_scenes()
 test_resumed()
 test_slip()
+test_sweep()
 test_unmatched_lip()

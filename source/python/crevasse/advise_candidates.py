@@ -6,7 +6,7 @@ more expensive than the one before it."""
 
 import dataclasses
 
-from crevasse.quantities import has_lip
+from crevasse.quantities import has_lip, has_two_lips
 
 LEVELS_IN_TIME = 9
 LEVELS_IN_SPACE = 7
@@ -131,7 +131,7 @@ def families_in_space(scene):
     families = [meshes(scene, 1), meshes(scene, 2)]
     if has_lip(scene) and scene["Geometry/Shape"] not in ("rectangle", "box"):
         families += [meshes(scene, degree, strategy="tip") for degree in (1, 2)]
-        if plane:
+        if plane and not has_two_lips(scene):
             families += [meshes(scene, degree, functions=2) for degree in (1, 2)]
     if plane:
         families.append(meshes(scene, 2, strategy="adaptive"))

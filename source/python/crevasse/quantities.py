@@ -14,8 +14,14 @@ TABLES = {"contact": ("force", "largest_pressure", "closed_nodes"),
 SAME_INSTANT = 1e-9  # of the period
 
 
+def has_two_lips(scene):
+    return scene["Boundary/Crack"] not in ("", "none", "automatic")
+
+
 def has_lip(scene):
     """Contact is on the lip of a built-in crack, or on the boundaries named."""
+    if has_two_lips(scene):
+        return True
     contact = scene["Boundary/Contact"]
     if contact == "automatic":
         return "crack" in scene["Geometry/Shape"]
