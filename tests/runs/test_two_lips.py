@@ -12,6 +12,8 @@ from cracked import (BOTTOM, CRACK, FRONT, LEFT, TOP, at_edge, square, square_sc
 from crevasse_run import (Results, check, check_below, execute, execute_on, overrides,
                           run, run_on, start, tier)
 
+from crevasse.fields import Fields
+
 AUTOMATIC = ["Contact/Solver=condensed active set"]
 FOUR_STEPS = ["Time integration/Steps per period=12",
               "Periodic state/Maximum periods=1", "Periodic state/Tolerance=0",
@@ -373,6 +375,20 @@ def test_sweep():
     check(0 < errors[1] < errors[0], errors)
 
 
+def test_pictures():
+    """Lips that are apart are two lines of the outline, not one within."""
+    square("full_17.msh", degrees=17)
+    results = run(square_scene("full_17.msh", 17), "pictures", [
+        *FOUR_STEPS, "Output/Field times=150, 450"])
+    turn_back = turned(-17)
+    for number, n_expected in ((0, 2 * 7), (1, 0)):  # open, then closed
+        fields = Fields(results.directory / f"solution_{number:04}.pvtu")
+        middles = fields.points[fields.outline()].mean(axis=1)
+        on_lip = [turn_back(point) for point in middles]
+        n_found = sum(abs(y) < 1e-6 and 0 < x < 1 for x, y in on_lip)
+        check(n_found == n_expected, f"{n_found} edges of lips, {n_expected} expected")
+
+
 def test_unmatched_lip():
     square("full.msh")
     scene = square_scene("full.msh").replace(f"set Crack = {CRACK}",
@@ -395,4 +411,5 @@ test_random_scenes()
 test_resumed()
 test_slip()
 test_sweep()
+test_pictures()
 test_unmatched_lip()

@@ -23,14 +23,30 @@ class Fields:
         # The grid of the keys is irrational to the coordinates, so that equal
         # coordinates are not rounded apart.
         self.grid = 1e-7 * numpy.pi * numpy.ptp(points, axis=0).max()
-        _, first, self.node = numpy.unique(self.keys(points), axis=0,
-                                           return_index=True,
-                                           return_inverse=True)
+        _, self.node = numpy.unique(self.keys(points), axis=0, return_inverse=True)
         self.node = self.node.ravel()
-        self.points = points[first]
-        self.quads = self.node[quads]
-        self.first = first
         self.data = data
+        if "displacement" in data:
+            self.separate_lips(data["displacement"][:, :2])
+        _, self.first = numpy.unique(self.node, return_index=True)
+        self.points = points[self.first]
+        self.quads = self.node[quads]
+
+    def separate_lips(self, displacement):
+        """A node whose points do not move alike lies on two lips: each gets its
+        own."""
+        # The file has seven digits.
+        rounding = 1e-5 * numpy.abs(displacement).max()
+        low, high = (numpy.full((self.node.max() + 1, 2), sign * numpy.inf)
+                     for sign in (1, -1))
+        numpy.minimum.at(low, self.node, displacement)
+        numpy.maximum.at(high, self.node, displacement)
+        for torn in numpy.flatnonzero((high - low).max(axis=1) > rounding):
+            lip = numpy.flatnonzero(self.node == torn)
+            while lip.size:
+                apart = numpy.abs(displacement[lip] - displacement[lip[0]])
+                lip = lip[apart.max(axis=1) > rounding]
+                self.node[lip] = self.node.max() + 1
 
     def keys(self, points):
         return numpy.round(points / self.grid).astype(numpy.int64)
@@ -71,8 +87,16 @@ class Fields:
         def spread(values):
             return numpy.moveaxis(values[self.quads], 1, -1) @ weights
 
-        places = numpy.moveaxis(spread(self.points), 1, -1).reshape(-1, 2)
-        _, first, node = numpy.unique(self.keys(places), axis=0,
+        def of_parts(values):
+            return numpy.moveaxis(spread(values), 1, -1).reshape(-1, 2)
+
+        places = of_parts(self.points)
+        keys = [self.keys(places)]
+        if "displacement" in self.data:  # that of lips which are apart differs
+            moved = of_parts(self["displacement"])
+            unit = 1e-4 * numpy.pi * (numpy.abs(moved).max() or 1.)
+            keys.append(numpy.round(moved / unit).astype(numpy.int64))
+        _, first, node = numpy.unique(numpy.hstack(keys), axis=0,
                                       return_index=True, return_inverse=True)
         node = node.reshape(len(self.quads), n + 1, n + 1)
         a, b, c, d = (node[:, :-1, :-1].ravel(), node[:, :-1, 1:].ravel(),
