@@ -25,7 +25,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "runs"))
 from interrupted_runs import (CASES, COMMON, check_same_bytes, finish, fresh,
                               has_checkpoint, interrupt, reference)
 
-NAMES = ["march", "anderson", "adaptive steps", "readapted", "crack tip"]
+NAMES = ["march", "anderson", "adaptive steps", "readapted", "crack tip",
+         "two lips"]
 
 
 def main():

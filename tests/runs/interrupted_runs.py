@@ -6,8 +6,10 @@ import re
 import shutil
 import signal
 import subprocess
+import tempfile
 import time
 
+from cracked import BOTTOM, CRACK, TOP, square
 from crevasse_run import PROGRAM, SOURCE, Results, check, overrides
 from mpi_environment import ENVIRONMENT
 
@@ -24,8 +26,20 @@ REDISTRIBUTES = ["Material/Viscosity=isotropic",
                  "Loads/Traction=0; 10*(sin(2*pi*t/600) - 0.1)"]
 
 
+MESHES = tempfile.TemporaryDirectory()
+
+
 def periods(number):
     return [f"Periodic state/Maximum periods={number}"]
+
+
+def cracked_square():
+    """Both halves of the scene's body, whose lips touch each other."""
+    mesh = square(pathlib.Path(MESHES.name) / "square.msh")
+    return ["Geometry/Shape=mesh file", f"Geometry/Mesh file={mesh}",
+            f"Boundary/Crack={CRACK}", f"Boundary/Loaded={BOTTOM}, {TOP}",
+            "Boundary/Fixed points=0.5, 0; 0, 0: 2",
+            "Loads/Traction=0; 10*(sin(2*pi*t/600) - 0.1)*y"]
 
 
 CASES = {
@@ -41,6 +55,7 @@ CASES = {
         "Time integration/Scheme=trapezoid", "Periodic state/Method=fourier",
         "Material/Viscosity=relaxation time", "Material/Relaxation time=60",
         "Geometry/Subdivisions=24, 24"],
+    "two lips": REDISTRIBUTES + periods(6) + cracked_square(),
     "readapted": REDISTRIBUTES + periods(6) + [
         "Refinement/Strategy=adaptive", "Refinement/Cycles=2",
         "Refinement/Readapt every=2", "Geometry/Subdivisions=8, 8"],
