@@ -2,14 +2,15 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 // Solvers of contact problems on the same matrices, in one process and one run:
-// a plate whose lower edge lifts off a plane in parts, Q1 and Q2, from 10³ to
-// 10⁶ unknowns, from zero (cold), from the solution under a slightly different
-// load (warm), and where a pull opens the whole lip (open, warm too). Prints
-// one table as Markdown; doc/contact_solvers.md has one with the machine that
-// it was run on.
+// a plate whose lower edge lifts off a plane in parts, and with the argument
+// "lips" off another plate, Q1 and Q2, from 10³ to 10⁶ unknowns, from zero
+// (cold), from the solution under a slightly different load (warm), and where a
+// pull opens the whole lip (open, warm too). Prints one table as Markdown;
+// doc/contact_solvers.md has one with the machine that it was run on.
 //
 //     contact_duel [largest number of unknowns [seconds after which a solver
-//     does not go on to larger problems [what the solver's name contains]]]
+//     does not go on to larger problems [what the solver's name contains
+//     [lips]]]]
 
 #include <crevasse/contact/certificate.h>
 #include <crevasse/discretisation/rigid_modes.h>
@@ -93,13 +94,69 @@ namespace
     std::fflush(stdout);
   }
 
+  /** Two plates, each clamped at both ends, one on the other: the unknowns with
+   * bounds are the openings between two lips. */
+  class PlateOnPlate : public ContactBody<2>
+  {
+  public:
+    /** @param n numbers of cells along the lips, a multiple of 5. */
+    PlateOnPlate(const unsigned int n, const unsigned int degree)
+      : ContactBody<2>(mesh(n),
+                       degree,
+                       roles(),
+                       {},
+                       VolumetricStrain::full,
+                       "0; 10*cos(5*pi*x)")
+    {
+      assemble_stiffness(space,
+                         points,
+                         PointValues<VoigtMatrix<2>>(
+                           isotropic_stiffness<2>(13000., 0.2, true)),
+                         matrix);
+    }
+
+    SparseMatrix matrix;
+
+  private:
+    static BoundaryRoles
+    roles()
+    {
+      BoundaryRoles roles;
+      roles.clamped = {0, 1};
+      roles.crack   = {2};
+      roles.loaded  = {3};
+      return roles;
+    }
+
+    static std::shared_ptr<const Mesh<2>>
+    mesh(const unsigned int n)
+    {
+      dealii::Triangulation<2> upper, lower;
+      for (const auto &[part, height] :
+           {std::make_pair(&upper, 0.1), std::make_pair(&lower, -0.1)})
+        dealii::GridGenerator::subdivided_hyper_rectangle(
+          *part,
+          {n, n / 10},
+          {0., std::min(height, 0.)},
+          {1., std::max(height, 0.)},
+          true);
+      for (const auto &face : lower.active_face_iterators())
+        if (face->at_boundary() && face->boundary_id() >= 2)
+          face->set_boundary_id(face->boundary_id() == 2 ? 4 : 2);
+      auto both = std::make_shared<Mesh<2>>(MPI_COMM_WORLD);
+      dealii::GridGenerator::merge_triangulations(
+        {&upper, &lower}, *both, 0., false, true);
+      return both;
+    }
+  };
+
+  template <class Body>
   void
-  duel(const unsigned int n,
+  duel(const Body        &plate,
        const unsigned int degree,
        const double       longest,
        Competitors       &competitors)
   {
-    const PlateOnPlane<2>     plate(MPI_COMM_WORLD, n, degree);
     const SignoriniProblem    problem(plate.matrix, plate.bounds);
     const std::vector<Vector> modes    = rigid_modes(plate.space);
     const Vector              b        = plate.loads();
@@ -193,6 +250,7 @@ main(int argc, char **argv)
   const double      largest = argc > 1 ? std::atof(argv[1]) : 1.1e6;
   const double      longest = argc > 2 ? std::atof(argv[2]) : 60.;
   const std::string who     = argc > 3 ? argv[3] : "";
+  const bool        lips    = argc > 4;
   for (const unsigned int degree : {1, 2})
     {
       Competitors competitors;
@@ -203,7 +261,14 @@ main(int argc, char **argv)
         competitor->has_given_up =
           competitor->name.find(who) == std::string::npos;
       for (const unsigned int n : {50, 160, 500, 1580})
-        if (2. * (n + 1) * (n / 5 + 1) <= largest)
-          duel(n / degree, degree, longest, competitors);
+        if (2. * (n + 1) * (n / 5 + 1) > largest)
+          continue;
+        else if (lips)
+          duel(PlateOnPlate(n / degree, degree), degree, longest, competitors);
+        else
+          duel(PlateOnPlane<2>(MPI_COMM_WORLD, n / degree, degree),
+               degree,
+               longest,
+               competitors);
     }
 }

@@ -44,7 +44,7 @@ namespace
       require(MatDuplicate(view, MAT_COPY_VALUES, &A));
       require(MatDestroy(&view));
       require(MatSetOption(A, MAT_SPD, PETSC_TRUE));
-      require(MatSetBlockSize(A, 2));
+      require(MatSetBlockSize(A, n % 2 == 0 ? 2 : 1));
       require(MatDuplicate(A, MAT_COPY_VALUES, &J));
       require(MatCreateVecs(A, &b, &lower));
       require(VecDuplicate(b, &upper));
