@@ -10,11 +10,11 @@ import numpy
 from crevasse.command import CommandError
 from crevasse.quantities import TABLES as ALL_TABLES
 from crevasse.quantities import (PROBE, SAME_INSTANT, common_instants, did_you_mean,
-                                 has_lip, selects)
+                                 has_lip, kind, selects)
 
 # These differ from mesh to mesh.
 OF_MESH = ("stress", "periods/stress_change", "contact/closed_nodes",
-           "crack_tip/K_I_error")
+           "crack_tip/K_I_error", "crack_tip_N/K_I_error", "crack_tip_N/K_II_error")
 TABLES = {table: columns for table, names in ALL_TABLES.items()
           if (columns := [name for name in names if f"{table}/{name}" not in OF_MESH])}
 # A stress or displacement that is so much smaller than at the other probes is zero
@@ -51,14 +51,14 @@ def problem_of(name, scene, tables):
         return ("differs from mesh to mesh. Take columns of probes, contact, "
                 "crack_tip or load_work.")
     table, slash, column = name.partition("/")
-    if table not in tables or not slash:
+    if kind(table) not in tables or not slash:
         return ("is no quantity; allowed is TABLE/COLUMN with a table of: "
                 + ", ".join(tables) + (did_you_mean(table, tables) or "."))
-    if column not in tables[table]:
-        return f"there is no such column; columns are: {', '.join(tables[table])}."
+    if column not in (columns := tables[kind(table)]):
+        return f"there is no such column; columns are: {', '.join(columns)}."
     if table == "contact" and not has_lip(scene):
         return "the scene has no contact."
-    if table == "crack_tip" and scene["Crack tip/Stress intensity"] != "true":
+    if table.startswith("crack_tip") and scene["Crack tip/Stress intensity"] != "true":
         return "set [Crack tip] Stress intensity = true."
     if table == "load_work" and scene["Output/Load work"] != "true":
         return "set [Output] Load work = true."

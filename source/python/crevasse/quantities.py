@@ -4,14 +4,23 @@
 """Quantities that runs are compared in: "stress", or "TABLE/COLUMN"."""
 
 import difflib
+import re
 
 PROBE = ("u", "s", "u_1", "u_2", "u_3", "s_11", "s_22", "s_33", "s_12", "s_13",
          "s_23", "opening", "pressure")
 TABLES = {"contact": ("force", "largest_pressure", "closed_nodes"),
           "periods": ("stress_change",), "load_work": ("load_work",),
           "crack_tip": ("K_I", "K_I_stress", "K_I_error", "energy_release_rate",
-                        "strain_energy")}
+                        "strain_energy"),
+          "crack_tip_N": ("K_I", "K_II", "K_I_error", "K_II_error",
+                          "energy_release_rate", "growth_angle",
+                          "equivalent_intensity", "T_stress")}
 SAME_INSTANT = 1e-9  # of the period
+
+
+def kind(table):
+    """crack_tip_N is the table of each tip between two lips."""
+    return re.sub(r"^crack_tip_[1-9]\d*$", "crack_tip_N", table)
 
 
 def has_two_lips(scene):

@@ -11,7 +11,7 @@ import numpy
 
 from crevasse.command import CommandError
 from crevasse.quantities import (PROBE, SAME_INSTANT, TABLES, common_instants,
-                                 did_you_mean, has_lip, selects)
+                                 did_you_mean, has_lip, kind, selects)
 from crevasse.results import ResultsError, named_points
 from crevasse.sweep_plan import quote, require_none, shorten, split, squeeze
 
@@ -66,11 +66,11 @@ def choose_quantities(options, scenes, program):
 def problem_of(name, tables):
     """What is wrong with the name of a quantity; None if nothing is."""
     table, slash, column = name.partition("/")
-    if name == STRESS or slash and column in tables.get(table, ()):
+    if name == STRESS or slash and column in tables.get(kind(table), ()):
         return None
-    if slash and table in tables:
+    if slash and kind(table) in tables:
         return (f"has no column \"{shorten(column)}\"; columns are: "
-                + ", ".join(tables[table]))
+                + ", ".join(tables[kind(table)]))
     return ("is no quantity; allowed are \"stress\" and \"TABLE/COLUMN\" with a table "
             "of: " + ", ".join(tables) + did_you_mean(table, tables))
 
