@@ -137,15 +137,20 @@ namespace
         dealii::GridGenerator::subdivided_hyper_rectangle(
           *part,
           {n, n / 10},
-          {0., std::min(height, 0.)},
-          {1., std::max(height, 0.)},
-          true);
-      for (const auto &face : lower.active_face_iterators())
-        if (face->at_boundary() && face->boundary_id() >= 2)
-          face->set_boundary_id(face->boundary_id() == 2 ? 4 : 2);
+          dealii::Point<2>(0., std::min(height, 0.)),
+          dealii::Point<2>(1., std::max(height, 0.)));
       auto both = std::make_shared<Mesh<2>>(MPI_COMM_WORLD);
-      dealii::GridGenerator::merge_triangulations(
-        {&upper, &lower}, *both, 0., false, true);
+      dealii::GridGenerator::merge_triangulations(upper, lower, *both, 0.);
+      for (const auto &face : both->active_face_iterators())
+        if (face->at_boundary())
+          {
+            const auto [x, y] = std::pair(face->center()[0], face->center()[1]);
+            face->set_boundary_id(x < 1e-9                   ? 0
+                                  : x > 1. - 1e-9            ? 1
+                                  : std::abs(y) < 1e-9       ? 2
+                                  : std::abs(y - 0.1) < 1e-9 ? 3
+                                                             : 4);
+          }
       return both;
     }
   };
