@@ -4,11 +4,13 @@ the origin. Hexahedra of second order, graded to the front, which is an arc to
 fourth order in its angle; physical groups: 1 ligament, 2 lip, 3 top, 4 x = 0, 5
 y = 0, 6 the sides, free.
 
-    /usr/bin/python3 penny_mesh.py [FILE [CELLS [SIZE]]]
+    /usr/bin/python3 penny_mesh.py [FILE [CELLS [SIZE [AXES]]]]
 
 CELLS along the front (8), SIZE of the cells there, as a part of the radius
-(0.05)."""
+(0.05). With AXES, as xz, the block is mirrored to negative x and z; with z both
+lips are modelled, 2 is the crack, and 7 the bottom."""
 
+import itertools
 import math
 import sys
 
@@ -85,21 +87,27 @@ def patches(cells, size):
                               on_block(j / (2 * cells)), between(outer, i)))
 
 
-def group(points):
-    """That of a face, by its corners."""
-    for axis, value, number in ((2, BLOCK, 3), (0, 0., 4), (1, 0., 5), (0, BLOCK, 6),
-                                (1, BLOCK, 6)):
+def group(points, mirrored):
+    """That of a face, by its corners; None within the body."""
+    for axis, value, number in ((2, BLOCK, 3), (2, -BLOCK, 7), (0, 0., 4), (1, 0., 5),
+                                (0, BLOCK, 6), (0, -BLOCK, 6), (1, BLOCK, 6),
+                                (1, -BLOCK, 6)):
         if all(abs(p[axis] - value) < 1e-9 for p in points):
-            return number
+            return None if value == 0 and axis in mirrored else number
     if all(p[2] == 0. for p in points):
         x, y = (sum(p[axis] for p in points) / 4 for axis in (0, 1))
-        return 2 if math.hypot(x, y) < RADIUS else 1
+        if math.hypot(x, y) < RADIUS:
+            return 2
+        return None if 2 in mirrored else 1
     return None
 
 
-def make(path, cells, size):
+def make(path, cells, size, mirrored=()):
+    """mirrored: axes, 0 to 2."""
     layers = graded(0., BLOCK, size * RADIUS, 1.6)
-    nodes, elements = {}, []
+    nodes, elements, faces = {}, [], set()
+    signs = list(itertools.product(*((1, -1) if axis in mirrored else (1,)
+                                     for axis in range(3))))
 
     def number(point):
         key = tuple(round(c, 9) + 0. for c in point)
@@ -108,10 +116,12 @@ def make(path, cells, size):
     for (n, m), place in patches(cells, size):
         for i in range(n):
             for j in range(m):
-                for k in range(len(layers) - 1):
+                for k, sign in itertools.product(range(len(layers) - 1), signs):
                     def at(offset):
-                        return (*place(2 * i + offset[0], 2 * j + offset[1]),
-                                between(layers, 2 * k + offset[2]))
+                        first = offset[0] if math.prod(sign) > 0 else 2 - offset[0]
+                        point = (*place(2 * i + first, 2 * j + offset[1]),
+                                 between(layers, 2 * k + offset[2]))
+                        return tuple(s * x for s, x in zip(sign, point))
 
                     def middle(a, b):
                         return at([(HEXAHEDRON[a][d] + HEXAHEDRON[b][d]) // 2
@@ -122,7 +132,10 @@ def make(path, cells, size):
                         number(middle(a, b)) for a, b in EDGES]))
                     for face in FACES:
                         ends = [corners[v] for v in face]
-                        if role := group(ends):
+                        key = tuple(sorted(number(p) for p in ends))
+                        role = group(ends, mirrored)
+                        if role and key not in faces:
+                            faces.add(key)
                             elements.append((16, role, [number(p) for p in ends] + [
                                 number(middle(face[v], face[(v + 1) % 4]))
                                 for v in range(4)]))
@@ -137,5 +150,6 @@ def make(path, cells, size):
 
 
 if __name__ == "__main__":
-    words = sys.argv[1:] + ["penny_crack.msh", "8", "0.05"][len(sys.argv) - 1:]
-    make(words[0], int(words[1]), float(words[2]))
+    words = sys.argv[1:] + ["penny_crack.msh", "8", "0.05", ""][len(sys.argv) - 1:]
+    make(words[0], int(words[1]), float(words[2]),
+         ["xyz".index(axis) for axis in words[3]])
