@@ -108,20 +108,17 @@ namespace Crevasse
       throw SceneError(wanted_by +
                        ": the mesh has no crack front, where faces of the lip "
                        "([Boundary] Contact) go straight on as faces of the "
-                       "plane of symmetry ([Boundary] Symmetry). Give the body "
+                       "plane of symmetry ([Boundary] Symmetry), or where the "
+                       "lips of a [Boundary] Crack meet. Give the body "
                        "a crack, or turn this off.");
-    // The integral takes pressures and shears by the axes.
+    two_lips = edges.front().two_lips;
     for (const FrontEdge &edge : edges)
-      if (edge.inward.norm_square() - 1e-10 >
-          std::pow(std::max({std::abs(edge.inward[0]),
-                             std::abs(edge.inward[1]),
-                             std::abs(edge.inward[2])}),
-                   2))
-        throw SceneError(
-          wanted_by + ": the plane of the crack at " +
-          Text::from_point(edge.first) +
-          " is not parallel to two axes, as it must be in space. "
-          "Turn the mesh, or turn this off.");
+      if (edge.two_lips != two_lips)
+        throw SceneError(wanted_by + ": the crack at " +
+                         Text::from_point(edge.first) + " has " +
+                         (two_lips ? "one lip, others have two."
+                                   : "two lips, others have one.") +
+                         " Model both lips of all cracks, or turn this off.");
     join(edges);
     for (Chain &chain : all)
       {
@@ -141,7 +138,7 @@ namespace Crevasse
     const auto error = [this](const Point<3> &place, const std::string &what) {
       return SceneError(wanted_by + ": the crack front " + what + " at " +
                         Text::from_point(place) +
-                        ", where K_I is not known. Turn this off.");
+                        ", where K is not known. Turn this off.");
     };
     std::vector<FrontEdge> left  = edges;
     const auto             begin = [&left]() { // of an open one if there is one
@@ -214,7 +211,7 @@ namespace Crevasse
             throw SceneError(
               wanted_by + ": the crack front meets the boundary at " +
               Text::from_point(end) +
-              " at another angle than a right one, where K_I is not known. Let "
+              " at another angle than a right one, where K is not known. Let "
               "the front end at right angles, or turn this off.");
           along = normal * tangent > 0. ? normal : -normal;
         }

@@ -32,94 +32,30 @@ namespace Crevasse
 
 
 
-    /** A symmetric tensor with components along ahead, inward and tangent as a
-     * vector in the coordinates of the mesh. */
     VoigtVector<3>
-    to_mesh(const FrontFrame            &frame,
-            const SymmetricTensor<2, 3> &local,
-            const double                 of_shear)
+    sum_of_ranks(VoigtVector<3> value, const MPI_Comm communicator)
     {
-      Tensor<2, 3> turn;
-      turn[0]                   = frame.ahead;
-      turn[1]                   = frame.inward;
-      turn[2]                   = frame.tangent;
-      const Tensor<2, 3> tensor = transpose(turn) * Tensor<2, 3>(local) * turn;
-      VoigtVector<3>     vector;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = i; j < 3; ++j)
-          vector[voigt_index<3>(i, j)] =
-            (i == j ? 1. : of_shear) * tensor[i][j];
-      return vector;
+      const ArrayView<double> values(value.begin_raw(), 6);
+      Utilities::MPI::sum(ArrayView<const double>(values),
+                          communicator,
+                          values);
+      return value;
     }
   } // namespace
 
 
 
-  FrontIntegral::FrontIntegral(const Body<3>         &body,
-                               const FrontRegion     &region,
-                               const LoadParameters  &loads,
-                               const FrontElasticity &elasticity,
-                               const double           size)
-    : body(body)
+  FrontIntegral::FrontIntegral(const Body<3>        &body,
+                               const FrontRegion    &region,
+                               const LoadParameters &loads,
+                               const FrontFields    &fields)
+    : fields(fields)
+    , body(body)
     , region(region)
-    , elasticity(elasticity)
-    , weight{size, 3}
     , body_force(components_in_volume(loads))
   {
     integrate_over_cells();
-    balance(integrate_over_lip());
-  }
-
-
-
-  std::pair<FrontIntegral::Field, FrontIntegral::Field>
-  FrontIntegral::fields(const FrontFrame &frame) const
-  {
-    const auto f = weight.factor(frame.X), g = weight.factor(frame.Y);
-    if (f[0] == 0. || g[0] == 0.)
-      return {};
-    const BuecknerField B(Point<2>(frame.X, frame.Y));
-    const double        nu = elasticity.poisson_ratio, kappa = 3. - 4. * nu;
-    const std::complex<double> u = // E' u^B
-      4. / (kappa + 1.) * (kappa * B.Phi - B.rest);
-    const double phi = B.airy, phi_X = B.along.real(), phi_Y = B.along.imag();
-    const double Q = f[0] * g[0], Q_X = f[1] * g[0], Q_Y = f[0] * g[1];
-    const double metric = frame.metric(), k = frame.curvature / metric;
-
-    SymmetricTensor<2, 3> rest; // τ − Q σ^B
-    rest[0][0] = 2. * Q_Y * phi_Y + f[0] * g[2] * phi;
-    rest[1][1] =
-      2. * Q_X * phi_X + f[2] * g[0] * phi + 2. * k * (Q_X * phi + Q * phi_X);
-    rest[0][1] = -Q_X * phi_Y - Q_Y * phi_X - f[1] * g[1] * phi -
-                 k * (Q_Y * phi + Q * phi_Y);
-    SymmetricTensor<2, 3> strain; // E' (ε(w) − Q ε^B)
-    strain[0][0]          = Q_X * u.real();
-    strain[1][1]          = Q_Y * u.imag();
-    strain[0][1]          = 0.5 * (Q_X * u.imag() + Q_Y * u.real());
-    strain[2][2]          = k * Q * u.real();
-    const auto compliance = [nu](const SymmetricTensor<2, 3> &s) { // E' S s
-      return ((1. + nu) * s -
-              nu * trace(s) * unit_symmetric_tensor<3, double>()) /
-             (1. - nu * nu);
-    };
-    // ε^B is S times σ^B with the component ν (σ₁₁ + σ₂₂) along the front,
-    // which τ has not.
-    SymmetricTensor<2, 3> along_front;
-    along_front[2][2] = Q * nu * 2. * B.mean;
-
-    SymmetricTensor<2, 3> tau = rest;
-    tau[0][0] += Q * (B.mean - B.half_difference.real());
-    tau[1][1] += Q * (B.mean + B.half_difference.real());
-    tau[0][1] += Q * B.half_difference.imag();
-
-    SymmetricTensor<2, 3> of_slope;
-    of_slope[0][2]       = 0.5 * Q / metric * u.real();
-    of_slope[1][2]       = 0.5 * Q / metric * u.imag();
-    const Field of_value = {
-      to_mesh(frame, strain - compliance(rest - along_front), 2.),
-      elasticity.modulus() * to_mesh(frame, tau, 1.),
-      Q * (u.real() * frame.ahead + u.imag() * frame.inward)};
-    return {of_value, {to_mesh(frame, of_slope, 2.), {}, {}}};
+    balance(integrate_over_lips());
   }
 
 
@@ -132,7 +68,7 @@ namespace Crevasse
                          Quadrature<3>(crowded_rule(18)));
     for (const auto &cell : owned_cells(body.space.mesh()))
       {
-        if (!region.is_near(cell, weight.radius))
+        if (!region.is_near(cell, fields.weight.radius))
           continue;
         const std::size_t first    = body.points.first_point(cell);
         const auto        n_points = body.space.quadrature(cell).size();
@@ -142,12 +78,13 @@ namespace Crevasse
           {
             const FrontFrame frame =
               region.curve.frame(values.quadrature_point(q));
-            if (std::max(std::abs(frame.X), frame.Y) >= weight.radius)
+            if (std::max(std::abs(frame.X), std::abs(frame.Y)) >=
+                fields.weight.radius)
               continue;
-            const auto [of_value, of_slope] = fields(frame);
+            const auto [of_value, of_slope] = fields.at(frame);
             for (const auto &hat : region.hats(frame))
               {
-                Field here;
+                FrontField here;
                 here.add(hat.value * values.JxW(q), of_value);
                 here.add(hat.slope * values.JxW(q), of_slope);
                 auto &of_vertex = of_cell[hat.vertex];
@@ -174,52 +111,58 @@ namespace Crevasse
 
 
 
-  std::vector<double>
-  FrontIntegral::integrate_over_lip()
+  std::vector<VoigtVector<3>>
+  FrontIntegral::integrate_over_lips()
   {
     const Space<3>   &space = body.space;
     const auto       &fe    = space.finite_element;
     const UpdateFlags flags =
       update_values | update_quadrature_points | update_JxW_values;
-    FEFaceValues<3>     usual(space.mapping, fe, QGauss<2>(10), flags);
-    FEFaceValues<3>     fine(space.mapping,
+    FEFaceValues<3>             usual(space.mapping, fe, QGauss<2>(10), flags);
+    FEFaceValues<3>             fine(space.mapping,
                          fe,
                          Quadrature<2>(crowded_rule(16)),
                          flags);
-    std::vector<double> of_lip(region.vertices.size());
+    std::vector<VoigtVector<3>> of_stress(region.vertices.size());
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<std::map<types::global_dof_index, double>> per_pressure(
       region.vertices.size());
     for (const auto &cell : owned_cells(space.dof_handler))
       for (const unsigned int f : cell->face_indices())
         {
-          if (!cell->at_boundary(f) || !region.is_near(cell, weight.radius) ||
-              space.roles.contact.count(cell->face(f)->boundary_id()) == 0)
+          if (!cell->at_boundary(f) ||
+              !region.is_near(cell, fields.weight.radius) ||
+              !space.roles.is_lip(cell->face(f)->boundary_id()))
             continue;
           FEFaceValues<3> &values = region.is_at_front(cell) ? fine : usual;
           values.reinit(cell, f);
           cell->get_dof_indices(dofs);
           for (const unsigned int q : values.quadrature_point_indices())
             {
-              const FrontFrame frame =
-                region.curve.frame(values.quadrature_point(q));
-              if (frame.X >= 0. || frame.Y > 1e-8 * cell->diameter())
+              FrontFrame frame = region.curve.frame(values.quadrature_point(q));
+              if (frame.X >= 0. || std::abs(frame.Y) > 1e-8 * cell->diameter())
                 continue;
-              const double factor = 2. /
-                                    std::sqrt(-2. * numbers::PI * frame.X) *
-                                    weight.factor(frame.X)[0] * values.JxW(q);
-              for (const unsigned int i : values.dof_indices())
-                if (const unsigned int d =
-                      fe.system_to_component_index(i).first;
-                    fe.has_support_on_face(i, f) &&
-                    std::abs(frame.inward[d]) > 0.5)
-                  for (const auto &hat : region.hats(frame))
-                    {
-                      const double part =
-                        factor * hat.value * values.shape_value(i, q);
-                      per_pressure[hat.vertex][dofs[i]] += part;
-                      of_lip[hat.vertex] += part;
-                    }
+              const double side =
+                std::copysign(1.,
+                              (cell->center() - values.quadrature_point(q)) *
+                                frame.inward);
+              frame.Y                     = std::copysign(0., side);
+              const Tensor<1, 3> traction = // times displacement, outwards
+                -side * fields.weight.factor(frame.X)[0] * values.JxW(q) *
+                fields.displacement(frame);
+              SymmetricTensor<2, 3> local;
+              for (unsigned int i = 0; i < 3; ++i)
+                local[i][1] = (i == 1 ? 1. : 0.5) * traction[i];
+              for (const auto &hat : region.hats(frame))
+                {
+                  of_stress[hat.vertex] +=
+                    hat.value * to_mesh(frame, local, 2.);
+                  if (fields.mode == CrackMode::opening)
+                    for (const unsigned int i : values.dof_indices())
+                      if (fe.has_support_on_face(i, f))
+                        per_pressure[hat.vertex][dofs[i]] +=
+                          hat.value * traction[1] * values.shape_value(i, q);
+                }
             }
         }
     Vector sums = space.ghosted_vector();
@@ -232,20 +175,20 @@ namespace Crevasse
         for (std::size_t i = 0; i < factors.size(); ++i)
           if (factors[i] != 0.)
             of_contact_forces.emplace_back(v, i, factors[i]);
+        of_stress[v] = sum_of_ranks(of_stress[v], space.communicator());
       }
-    Utilities::MPI::sum(of_lip, space.communicator(), of_lip);
-    return of_lip;
+    return of_stress;
   }
 
 
 
   void
-  FrontIntegral::balance(const std::vector<double> &lip)
+  FrontIntegral::balance(const std::vector<VoigtVector<3>> &lips)
   {
     // Spread over the volume: stress is largest at the front.
     std::vector<double> volumes(body.points.n_local_points);
     for (const auto &cell : owned_cells(body.space.mesh()))
-      if (region.is_near(cell, weight.radius))
+      if (region.is_near(cell, fields.weight.radius))
         {
           FEValues<3> values(body.space.mapping,
                              body.space.finite_element,
@@ -261,48 +204,61 @@ namespace Crevasse
         sum += hat.vertex == kernel.vertex ? hat.value : 0.;
       return sum * volumes[kernel.point];
     };
-    // Of a vertex: strain, stress, volume.
-    constexpr unsigned int n = 13;
-    std::vector<double>    sums(n * region.vertices.size());
+    struct Sum
+    {
+      VoigtVector<3> of_strain, of_stress;
+      double         volume = 0.;
+    };
+    std::vector<Sum> sums(region.vertices.size());
     for (const Kernel &kernel : kernels)
       {
-        double *sum = &sums[n * kernel.vertex];
-        for (unsigned int c = 0; c < 6; ++c)
-          {
-            sum[c] += kernel.of_strain[c];
-            sum[6 + c] += kernel.of_stress[c];
-          }
-        sum[12] += volume(kernel);
+        Sum &sum = sums[kernel.vertex];
+        sum.of_strain += kernel.of_strain;
+        sum.of_stress += kernel.of_stress;
+        sum.volume += volume(kernel);
       }
-    Utilities::MPI::sum(sums, body.space.communicator(), sums);
+    for (unsigned int v = 0; v < sums.size(); ++v)
+      {
+        const MPI_Comm communicator = body.space.communicator();
+        Sum           &sum          = sums[v];
+        sum.of_strain               = sum_of_ranks(sum.of_strain, communicator);
+        sum.of_stress               = sum_of_ranks(sum.of_stress, communicator);
+        sum.volume    = Utilities::MPI::sum(sum.volume, communicator);
+        sum.of_stress = what_lips_bear(v, sum.of_stress - lips[v]);
+      }
     for (Kernel &kernel : kernels)
       {
-        const double *sum    = &sums[n * kernel.vertex];
-        const double  part   = volume(kernel) / sum[12];
-        const auto   &vertex = region.vertices[kernel.vertex];
-        const auto    frame  = region.curve.frame(vertex.point);
-        const auto   &inward = frame.inward;
-        // A shear along the plane at an end of the front does work there.
-        const bool is_end     = vertex.before == 0. || vertex.after == 0.;
-        const bool is_oblique = is_end && std::abs(frame.tangent[0]) +
-                                              std::abs(frame.tangent[1]) +
-                                              std::abs(frame.tangent[2]) >
-                                            1. + 1e-6;
-        kernel.of_strain -=
-          part * VoigtVector<3>(make_array_view(sum, sum + 6));
-        for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int j = i; j < 3; ++j)
-            {
-              const unsigned int c        = voigt_index<3>(i, j);
-              const double       i_normal = std::abs(inward[i]);
-              const double       j_normal = std::abs(inward[j]);
-              if (i_normal + j_normal < 0.5 && !is_oblique &&
-                  (i == j || !is_end)) // leaves the crack plane free
-                kernel.of_stress[c] -= part * sum[6 + c];
-              else if (i == j && i_normal > 0.5) // the lip bears it
-                kernel.of_stress[c] -= part * (sum[6 + c] - lip[kernel.vertex]);
-            }
+        const Sum   &sum  = sums[kernel.vertex];
+        const double part = volume(kernel) / sum.volume;
+        kernel.of_strain -= part * sum.of_strain;
+        kernel.of_stress -= part * sum.of_stress;
       }
+  }
+
+
+
+  VoigtVector<3>
+  FrontIntegral::what_lips_bear(const unsigned int    v,
+                                const VoigtVector<3> &of_stress) const
+  {
+    const FrontRegion::Vertex &vertex = region.vertices[v];
+    const FrontFrame           frame  = region.curve.frame(vertex.point);
+    SymmetricTensor<2, 3>      local;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = i; j < 3; ++j)
+        {
+          // Shears do work on the plane of symmetry ahead of one lip, and on
+          // the boundary where the front ends.
+          const bool on_plane = !fields.two_lips && (i == 1) != (j == 1);
+          const bool at_end   = vertex.is_end() && (i == 2) != (j == 2);
+          if (on_plane || at_end)
+            continue;
+          SymmetricTensor<2, 3> unit;
+          unit[i][j] = 1.;
+          local[i][j] =
+            (i == j ? 1. : 0.5) * (of_stress * to_mesh(frame, unit, 1.));
+        }
+    return to_mesh(frame, local, 2.);
   }
 
 
@@ -331,6 +287,26 @@ namespace Crevasse
     Utilities::MPI::sum(K, body.space.communicator(), K);
     for (std::size_t v = 0; v < K.size(); ++v)
       K[v] /= region.vertices[v].integral();
+    if (fields.mode == CrackMode::tearing)
+      set_ends(K);
     return K;
+  }
+
+
+
+  void
+  FrontIntegral::set_ends(std::vector<double> &K) const
+  {
+    const auto &vertices = region.vertices;
+    for (std::size_t v = 0; v < K.size(); ++v)
+      if (vertices[v].is_end())
+        {
+          const int         step = vertices[v].before == 0. ? 1 : -1;
+          const std::size_t i = v + step, j = i + step;
+          K[v] = vertices[v].on_symmetry ? 0. : K[i];
+          if (!vertices[v].on_symmetry && !vertices[j].is_end())
+            K[v] += (K[i] - K[j]) * (vertices[v].s - vertices[i].s) /
+                    (vertices[i].s - vertices[j].s);
+        }
   }
 } // namespace Crevasse

@@ -81,7 +81,8 @@ namespace Crevasse
   {
     const std::vector<FrontEdge> edges =
       oriented_crack_front(space.mesh(), space.roles);
-    std::vector<std::array<double, 5>> found; // coordinates, chain, s
+    // Coordinates, chain, s, whether it is on a plane of symmetry.
+    std::vector<std::array<double, 6>> found;
     double worst = 0.; // distance to the curve, of cells 1
     for (const auto &cell : owned_cells(space.mesh()))
       {
@@ -100,8 +101,20 @@ namespace Crevasse
             const FrontFrame frame = curve.frame(point);
             worst                  = std::max(worst, frame.distance() / length);
             at_front[index]        = true;
-            found.push_back(
-              {{point[0], point[1], point[2], double(frame.chain), frame.s}});
+            const auto faces       = GeometryInfo<3>::vertex_to_face[v];
+            const bool is_symmetric =
+              std::any_of(std::begin(faces),
+                          std::end(faces),
+                          [&](const auto f) {
+                            return space.roles.symmetry.count(
+                                     cell->face(f)->boundary_id()) > 0;
+                          });
+            found.push_back({{point[0],
+                              point[1],
+                              point[2],
+                              double(frame.chain),
+                              frame.s,
+                              is_symmetric ? 1. : 0.}});
           }
         for (const unsigned int v : cell->vertex_indices())
           if (at_front[index])
@@ -124,7 +137,8 @@ namespace Crevasse
                      static_cast<unsigned int>(n[3]),
                      n[4],
                      0.,
-                     0.});
+                     0.,
+                     n[5] > 0.});
     number_vertices(all);
   }
 
@@ -156,6 +170,11 @@ namespace Crevasse
         for (unsigned int v = begin + 1; v < end; ++v)
           vertices[v].before = vertices[v - 1].after =
             vertices[v].s - vertices[v - 1].s;
+        if (curve.two_lips && end - begin < 3)
+          throw SceneError(wanted_by + ": the crack front at " +
+                           Text::from_point(vertices[begin].point) +
+                           " has one element, where K_III needs two. Use a "
+                           "finer mesh.");
         if (curve.chains()[vertices[begin].chain].is_closed)
           vertices[begin].before = vertices[end - 1].after =
             length(vertices[begin]) - vertices[end - 1].s;
@@ -204,7 +223,7 @@ namespace Crevasse
     const auto   all  = [&frames](const auto &condition) {
       return std::all_of(frames.begin(), frames.end(), condition);
     };
-    const bool is_lip   = space.roles.contact.count(id) > 0;
+    const bool is_lip   = space.roles.is_lip(id);
     const bool is_plane = space.roles.symmetry.count(id) > 0;
     const bool is_loaded =
       space.roles.loaded.count(id) > 0 || space.roles.clamped.count(id) > 0;

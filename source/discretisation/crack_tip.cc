@@ -232,20 +232,28 @@ namespace Crevasse
   oriented_crack_front(const Triangulation<3> &mesh, const BoundaryRoles &roles)
   {
     std::vector<FrontEdge> front;
+    const auto             add = [&front](const FaceAtEnd<3> &lip,
+                              const Tensor<1, 3> &inward,
+                              const bool          two_lips) {
+      auto [first, last] = lip.end;
+      if (cross_product_3d(inward, last - first) * (first - lip.center) < 0.)
+        std::swap(first, last);
+      front.push_back({first, last, inward, two_lips});
+    };
     for_each_end_of_lip<3>(mesh,
                            roles,
-                           [&front](const unsigned int,
-                                    const FaceAtEnd<3> &lip,
-                                    const FaceAtEnd<3> &plane) {
-                             auto [first, last]  = plane.end;
-                             const auto   inward = -plane.normal;
-                             const double direction =
-                               cross_product_3d(inward, last - first) *
-                               (plane.center - lip.center);
-                             if (direction < 0.)
-                               std::swap(first, last);
-                             front.push_back({first, last, inward});
+                           [&add](const unsigned int,
+                                  const FaceAtEnd<3> &lip,
+                                  const FaceAtEnd<3> &plane) {
+                             add(lip, -plane.normal, false);
                            });
+    for_each_end_of_crack<3>(
+      mesh, roles, [&add](const FaceAtEnd<3> &lip, const FaceAtEnd<3> &) {
+        unsigned int last = 2;
+        while (last > 0 && std::abs(lip.normal[last]) < 1e-6)
+          --last;
+        add(lip, lip.normal[last] > 0. ? lip.normal : -lip.normal, true);
+      });
     return front;
   }
 

@@ -244,8 +244,9 @@ namespace Crevasse
                       "Whether crack_tip.csv has the stress intensity "
                       "factor K_I of each step, or crack_tip_1.csv, "
                       "crack_tip_2.csv, ... K_I and K_II of each tip of "
-                      "cracks with two lips; in space crack_front.csv that "
-                      "along the front in the last period.");
+                      "cracks with two lips; in space crack_front.csv K_I "
+                      "along the front in the last period, with two lips also "
+                      "K_II and K_III.");
     add_selection("Method", method, prm);
     prm.add_parameter(
       "Radius",

@@ -28,14 +28,22 @@ namespace Crevasse
     , region(body.space, setting)
     , radius(choose_radius(scene.crack_tip.radius))
     , elasticity(find_elasticity())
-    , large(body, region, scene.loads, elasticity, radius)
-    , small(body,
-            region,
-            scene.loads,
-            elasticity,
-            std::max(0.5 * radius, region.cell_radius))
   {
     require_no_force_at_front(scene, steps);
+    const bool two_lips = region.curve.two_lips;
+    for (const CrackMode mode :
+         {CrackMode::opening, CrackMode::sliding, CrackMode::tearing})
+      if (two_lips || mode == CrackMode::opening)
+        {
+          const auto within = [&](const double size) {
+            return FrontIntegral(body,
+                                 region,
+                                 scene.loads,
+                                 {mode, two_lips, elasticity, {size, 3}});
+          };
+          integrals.emplace_back(
+            within(radius), within(std::max(0.5 * radius, region.cell_radius)));
+        }
   }
 
 
@@ -165,32 +173,36 @@ namespace Crevasse
       });
     if (held == points.end())
       return;
-    // In the plane of symmetry there are two translations and a rotation.
     const auto       modes      = rigid_modes(body.space);
-    const auto      &chain      = region.curve.chains().front();
     constexpr double negligible = 1e-6;
     for (const double t : instants_of_extreme_loads(body, steps))
       {
         const Vector loads = loads_at(body, t);
+        // Along the axes, and in the planes 12, 13 and 23.
+        Tensor<1, 3> force, moment;
         for (unsigned int m = 0; m < 6; ++m)
           {
-            // Translations along the axes, then rotations about them, the last
-            // axis first.
-            const unsigned int axis = m < 3 ? m : 5 - m;
-            if ((std::abs(chain.inward[axis]) > 0.5) != (m >= 3))
-              continue;
-            double force = 0.;
+            double work = 0.;
             for (std::size_t i = 0; i < loads.locally_owned_size(); ++i)
-              force += modes[m].local_element(i) * loads.local_element(i);
-            force = Utilities::MPI::sum(force, body.space.communicator());
-            if (std::abs(force) > negligible * loads.l1_norm())
-              throw SceneError(
-                setting + ": at t = " + Text::from_number(t) +
-                " the support at " + Text::from_point(held->point) +
-                " on the crack front has to bear loads along the crack plane: "
-                "its stress has a singularity of its own there. Hold the body "
-                "elsewhere ([Boundary] Clamped or Fixed points).");
+              work += modes[m].local_element(i) * loads.local_element(i);
+            (m < 3 ? force[m] : moment[5 - m]) =
+              (m == 4 ? -1. : 1.) *
+              Utilities::MPI::sum(work, body.space.communicator());
           }
+        if (!region.curve.two_lips)
+          { // the plane of symmetry bears the others
+            const Tensor<1, 3> n = region.curve.chains().front().inward;
+            force -= (force * n) * n;
+            moment = (moment * n) * n;
+          }
+        if (std::max(force.norm(), moment.norm()) >
+            negligible * loads.l1_norm())
+          throw SceneError(
+            setting + ": at t = " + Text::from_number(t) + " the support at " +
+            Text::from_point(held->point) +
+            " on the crack front has to bear loads: its stress has a "
+            "singularity of its own there. Hold the body elsewhere ([Boundary] "
+            "Clamped or Fixed points).");
       }
   }
 
@@ -203,8 +215,8 @@ namespace Crevasse
     for (const auto &chain : region.curve.chains())
       length += chain.length();
     return "  crack front: length " + Text::from_number(length) + ", " +
-           std::to_string(region.vertices.size()) +
-           " vertices, K_I by interaction integral up to " +
+           std::to_string(region.vertices.size()) + " vertices, " +
+           Text::join(names(), ", ") + " by interaction integral up to " +
            Text::from_number(radius) + " from it";
   }
 
@@ -213,13 +225,22 @@ namespace Crevasse
   std::vector<CrackFrontAnalysis::Estimate>
   CrackFrontAnalysis::evaluate(const double t, const Sample &sample) const
   {
-    const MaterialState<3>    material = body.material.at(t);
-    const std::vector<double> K        = large.values(t, sample, material);
-    const std::vector<double> check    = small.values(t, sample, material);
-    const double          E = material.stiffness_factor * elasticity.modulus();
-    std::vector<Estimate> all;
-    for (std::size_t v = 0; v < K.size(); ++v)
-      all.push_back({K[v], K[v] * K[v] / E, std::abs(K[v] - check[v])});
+    const MaterialState<3> material = body.material.at(t);
+    std::vector<Estimate>  all(region.vertices.size());
+    for (unsigned int m = 0; m < integrals.size(); ++m)
+      {
+        const auto &[large, small] = integrals[m];
+        const auto   K             = large.values(t, sample, material);
+        const auto   check         = small.values(t, sample, material);
+        const double modulus =
+          material.stiffness_factor * elasticity.modulus(large.fields.mode);
+        for (std::size_t v = 0; v < K.size(); ++v)
+          {
+            all[v].intensity[m] = K[v];
+            all[v].error[m]     = std::abs(K[v] - check[v]);
+            all[v].release_rate += K[v] * K[v] / modulus;
+          }
+      }
     return all;
   }
 } // namespace Crevasse

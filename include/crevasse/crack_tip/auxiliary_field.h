@@ -12,13 +12,14 @@
 
 namespace Crevasse
 {
-  /** What is found at a tip: how the lips move apart, across the crack or along
-   * it, and s₁₁ − s₂₂ of the constant stress beside the singular one: T, as
-   * open lips have no s₂₂. */
+  /** What is found at a tip: how the lips move apart, across the crack, along
+   * it or along its front, and s₁₁ − s₂₂ of the constant stress beside the
+   * singular one: T, as open lips have no s₂₂. */
   enum class CrackMode
   {
     opening, ///< K_I
     sliding, ///< K_II
+    tearing, ///< K_III, in space
     constant ///< T
   };
 

@@ -9,8 +9,8 @@
 namespace Crevasse
 {
   /** The coordinates around a crack front: of the nearest point of it, and
-   * there X ahead in the plane of the crack and Y into the body. The triad is
-   * right-handed, ahead × inward = tangent. */
+   * there X ahead in the plane of the crack and Y into the body above it. The
+   * triad is right-handed, ahead × inward = tangent. */
   struct FrontFrame
   {
     unsigned int         chain = 0;  ///< which front
@@ -46,7 +46,8 @@ namespace Crevasse
     /** Looks at the coarse mesh, which every rank knows whole.
      * @param wanted_by the parameter that asks for it.
      * @throw SceneError if there is no front, or one that branches, leaves its
-     * plane or meets a face at another angle than a right one. */
+     * plane or meets a face at another angle than a right one, or if some
+     * cracks have two lips and others one. */
     FrontCurve(const dealii::Triangulation<3> &mesh,
                const BoundaryRoles            &roles,
                const std::string              &wanted_by);
@@ -68,6 +69,9 @@ namespace Crevasse
         return arcs.back();
       }
     };
+
+    /** Of all cracks: whether the body is modelled on both sides. */
+    bool two_lips = false;
 
     const std::vector<Chain> &
     chains() const

@@ -12,7 +12,7 @@
 namespace Crevasse
 {
   /** The vertices of a mesh on the crack front, and the tube around it, in
-   * which the body ends nowhere but at the lip, the plane of symmetry and the
+   * which the body ends nowhere but at the lips, the plane of symmetry and the
    * planes across the ends of the front. Distances are max(|X|, |Y|). */
   class FrontRegion
   {
@@ -31,6 +31,13 @@ namespace Crevasse
       double           s; ///< arc length
       /** To the neighbours on the front; 0: there is none. */
       double before, after;
+      bool   on_symmetry; ///< where the front ends
+
+      bool
+      is_end() const
+      {
+        return before == 0. || after == 0.;
+      }
 
       /** Of the hat function. */
       double

@@ -96,8 +96,11 @@ namespace Crevasse
    * first vertex to its last so that ahead = inward × (last − first). */
   struct FrontEdge
   {
-    dealii::Point<3>     first, last;
-    dealii::Tensor<1, 3> inward; ///< normal of the crack plane, into the body
+    dealii::Point<3> first, last;
+    /** Normal of the crack plane, into the body above the crack; of two lips
+     * the one whose last component is positive that is not 0. */
+    dealii::Tensor<1, 3> inward;
+    bool                 two_lips;
   };
 
   std::vector<FrontEdge>

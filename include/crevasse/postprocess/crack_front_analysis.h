@@ -11,7 +11,8 @@
 
 namespace Crevasse
 {
-  /** K_I along the crack fronts of one run in space. */
+  /** K_I along the crack fronts of one run in space, and of cracks with two
+   * lips K_II and K_III. */
   class CrackFrontAnalysis
   {
   public:
@@ -30,12 +31,22 @@ namespace Crevasse
      * of the tube. */
     struct Estimate
     {
-      double intensity, release_rate, error;
+      std::array<double, 3> intensity, error; ///< of each of names()
+      double                release_rate;
     };
 
     /** At all vertices. Collective. @param t within the period. */
     std::vector<Estimate>
     evaluate(const double t, const Sample &sample) const;
+
+    /** "K_I", … */
+    std::vector<std::string>
+    names() const
+    {
+      if (!region.curve.two_lips)
+        return {"K_I"};
+      return {"K_I", "K_II", "K_III"};
+    }
 
     const Body<3>        &body;
     const FrontRegion     region;
@@ -56,7 +67,8 @@ namespace Crevasse
     std::optional<VoigtMatrix<3>>
     uniform_in_tube(const PointValues<VoigtMatrix<3>> &matrices) const;
 
-    const FrontIntegral large, small;
+    /** Over the larger and the smaller tube, of each mode. */
+    std::vector<std::pair<FrontIntegral, FrontIntegral>> integrals;
   };
 } // namespace Crevasse
 

@@ -13,9 +13,10 @@
 
 namespace Crevasse
 {
-  /** crack_front.csv: K_I at the vertices of the front at each step of the last
-   * period, written when the run ends. K_I_error is the difference between two
-   * sizes of the tube; it is no bound. */
+  /** crack_front.csv: K_I, of two lips also K_II and K_III, at the vertices of
+   * the front at each step of the last period, written when the run ends.
+   * Errors are differences between two sizes of the tube; they are no bounds.
+   */
   class CrackFrontTable : public Observer
   {
   public:
@@ -54,7 +55,7 @@ namespace Crevasse
       archive.common_list(values);
     }
 
-    /** Writes the table, adds "crack_front" to the summary and a line to the
+    /** Writes the table, adds "crack_front" to the summary and lines to the
      * log. */
     void
     summarise(Summary &summary) override
@@ -62,28 +63,34 @@ namespace Crevasse
       if (values.empty())
         return;
       write();
-      const auto less = [](const auto &a, const auto &b) {
-        return a.intensity < b.intensity;
-      };
-      const auto [smallest, largest] =
-        std::minmax_element(values.begin(), values.end(), less);
-      double error = 0.;
-      for (const auto &value : values)
-        error = std::max(error, value.error);
-      auto &front              = summary["crack_front"];
-      front["radius"]          = analysis.radius;
-      front["vertices"]        = n_vertices();
-      front["K_I"]["largest"]  = place(largest - values.begin());
-      front["K_I"]["smallest"] = place(smallest - values.begin());
-      front["K_I_error"]       = error;
-      const std::string position =
-        Text::from_point(vertex(largest - values.begin()).point);
-      log.line(Text::format("  crack front: K_I from %.6g to %.6g in the last "
-                            "period, estimated error %.1e; largest at ",
-                            smallest->intensity,
-                            largest->intensity,
-                            error) +
-               position);
+      auto &front       = summary["crack_front"];
+      front["radius"]   = analysis.radius;
+      front["vertices"] = n_vertices();
+      const auto names  = analysis.names();
+      for (unsigned int m = 0; m < names.size(); ++m)
+        {
+          const auto [smallest, largest] =
+            std::minmax_element(values.begin(),
+                                values.end(),
+                                [m](const auto &a, const auto &b) {
+                                  return a.intensity[m] < b.intensity[m];
+                                });
+          double error = 0.;
+          for (const auto &value : values)
+            error = std::max(error, value.error[m]);
+          const std::size_t at        = largest - values.begin();
+          front[names[m]]["largest"]  = place(at, m);
+          front[names[m]]["smallest"] = place(smallest - values.begin(), m);
+          front[names[m] + "_error"]  = error;
+          log.line(
+            Text::format("  crack front: %s from %.6g to %.6g in the last "
+                         "period, estimated error %.1e; largest at ",
+                         names[m].c_str(),
+                         smallest->intensity[m],
+                         largest->intensity[m],
+                         error) +
+            Text::from_point(vertex(at).point));
+        }
     }
 
   private:
@@ -100,10 +107,10 @@ namespace Crevasse
     }
 
     Summary
-    place(const std::size_t i) const
+    place(const std::size_t i, const unsigned int mode) const
     {
       const auto &point = vertex(i).point;
-      return {{"value", values[i].intensity},
+      return {{"value", values[i].intensity[mode]},
               {"t", times[i / n_vertices()]},
               {"s", vertex(i).s},
               {"position", {point[0], point[1], point[2]}}};
@@ -112,26 +119,33 @@ namespace Crevasse
     void
     write() const
     {
-      CsvTable table(file_name,
-                     {"t",
-                      "front",
-                      "s",
-                      "x",
-                      "y",
-                      "z",
-                      "K_I",
-                      "energy_release_rate",
-                      "K_I_error"});
+      std::vector<std::string> columns = {"t", "front", "s", "x", "y", "z"};
+      const auto               names   = analysis.names();
+      columns.insert(columns.end(), names.begin(), names.end());
+      columns.push_back("energy_release_rate");
+      for (const std::string &name : names)
+        columns.push_back(name + "_error");
+      CsvTable table(file_name, columns);
       for (std::size_t i = 0; i < values.size(); ++i)
-        table.add_row({times[i / n_vertices()],
-                       1. + vertex(i).chain,
-                       vertex(i).s,
-                       vertex(i).point[0],
-                       vertex(i).point[1],
-                       vertex(i).point[2],
-                       values[i].intensity,
-                       values[i].release_rate,
-                       values[i].error});
+        {
+          const auto         &value = values[i];
+          const auto         &point = vertex(i).point;
+          std::vector<double> row   = {times[i / n_vertices()],
+                                       1. + vertex(i).chain,
+                                       vertex(i).s,
+                                       point[0],
+                                       point[1],
+                                       point[2]};
+          const auto          add = [&](const std::array<double, 3> &of_modes) {
+            row.insert(row.end(),
+                       of_modes.begin(),
+                       of_modes.begin() + names.size());
+          };
+          add(value.intensity);
+          row.push_back(value.release_rate);
+          add(value.error);
+          table.add_row(row);
+        }
     }
 
     const CrackFrontAnalysis &analysis;
