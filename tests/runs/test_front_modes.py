@@ -2,6 +2,8 @@
 crack under tension and shear against closed forms and against the half model, a
 slice against the plane, and a slab turned in space."""
 
+import contextlib
+import io
 import math
 import pathlib
 import subprocess
@@ -10,6 +12,9 @@ import sys
 from cracked import BACK, BOTTOM, CRACK, FRONT, LEFT, RIGHT, TOP, steps, write_block
 from crevasse_run import (SOURCE, check, check_below, check_close, execute, run,
                           run_on)
+
+sys.path.insert(0, str(SOURCE / "source" / "python"))
+from crevasse import report as make_report  # noqa: E402
 
 PENNY = SOURCE / "prm/penny_crack.prm"
 RADIUS, NU, STRESS = 2., 0.3, 1e6
@@ -98,6 +103,11 @@ def test_penny():
     check_close(summary["K_II"]["largest"]["position"][0], RADIUS, 1e-9, "where K_II is")
     check_close(summary["K_III"]["largest"]["position"][1], RADIUS, 1e-9,
                 "where K_III is")
+    with (contextlib.redirect_stdout(io.StringIO()),
+          contextlib.redirect_stderr(io.StringIO()) as stderr):
+        check(make_report.main([str(results.directory)]) == 0, stderr.getvalue())
+    page = (results.directory / "report.html").read_text()
+    check("largest K<sub>III</sub>" in page, "the report knows K_III")
 
 
 def test_half_model():

@@ -24,8 +24,9 @@ SHAPES = {
                     "K_I": {EACH: NUMBER}, "K_II": {EACH: NUMBER},
                     "energy_release_rate": {EACH: NUMBER},
                     "equivalent_intensity": {EACH: NUMBER}, "growth_angle": NUMBER}],
-    "crack_front": {"radius": NUMBER, "vertices": NUMBER, "K_I": {EACH: {
-        "value": NUMBER, "t": NUMBER, "s": NUMBER, "position": [NUMBER]}}},
+    "crack_front": {"radius": NUMBER, "vertices": NUMBER, **dict.fromkeys(
+        ("K_I", "K_II", "K_III"), {EACH: {
+            "value": NUMBER, "t": NUMBER, "s": NUMBER, "position": [NUMBER]}})},
     "contact_solver": {}, "linear_solver": {}, "time_integration": {},
     "libraries": {}, "elastic_comparison": {},
     "refinement": {"meshes": [{}], "readaptations": [{}]},
