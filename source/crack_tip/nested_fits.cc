@@ -26,8 +26,9 @@ namespace Crevasse
         const Point<2>    local = tip.local(node.point);
         if (local[0] < 0. && tip.is_on_line(local))
           nodes.emplace_back(-local[0],
-                             state.contact_forces[k] > 0. &&
-                               node.opening(state.displacement) <= touching);
+                             node.is_pressed(state.contact_forces[k],
+                                             state.displacement,
+                                             touching));
       }
 
     double closed = never, open = 0.;

@@ -208,6 +208,37 @@ namespace Crevasse
 
 
 
+  std::vector<bool>
+  CrackFrontAnalysis::stay_closed(const State &state) const
+  {
+    const auto       &vertices = region.vertices;
+    std::vector<bool> closed(vertices.size());
+    if (body.effects.viscosity.on)
+      return closed;
+    // Distances of the nearest nodes that are pressed, and of those that are
+    // not.
+    std::vector<double> least(2 * closed.size(),
+                              std::numeric_limits<double>::max());
+    const double        touching = 1e-10 * state.displacement.linfty_norm();
+    for (std::size_t k = 0; k < body.lip.nodes.size(); ++k)
+      {
+        const LipNode<3> &node       = body.lip.nodes[k];
+        const bool        is_pressed = node.is_pressed(state.contact_forces[k],
+                                                state.displacement,
+                                                touching);
+        const std::size_t first      = is_pressed ? 0 : closed.size();
+        for (std::size_t v = 0; v < closed.size(); ++v)
+          least[first + v] =
+            std::min(least[first + v], node.point.distance(vertices[v].point));
+      }
+    Utilities::MPI::min(least, body.space.communicator(), least);
+    for (std::size_t v = 0; v < closed.size(); ++v)
+      closed[v] = least[v] < (1. - rounding) * least[closed.size() + v];
+    return closed;
+  }
+
+
+
   std::string
   CrackFrontAnalysis::describe() const
   {
@@ -227,6 +258,7 @@ namespace Crevasse
   {
     const MaterialState<3> material = body.material.at(t);
     std::vector<Estimate>  all(region.vertices.size());
+    const auto             closed = stay_closed(sample.state);
     for (unsigned int m = 0; m < integrals.size(); ++m)
       {
         const auto &[large, small] = integrals[m];
@@ -236,6 +268,8 @@ namespace Crevasse
           material.stiffness_factor * elasticity.modulus(large.fields.mode);
         for (std::size_t v = 0; v < K.size(); ++v)
           {
+            if (closed[v] && large.fields.mode == CrackMode::opening)
+              continue;
             all[v].intensity[m] = K[v];
             all[v].error[m]     = std::abs(K[v] - check[v]);
             all[v].release_rate += K[v] * K[v] / modulus;

@@ -153,7 +153,7 @@ def turn(x, y, z):
     return c * x - s * y, s * x + c * y, z
 
 
-def slab(name, place, n=8, layers=3):
+def slab(name, place, n=8, layers=3, tension="10"):
     """A free slab with an edge crack under tension, shear and twist, moved."""
     write_block(f"{name}.msh", [steps(-1, 1, n), steps(-1, 1, n), steps(0, 0.5, layers)],
                 is_crack, lambda point: place(*point))
@@ -161,7 +161,7 @@ def slab(name, place, n=8, layers=3):
     X, Y = (" + ".join(f"({factor!r})*{axis}" for factor, axis in zip(row, "xyz"))
             for row in rows[:2])
     on_x, on_y = (f"if(abs({at})>0.999,if({at}>0,1,-1),0)" for at in (X, Y))
-    local = [f"3*{on_y}", f"10*{on_y} + 3*{on_x}",
+    local = [f"3*{on_y}", f"({tension})*{on_y} + 3*{on_x}",
              f"2*{on_y} - 6*abs({on_x})*({Y})"]
     load = "; ".join(" + ".join(f"({row[i]!r})*({part})"
                                 for row, part in zip(rows, local)) for i in range(3))
@@ -186,6 +186,25 @@ def test_turned():
         check_below(worst, 1e-7, what)
 
 
+def test_closed():
+    """Pressed lips bear no K_I, and slide as open ones do; where only a part of
+    the front is closed, K_I is 0 there."""
+    def as_it_is(*point):
+        return point
+    opened = front(run(slab("opened", as_it_is), "opened"))
+    pressed = front(run(slab("pressed", as_it_is, tension="-10"), "pressed"))
+    size = max(row["K_I"] for row in opened)
+    for a, b in zip(opened, pressed, strict=True):
+        check(a["K_I"] > 0.5 * size and b["K_I"] == b["K_I_error"] == 0.,
+              "K_I of pressed lips")
+        for name in ("K_II", "K_III"):
+            check_below(abs(a[name] - b[name]) / size, 1e-7, f"{name} of pressed lips")
+    bent = front(run(slab("bent", as_it_is, layers=6, tension="40*(z - 0.25)"), "bent"))
+    K = [row["K_I"] for row in sorted(bent, key=lambda row: row["z"])]
+    print(K)
+    check(K[0] == K[1] == 0. and min(K[-2:]) > 0.05 * size, "closed where z is small")
+
+
 def test_refusals():
     thin = slab("thin", lambda *point: point, layers=1)
     # Half of the bottom is a lip, too, on a rigid plane.
@@ -204,7 +223,8 @@ def test_refusals():
               f"{name}: status {status}\n{error}")
 
 
-TESTS = [test_slice, test_turned, test_half_model, test_penny, test_refusals]
+TESTS = [test_slice, test_turned, test_half_model, test_penny, test_closed,
+         test_refusals]
 
 if __name__ == "__main__":
     for test in TESTS:

@@ -30,6 +30,16 @@ namespace Crevasse
       return sign * displacement(dof) - gap;
     }
 
+    /** Whether it is pressed with this contact force, not only touched.
+     * @param touching the opening that rounding leaves. */
+    bool
+    is_pressed(const double  force,
+               const Vector &displacement,
+               const double  touching) const
+    {
+      return force > 0. && opening(displacement) <= touching;
+    }
+
     /** The force on the part of the lip that this node speaks for, from its
      * contact force g: g and the share of the held nodes around. */
     double

@@ -63,6 +63,11 @@ namespace Crevasse
     void
     require_no_force_at_front(const Scene &scene, const StepList &steps) const;
 
+    /** By vertex, whether K_I is 0, as StressIntensity::stays_closed at a tip:
+     * whether the nearest node of the lips is pressed. Collective. */
+    std::vector<bool>
+    stay_closed(const State &state) const;
+
     /** What the points in the tube share; none if they differ. Collective. */
     std::optional<VoigtMatrix<3>>
     uniform_in_tube(const PointValues<VoigtMatrix<3>> &matrices) const;
