@@ -5,7 +5,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/cell_loops.h>
-#include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/discretisation/space.h>
 #include <crevasse/grid/curved_edges.h>
 #include <crevasse/parameters/parameters.h>

@@ -154,6 +154,10 @@ namespace Crevasse
                     const StepList  &steps)
   {
     std::vector<std::string> all = material_obstacles(body);
+    if (!body.held_by_contact.empty())
+      all.push_back("contact alone holds the body against " +
+                    body.held_by_contact.front().name +
+                    "; use [Periodic state] Method = anderson");
     if (scene.time_integration.step_control != StepControlType::uniform)
       all.push_back(
         "harmonics need equal steps; set [Time integration] Step "

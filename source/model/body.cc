@@ -4,7 +4,6 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/grid/curved_edges.h>
 #include <crevasse/model/body.h>
 #include <crevasse/model/linear_choice.h>
@@ -21,17 +20,6 @@ namespace Crevasse
 
   namespace
   {
-    /** Everything else builds on a body that cannot move away. */
-    template <int dim>
-    const Space<dim> &
-    held(const Space<dim> &space)
-    {
-      require_no_rigid_motion(space);
-      return space;
-    }
-
-
-
     /** A file may be there for some of the processes only. */
     template <int dim>
     Temperature<dim>
@@ -210,7 +198,8 @@ namespace Crevasse
             fixed_points<dim>(scene),
             scene.discretisation.volumetric_strain,
             tip_functions(scene, *mesh, law, temperature))
-    , points(held(space))
+    , held_by_contact(rigid_motions_held_by_contact(space))
+    , points(space)
     , material(space, points, law, temperature)
     , strain_operator(space, points)
     , lip(space, Expression(*scene.boundary.gap))
@@ -292,7 +281,9 @@ namespace Crevasse
 
   template <int dim>
   UnilateralBounds
-  unilateral_bounds(const ContactBoundary<dim> &lip, const Space<dim> &space)
+  unilateral_bounds(const ContactBoundary<dim>     &lip,
+                    const Space<dim>               &space,
+                    const std::vector<RigidMotion> &motions)
   {
     UnilateralBounds bounds;
     for (const LipNode<dim> &node : lip.nodes)
@@ -309,18 +300,27 @@ namespace Crevasse
         bounds.gap.push_back(0.);
         bounds.n_global = 1;
       }
+    for (const RigidMotion &motion : motions)
+      {
+        bounds.free_motions.push_back({motion.name, {}});
+        for (unsigned int k = 0; k < bounds.dofs.size(); ++k)
+          bounds.free_motions.back().openings.push_back(
+            bounds.sign[k] * motion.displacement(bounds.dofs[k]));
+      }
     return bounds;
   }
 
 
 
-#define INSTANTIATE(dim)                                                    \
-  template struct Body<dim>;                                                \
-  template UnilateralBounds unilateral_bounds(const ContactBoundary<dim> &, \
-                                              const Space<dim> &);          \
-  template std::shared_ptr<Mesh<dim>>   make_scene_mesh(const Scene &,      \
-                                                        const MPI_Comm);    \
-  template std::vector<FixedPoint<dim>> fixed_points(const Scene &);        \
+#define INSTANTIATE(dim)                                                 \
+  template struct Body<dim>;                                             \
+  template UnilateralBounds unilateral_bounds(                           \
+    const ContactBoundary<dim> &,                                        \
+    const Space<dim> &,                                                  \
+    const std::vector<RigidMotion> &);                                   \
+  template std::shared_ptr<Mesh<dim>>   make_scene_mesh(const Scene &,   \
+                                                        const MPI_Comm); \
+  template std::vector<FixedPoint<dim>> fixed_points(const Scene &);     \
   template std::string                  describe_boundaries<dim>(const Scene &)
 
   INSTANTIATE(2);

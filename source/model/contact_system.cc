@@ -117,10 +117,21 @@ namespace Crevasse
         ++(is_multigrid ? setups.multigrid_setups : setups.factorisations);
         const bool condenses = settings.contact_choice.type ==
                                ContactSolverType::condensed_active_set;
+        SparseMatrix with_springs;
+        if (!signorini_problem->bounds.free_motions.empty())
+          {
+            with_springs.copy_from(matrix);
+            const auto springs = signorini_problem->springs();
+            const std::vector<types::global_dof_index> &dofs =
+              signorini_problem->bounds.dofs;
+            for (unsigned int k = 0; k < dofs.size(); ++k)
+              with_springs.add(dofs[k], dofs[k], springs[k]);
+            with_springs.compress(VectorOperation::add);
+          }
         open_solver =
           make_matrix_solver(type,
                              space,
-                             matrix,
+                             with_springs.m() > 0 ? with_springs : matrix,
                              condenses ? signorini_problem->all_bounded_dofs()
                                        : DirectSolver::Indices(),
                              analysis);
@@ -155,6 +166,7 @@ namespace Crevasse
     all.linear_solves     = contact->n_linear_solves();
     all.linear_iterations = contact->n_linear_iterations();
     all.certified         = contact->n_solves();
+    all.undetermined      = contact->n_undetermined();
     all.certificate       = contact->worst_certificate();
     all.accuracy          = contact->accuracy();
     if (problem().n_bounds() > 0)

@@ -50,7 +50,7 @@ namespace Crevasse
     , scene(scene)
     , body(body)
     , log(log)
-    , bounds(unilateral_bounds(body.lip, body.space))
+    , bounds(unilateral_bounds(body.lip, body.space, body.held_by_contact))
     , memory(body.space.communicator(),
              1024. * 1024. * scene.linear_solver.memory_for_instants,
              log)

@@ -122,11 +122,22 @@ namespace Crevasse
 
 
     ContactSolverChoice
-    choose_contact(const ContactParameters &parameters,
-                   const LinearSolverType   linear_solver,
-                   const std::size_t        n_bounds)
+    choose_contact(const ContactParameters        &parameters,
+                   const LinearSolverType          linear_solver,
+                   const std::size_t               n_bounds,
+                   const std::vector<RigidMotion> &held_by_contact)
     {
-      using Type = ContactSolverType;
+      using Type               = ContactSolverType;
+      const bool must_condense = !held_by_contact.empty();
+      if (must_condense && (traits(linear_solver).is_multigrid ||
+                            (parameters.solver != Type::automatic &&
+                             parameters.solver != Type::condensed_active_set)))
+        throw SceneError(
+          "[Contact] Solver: contact alone holds the body against " +
+          held_by_contact.front().name +
+          ", so that without contact it has no equilibrium. Set Solver = "
+          "condensed active set and [Linear solver] Type = cholesky or mumps, "
+          "or hold the body by [Boundary] Clamped, Symmetry or Fixed points.");
       if (parameters.solver == Type::condensed_active_set && n_bounds > 0 &&
           traits(linear_solver).is_multigrid)
         throw SceneError(
@@ -143,6 +154,9 @@ namespace Crevasse
       if (traits(linear_solver).is_multigrid)
         return {Type::active_set,
                 "automatic: without a factor nothing can be condensed"};
+      if (must_condense)
+        return {Type::condensed_active_set,
+                "automatic: contact alone holds parts of the body"};
       if (n_bounds > largest_lip)
         return {Type::active_set,
                 "automatic: the lip has more than " + n + " nodes"};
@@ -160,9 +174,20 @@ namespace Crevasse
     const MPI_Comm    communicator = body.space.communicator();
     const std::size_t n_bounds =
       Utilities::MPI::sum(body.lip.nodes.size(), communicator);
-    const LinearSolverChoice  linear = choose_linear(scene, body);
-    const ContactSolverChoice contact =
-      choose_contact(scene.contact, linear.type, n_bounds);
+    const LinearSolverChoice  linear  = choose_linear(scene, body);
+    const ContactSolverChoice contact = choose_contact(scene.contact,
+                                                       linear.type,
+                                                       n_bounds,
+                                                       body.held_by_contact);
+    if (!body.held_by_contact.empty() &&
+        (scene.output.elastic_comparison == ComparedLip::open ||
+         !scene.contact.relaxation_table.empty()))
+      throw SceneError(
+        "[Output] Elastic comparison = open and [Contact] Relaxation table are "
+        "about the body without contact, which alone holds it against " +
+        body.held_by_contact.front().name +
+        ". Leave both out, or hold the body by [Boundary] Clamped, Symmetry or "
+        "Fixed points.");
     if (Utilities::MPI::n_mpi_processes(communicator) > 1)
       {
         if (contact.type == ContactSolverType::projected_sor && n_bounds > 0)

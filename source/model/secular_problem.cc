@@ -299,8 +299,9 @@ namespace Crevasse
     const Viscosity<dim>     viscosity(body, material);
 
     // The solver is that of ∫ Dᵀ η D / time.
-    UnilateralBounds bounds = unilateral_bounds(body.lip, body.space);
-    const bool       has_gap =
+    UnilateralBounds bounds =
+      unilateral_bounds(body.lip, body.space, body.held_by_contact);
+    const bool has_gap =
       std::any_of(bounds.gap.begin(), bounds.gap.end(), [](const double gap) {
         return gap != 0.;
       });

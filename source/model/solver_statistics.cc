@@ -29,6 +29,7 @@ namespace Crevasse
     for (const auto &[name, counter] : counters)
       this->*counter += other.*counter;
     certified += other.certified;
+    undetermined += other.undetermined;
     certificate.merge(other.certificate);
     accuracy = std::max(accuracy, other.accuracy);
   }

@@ -53,6 +53,10 @@ namespace Crevasse
       log.line("  certificate of " + std::to_string(statistics.certified) +
                " solves: " + statistics.certificate.describe() +
                Text::format(" (accepted up to %.2g)", statistics.accuracy));
+      if (statistics.undetermined > 0)
+        log.line("  In " + std::to_string(statistics.undetermined) +
+                 " of them no force presses on what contact alone holds: its "
+                 "displacement is one of many, of which one near 0 is taken.");
       constexpr double poor = 1e-6;
       if (statistics.accuracy > std::max(poor, tolerance))
         log.line(

@@ -343,6 +343,8 @@ namespace Crevasse
                      sizes["largest_cell"].get<double>()));
     report_memory(setup, log);
     log.line("  boundaries: " + describe_boundaries<dim>(scene));
+    for (const RigidMotion &motion : setup.body.held_by_contact)
+      log.line("  held by contact alone: " + motion.name);
     if (scene.geometry.shape == Shape::mesh_file)
       log.line("  materials: " +
                describe_materials(scene, setup.body.space.mesh()));

@@ -9,6 +9,8 @@
 #include <crevasse/contact/lip_graph.h>
 #include <crevasse/linear/direct_solver.h>
 
+#include <deal.II/lac/full_matrix.h>
+
 
 namespace Crevasse
 {
@@ -17,6 +19,12 @@ namespace Crevasse
    * between forward and backward substitution the variational inequality is a
    * small one on the lip. It costs one back-solve, whether the lip is open or
    * closed. On several ranks each solves the small problem.
+   *
+   * Where A has free motions, the factor is that of A and weak springs at the
+   * bounds. The small problem is solved a few times, each time with springs at
+   * rest where they were in the solution before: the proximal point method
+   * (Rockafellar, SIAM J. Control Optim. 14, 1976), whose steps become one
+   * motion without end if there is no solution.
    */
   class CondensedActiveSet : public ContactSolver
   {
@@ -49,10 +57,28 @@ namespace Crevasse
     iterate(const Vector &right_hand_side, Vector &solution) override;
 
   private:
-    DirectSolver          &linear_solver;
-    const LipGraph         lip; ///< the nodes of the small problem
-    CondensedProblem       lip_problem;
-    dealii::Vector<double> loads;
+    using LipVector = CondensedProblem::LipVector;
+
+    /** The small problem for the loads, where A has free motions.
+     * @return the number of sets tried.
+     * @throw NumericalError if the loads do work on a motion of these that no
+     * bound stops. */
+    unsigned int
+    solve_with_springs(LipVector &on_lip);
+
+    /** Whether these contact forces stop all free motions. */
+    bool
+    determine_position(const LipVector &forces) const;
+
+    void
+    require_no_escape(const LipVector &step) const;
+
+    DirectSolver              &linear_solver;
+    const LipGraph             lip; ///< the nodes of the small problem
+    CondensedProblem           lip_problem;
+    LipVector                  loads;
+    LipVector                  sign, springs; ///< of all ranks
+    dealii::FullMatrix<double> free_motions;  ///< one in a column
   };
 } // namespace Crevasse
 

@@ -91,6 +91,14 @@ namespace Crevasse
       return solves;
     }
 
+    /** Solutions in which no contact force stops some free motion: stresses
+     * and forces are certain, the position is one of many. */
+    std::size_t
+    n_undetermined() const
+    {
+      return undetermined;
+    }
+
     std::size_t
     n_iterations() const
     {
@@ -192,6 +200,7 @@ namespace Crevasse
     const SignoriniProblem &problem;
     const double            tolerance;
     Scales                  scales; ///< of all solutions and the candidate
+    std::size_t             undetermined = 0;
 
   private:
     /** Certifies into this object's own work space. */

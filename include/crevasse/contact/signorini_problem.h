@@ -7,6 +7,7 @@
 #include <crevasse/linear/linear_operator.h>
 
 #include <memory>
+#include <string>
 
 namespace Crevasse
 {
@@ -20,6 +21,13 @@ namespace Crevasse
    */
   struct UnilateralBounds
   {
+    /** A motion without energy, by what it adds to each `sign * q[dof]`. */
+    struct FreeMotion
+    {
+      std::string         name;
+      std::vector<double> openings;
+    };
+
     std::vector<dealii::types::global_dof_index> dofs;
     std::vector<double>                          sign;
     std::vector<double>                          gap;
@@ -27,6 +35,10 @@ namespace Crevasse
     /** The last ones that are of no place on the lip: their unknowns couple
      * with all others. */
     unsigned int n_global = 0;
+
+    /** A basis of the kernel of A: what bounds alone can stop. The same motions
+     * on all ranks, each of which opens some bound. */
+    std::vector<FreeMotion> free_motions;
   };
 
   /**
@@ -35,8 +47,9 @@ namespace Crevasse
    *
    *     A q − b = Lᵀ g,      0 ≤ g ⟂ L q − gap ≥ 0.
    *
-   * A is symmetric positive definite. Nothing here knows of finite elements,
-   * time or materials. The right-hand side comes with each solve.
+   * A is symmetric positive definite, but for free motions. Nothing here knows
+   * of finite elements, time or materials. The right-hand side comes with each
+   * solve.
    */
   class SignoriniProblem
   {
@@ -73,6 +86,12 @@ namespace Crevasse
     {
       return stiffness.diagonal();
     }
+
+    /** Springs at the locally owned bounds with which A is positive definite
+     * although there are free motions. A solution without springs is the limit
+     * of those whose springs are at rest where the one before was. */
+    std::vector<double>
+    springs() const;
 
     /** Number of bounds on all ranks. */
     dealii::types::global_dof_index

@@ -8,6 +8,7 @@
 #include <crevasse/discretisation/contact_boundary.h>
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/material_field.h>
+#include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/parameters/effects.h>
 
@@ -38,15 +39,17 @@ namespace Crevasse
      * unconstrained. */
     Body(const Scene &scene, std::shared_ptr<const Mesh<dim>> mesh);
 
-    const Temperature<dim>     temperature;
-    const Effects              effects;
-    const MaxwellLaw<dim>      law;
-    const Space<dim>           space;
-    const QuadratureField<dim> points;
-    const MaterialField<dim>   material;
-    const StrainOperator<dim>  strain_operator;
-    const ContactBoundary<dim> lip;
-    const ExternalLoads<dim>   loads;
+    const Temperature<dim> temperature;
+    const Effects          effects;
+    const MaxwellLaw<dim>  law;
+    const Space<dim>       space;
+    /** What moves away unless contact stops it. */
+    const std::vector<RigidMotion> held_by_contact;
+    const QuadratureField<dim>     points;
+    const MaterialField<dim>       material;
+    const StrainOperator<dim>      strain_operator;
+    const ContactBoundary<dim>     lip;
+    const ExternalLoads<dim>       loads;
   };
 
   /** What a property of the material tends to at a tip, if that is the same
@@ -72,10 +75,13 @@ namespace Crevasse
    * and after them that of the singular function which opens it. Its
    * coefficient is K_I but for a factor: without the bound the lip would
    * penetrate between the nodes by √r. (w₃ opens it by r^{3/2} only, and has
-   * none.) */
+   * none.)
+   * @param motions that they alone stop. */
   template <int dim>
   UnilateralBounds
-  unilateral_bounds(const ContactBoundary<dim> &lip, const Space<dim> &space);
+  unilateral_bounds(const ContactBoundary<dim>     &lip,
+                    const Space<dim>               &space,
+                    const std::vector<RigidMotion> &motions = {});
 
   /** The scene's supports: its own list, or what the built-in shape needs. */
   template <int dim>

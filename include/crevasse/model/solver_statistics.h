@@ -20,7 +20,8 @@ namespace Crevasse
     std::size_t vi_solves         = 0; ///< with bounds
     std::size_t vi_iterations     = 0;
 
-    std::size_t certified = 0; ///< solves with a certificate
+    std::size_t certified    = 0; ///< solves with a certificate
+    std::size_t undetermined = 0; ///< ContactSolver::n_undetermined()
 
     Certificate certificate;
     double      accuracy = 0.; ///< ContactSolver::accuracy()

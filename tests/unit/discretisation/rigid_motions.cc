@@ -3,7 +3,7 @@
 
 // Rigid motions that supports leave free are found and named.
 
-#include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
