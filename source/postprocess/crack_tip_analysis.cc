@@ -73,38 +73,48 @@ namespace Crevasse
   void
   CrackTipAnalysis::require_no_force_at_tip(const StepList &steps) const
   {
-    const CrackTip &tip                 = intensity.region.tip;
-    bool            is_held_along_crack = false;
+    const CrackTip &tip     = intensity.region.tip;
+    bool            is_held = false;
     for (const FixedPoint<2> &fixed : fixed_points<2>(scene))
       for (unsigned int d = 0; d < 2; ++d)
-        is_held_along_crack =
-          is_held_along_crack ||
-          (fixed.components[d] && std::abs(tip.ahead[d]) > 0.5 &&
-           fixed.point.distance(tip.position) <
-             1e-6 * intensity.region.cell_radius);
-    if (!is_held_along_crack)
+        is_held =
+          is_held || (fixed.components[d] &&
+                      (tip.two_lips || std::abs(tip.ahead[d]) > 1e-10) &&
+                      fixed.point.distance(tip.position) <
+                        1e-6 * intensity.region.cell_radius);
+    if (!is_held)
       return;
-    const unsigned int axis       = std::abs(tip.ahead[0]) > 0.5 ? 0 : 1;
-    const Vector       along      = rigid_modes(body.space)[axis];
-    constexpr double   negligible = 1e-6;
+    // What pushes across the crack, the plane of symmetry bears; without it
+    // there must be no force and no moment.
+    using Motion = std::array<double, 3>;
+    const std::vector<Motion> motions =
+      tip.two_lips
+        ? std::vector<Motion>{{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}}
+        : std::vector<Motion>{{{tip.ahead[0], tip.ahead[1], 0.}}};
+    const std::vector<Vector> modes      = rigid_modes(body.space);
+    constexpr double          negligible = 1e-6;
     for (const double t : instants_of_extreme_loads(body, steps))
-      {
-        const Vector loads = loads_at(body, t);
-        double       force = 0.;
-        for (std::size_t i = 0; i < along.locally_owned_size(); ++i)
-          force += along.local_element(i) * loads.local_element(i);
-        force = Utilities::MPI::sum(force, body.space.communicator());
-        if (std::abs(force) > negligible * loads.l1_norm())
-          throw SceneError(
-            "[Crack tip] Stress intensity = true: at t = " +
-            Text::from_number(t) +
-            " the loads push the body along the crack "
-            "with the force " +
-            Text::from_number(force) + ", which the support at the crack tip " +
-            Text::from_point(tip.position) +
-            " would bear: its stress has a singularity of its own there. Hold "
-            "the body elsewhere ([Boundary] Clamped or Fixed points).");
-      }
+      for (const Motion &motion : motions)
+        {
+          const Vector loads = loads_at(body, t);
+          double       force = 0.;
+          for (unsigned int m = 0; m < modes.size(); ++m)
+            for (std::size_t i = 0; i < loads.locally_owned_size(); ++i)
+              force +=
+                motion[m] * modes[m].local_element(i) * loads.local_element(i);
+          force = Utilities::MPI::sum(force, body.space.communicator());
+          if (std::abs(force) > negligible * loads.l1_norm())
+            throw SceneError(
+              "[Crack tip] Stress intensity = true: at t = " +
+              Text::from_number(t) + " the loads " +
+              (tip.two_lips ? "are not in equilibrium"
+                            : "push the body along the crack") +
+              ", with the resultant " + Text::from_number(force) +
+              ", which the support at the crack tip " +
+              Text::from_point(tip.position) +
+              " would bear: its stress has a singularity of its own there. "
+              "Hold the body elsewhere ([Boundary] Clamped or Fixed points).");
+        }
   }
 
 

@@ -211,6 +211,31 @@ def test_growth_law():
         check_close(tip["da_dN"] / (1e-20 * (max(K) - min(K))**2), 1, 1e-9, "da/dN")
 
 
+def test_support_at_tip():
+    """It may hold what has no load, in all directions of the crack."""
+    tip = "subsection Crack tip\n  set Stress intensity = true\nend\n"
+    K = []
+    for degrees in (0, 30):
+        cracked.square("half.msh", degrees=degrees, half=True)
+        cracked.square("full.msh", degrees=degrees)
+        half = cracked.square_scene("half.msh", degrees, half=True, more=tip)
+        K.append(run(half, f"held_{degrees}").table("crack_tip.csv")["K_I"])
+        c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+        for kind, text, push, words in (
+                ("half", half, f"{c!r}; {s!r}", "push the body along the crack"),
+                ("full", cracked.square_scene("full.msh", degrees, more=tip),
+                 f"{c!r}*({c!r}*y-{s!r}*x); {s!r}*({c!r}*y-{s!r}*x)",
+                 "not in equilibrium")):
+            path = pathlib.Path(f"{kind}_{degrees}.prm")
+            path.write_text(text)
+            check(execute(path, "--check")[0] == 0, f"{kind}, {degrees} degrees")
+            code, _, error = execute(path, "--check", "--set",
+                                     f"Loads/Traction={push}")
+            check(code == 2 and words in error, f"{kind}: status {code}, {error}")
+    check_below(max(abs(a - b) for a, b in zip(*K, strict=True)) / max(K[0]), 1e-9,
+                "K_I of a crack that is turned by 30 degrees, held at its tip")
+
+
 def test_refusals():
     """What is known of cracks with one lip only."""
     path = pathlib.Path("refused.prm")
@@ -224,7 +249,7 @@ def test_refusals():
 
 
 TESTS = [test_inclined, test_half_model, test_invariances, test_growth_law,
-         test_refusals]
+         test_support_at_tip, test_refusals]
 
 if __name__ == "__main__":
     for test in TESTS:
