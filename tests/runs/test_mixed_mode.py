@@ -141,6 +141,8 @@ def test_inclined():
         check_close(half, (K[0] - math.hypot(K[0], math.sqrt(8) * K[1])) / 4 / K[1],
                     1e-9, "direction of growth")
         check(-60 < tip["growth_angle"] < -37, "towards the line across the load")
+        # From an integral equation for a short kink, with K_I = 1.328857 K_II.
+        check_close(tip["growth_angle_G"], -51.18, 0.02, "largest release of energy")
         check(tip["K_II"]["smallest"] < -0.9 * K_II, "shear of both signs")
     with (contextlib.redirect_stdout(io.StringIO()),
           contextlib.redirect_stderr(io.StringIO()) as stderr):

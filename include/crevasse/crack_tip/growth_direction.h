@@ -34,6 +34,15 @@ namespace Crevasse
     double angle;     ///< θ, from straight ahead, counter-clockwise
     double intensity; ///< K, of mode I with the same hoop stress
   };
+
+  /** The angle, as θ above, at which a short kink releases the most energy:
+   *
+   *     G ∝ k₁² + k₂²,      kᵢ = Fᵢ₁ K_I + Fᵢ₂ K_II
+   *
+   * with expansions of F (Amestoy, Leblond, Int. J. Solids Struct. 29, 1992). A
+   * negative K_I or k₁ counts as 0. */
+  double
+  angle_of_largest_release(const double K_I, const double K_II);
 } // namespace Crevasse
 
 #endif

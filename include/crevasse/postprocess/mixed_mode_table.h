@@ -53,7 +53,8 @@ namespace Crevasse
               "energy_release_rate",
               "growth_angle",
               "equivalent_intensity",
-              "T_stress"};
+              "T_stress",
+              "growth_angle_G"};
     }
 
     void
@@ -72,7 +73,8 @@ namespace Crevasse
                      v.release_rate,
                      v.growth_angle,
                      v.equivalent,
-                     v.t_stress});
+                     v.t_stress,
+                     v.angle_of_release});
     }
 
     void
@@ -130,6 +132,7 @@ namespace Crevasse
       tip["T_stress"] = {{"largest", most_T}, {"smallest", least_T}};
       tip["equivalent_intensity"] = {{"largest", worst.equivalent}};
       tip["growth_angle"]         = worst.growth_angle;
+      tip["growth_angle_G"]       = worst.angle_of_release;
       summarise_growth(tip, title);
       summary["crack_tips"].push_back(tip);
       warn(summary);
@@ -144,7 +147,8 @@ namespace Crevasse
       double                growth_angle; ///< in degrees
       double                equivalent;   ///< GrowthDirection::intensity
       double                t_stress;
-      double                energy; ///< of the whole body
+      double                angle_of_release; ///< in degrees
+      double                energy;           ///< of the whole body
     };
 
     Values
@@ -168,11 +172,15 @@ namespace Crevasse
         }
       values.release_rate =
         size * size / (material.stiffness_factor * at_tip.modulus());
+      constexpr double      degrees = 180. / dealii::numbers::PI;
       const GrowthDirection growth(values.intensity[0], values.intensity[1]);
-      values.growth_angle = growth.angle * 180. / dealii::numbers::PI;
-      values.equivalent   = growth.intensity;
-      values.t_stress     = modes[2].intensity;
-      values.energy       = analysis.energy.value(material,
+      values.growth_angle = degrees * growth.angle;
+      values.angle_of_release =
+        degrees *
+        angle_of_largest_release(values.intensity[0], values.intensity[1]);
+      values.equivalent = growth.intensity;
+      values.t_stress   = modes[2].intensity;
+      values.energy     = analysis.energy.value(material,
                                             sample.state.stress,
                                             sample.viscous_strain);
       return values;

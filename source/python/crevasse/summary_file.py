@@ -23,7 +23,8 @@ SHAPES = {
     "crack_tips": [{"method": TEXT, "position": [NUMBER], "radius": NUMBER,
                     "K_I": {EACH: NUMBER}, "K_II": {EACH: NUMBER},
                     "energy_release_rate": {EACH: NUMBER},
-                    "equivalent_intensity": {EACH: NUMBER}, "growth_angle": NUMBER}],
+                    "equivalent_intensity": {EACH: NUMBER}, "growth_angle": NUMBER,
+                    "growth_angle_G": NUMBER}],
     "crack_front": {"radius": NUMBER, "vertices": NUMBER, **dict.fromkeys(
         ("K_I", "K_II", "K_III"), {EACH: {
             "value": NUMBER, "t": NUMBER, "s": NUMBER, "position": [NUMBER]}})},

@@ -213,6 +213,41 @@ namespace
     check("a crack without load grows nowhere",
           GrowthDirection(0., 0.).intensity == 0.);
   }
+
+
+
+  /** That of the largest energy release rate, against an integral equation for
+   * dislocations along a short kink of a long crack (Gauss-Chebyshev, 150 and
+   * 300 points, extrapolated), Amestoy, Bui and Dang Van's 75.6 degrees of mode
+   * II, and what it is close to mode I, where all criteria agree. */
+  void
+  check_direction_of_release()
+  {
+    const auto degrees = [](const double K_I, const double K_II) {
+      return angle_of_largest_release(K_I, K_II) * 180. / pi;
+    };
+    for (const auto &[K_I, angle] :
+         {std::pair{0., 75.752}, {0.5, 65.775}, {1., 56.565}, {2., 42.030}})
+      check_below("largest energy release rate, K_I = " + std::to_string(K_I) +
+                    " K_II",
+                  std::abs(degrees(K_I, 1.) + angle),
+                  0.01);
+    check_below("in mode II 75.6 degrees",
+                std::abs(degrees(0., -1.) - 75.6),
+                0.2);
+    const double small = angle_of_largest_release(1., 1e-3);
+    check_below("close to mode I -2 K_II / K_I",
+                std::abs(small / -2e-3 - 1.),
+                1e-4);
+    check_below("and that of the hoop stress",
+                std::abs(small / GrowthDirection(1., 1e-3).angle - 1.),
+                1e-4);
+    check("a lip that slides the other way turns the crack the other way",
+          degrees(1., 0.4) == -degrees(1., -0.4));
+    check("pressed lips have no K_I", degrees(-2., 1.) == degrees(0., 1.));
+    check("mode I goes straight on, as a crack without load",
+          degrees(1., 0.) == 0. && degrees(0., 0.) == 0.);
+  }
 } // namespace
 
 void
@@ -221,4 +256,5 @@ crack_modes()
   for (const unsigned int degrees : {0, 17, 45})
     check_exact_stress(degrees);
   check_growth_direction();
+  check_direction_of_release();
 }
