@@ -213,6 +213,29 @@ def test_growth_law():
         check_close(tip["da_dN"] / (1e-20 * (max(K) - min(K))**2), 1, 1e-9, "da/dN")
 
 
+def test_creep():
+    """With a viscosity in proportion to the stiffness, loads that leave the crack
+    open, or closed, make the elastic stress: K and T follow the load however far
+    the body has crept."""
+    for name, sign in (("open", ""), ("closed", "-")):
+        text = scene(f"creep_{name}", 10, 3, angle=ANGLE)
+        settings = ["Time integration/Steps per period=20", "Loads/Traction="
+                    f"0; {sign}1e8*(1.2+sin(2*pi*t))*if(y>0,1,-1)"]
+        elastic = tips(run(text, f"elastic_{name}", settings))
+        crept = tips(run(text, f"crept_{name}", settings + [
+            "Material/Viscosity=relaxation time", "Periodic state/Maximum periods=3",
+            "Periodic state/Tolerance=0", "Periodic state/Method=march"]))
+        for mine, theirs in zip(crept, elastic):
+            n = len(theirs["t"]) - 1
+            for columns in (("K_I", "K_II"), ("T_stress",)):
+                size = max(abs(x) for column in columns for x in theirs[column])
+                worst = max(abs(a - b) / size for column in columns
+                            for a, b in zip(mine[column][-n:], theirs[column][-n:],
+                                            strict=True))
+                check(len(mine["t"]) > 3 * n and size > 0, "three periods, a load")
+                check_below(worst, 1e-5, f"{columns} of a crack that creeps {name}")
+
+
 def test_support_at_tip():
     """It may hold what has no load, in all directions of the crack."""
     tip = "subsection Crack tip\n  set Stress intensity = true\nend\n"
@@ -251,7 +274,7 @@ def test_refusals():
 
 
 TESTS = [test_inclined, test_half_model, test_invariances, test_growth_law,
-         test_support_at_tip, test_refusals]
+         test_creep, test_support_at_tip, test_refusals]
 
 if __name__ == "__main__":
     for test in TESTS:
