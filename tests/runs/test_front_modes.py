@@ -153,10 +153,10 @@ def turn(x, y, z):
     return c * x - s * y, s * x + c * y, z
 
 
-def slab(name, place, n=8, layers=3, tension="10"):
+def slab(name, place, n=8, layers=3, tension="10", cracks=is_crack):
     """A free slab with an edge crack under tension, shear and twist, moved."""
     write_block(f"{name}.msh", [steps(-1, 1, n), steps(-1, 1, n), steps(0, 0.5, layers)],
-                is_crack, lambda point: place(*point))
+                cracks, lambda point: place(*point))
     rows = [place(*(float(i == j) for j in range(3))) for i in range(3)]
     X, Y = (" + ".join(f"({factor!r})*{axis}" for factor, axis in zip(row, "xyz"))
             for row in rows[:2])
@@ -205,6 +205,23 @@ def test_closed():
     check(K[0] == K[1] == 0. and min(K[-2:]) > 0.05 * size, "closed where z is small")
 
 
+def test_two_cracks():
+    """From both sides of a slab: turned by 180 degrees about the axis 2 it is the
+    same, and shear and twist change their sign."""
+    scene = slab("double", lambda *point: point, cracks=lambda middle, normal: (
+        normal == 1 and middle[1] == 0 and abs(middle[0]) > 0.5))
+    rows = front(run(scene, "double"))
+    left, right = ([row for row in rows if row["x"] * side > 0] for side in (-1, 1))
+    check({row["front"] for row in left} != {row["front"] for row in right},
+          "there are two fronts")
+    size = max(row["K_I"] for row in rows)
+    for a, b in zip(sorted(left, key=lambda row: row["z"]),
+                    sorted(right, key=lambda row: -row["z"]), strict=True):
+        for name, sign in zip(MODES, (1, -1, -1)):
+            check_below(abs(a[name] - sign * b[name]) / size, 1e-9,
+                        f"{name} of both fronts")
+
+
 def test_refusals():
     thin = slab("thin", lambda *point: point, layers=1)
     # Half of the bottom is a lip, too, on a rigid plane.
@@ -224,7 +241,7 @@ def test_refusals():
 
 
 TESTS = [test_slice, test_turned, test_half_model, test_penny, test_closed,
-         test_refusals]
+         test_two_cracks, test_refusals]
 
 if __name__ == "__main__":
     for test in TESTS:
