@@ -63,8 +63,9 @@ namespace Crevasse
   void
   FrontIntegral::integrate_over_cells()
   {
+    // In parts, as hats of small elements bend within larger cells.
     KernelRules<3> rules(body.space,
-                         QGauss<3>(10),
+                         QIterated<3>(QGauss<1>(3), 4),
                          Quadrature<3>(crowded_rule(18)));
     for (const auto &cell : owned_cells(body.space.mesh()))
       {
@@ -118,12 +119,15 @@ namespace Crevasse
     const auto       &fe    = space.finite_element;
     const UpdateFlags flags =
       update_values | update_quadrature_points | update_JxW_values;
-    FEFaceValues<3>             usual(space.mapping, fe, QGauss<2>(10), flags);
-    FEFaceValues<3>             fine(space.mapping,
+    FEFaceValues<3>                      usual(space.mapping,
+                          fe,
+                          QIterated<2>(QGauss<1>(3), 4),
+                          flags);
+    FEFaceValues<3>                      fine(space.mapping,
                          fe,
                          Quadrature<2>(crowded_rule(16)),
                          flags);
-    std::vector<VoigtVector<3>> of_stress(region.vertices.size());
+    std::vector<VoigtVector<3>>          of_stress(region.vertices.size());
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<std::map<types::global_dof_index, double>> per_pressure(
       region.vertices.size());

@@ -39,7 +39,7 @@ namespace Crevasse
             return FrontIntegral(body,
                                  region,
                                  scene.loads,
-                                 {mode, two_lips, elasticity, {size, 3}});
+                                 {mode, two_lips, elasticity, {size, 4}});
           };
           integrals.emplace_back(
             within(radius), within(std::max(0.5 * radius, region.cell_radius)));

@@ -99,10 +99,10 @@ def test_penny():
 def test_slice():
     """Between rigid planes a straight front is in plane strain."""
     for name, more, error, spread in (
-            ("equal", [], 1e-3, 1e-9),
-            # Hats are narrower than the larger cells further away.
-            ("graded", ["Refinement/Strategy=tip", "Refinement/Cycles=2"], 1e-2,
-             6e-3)):
+            ("equal", [], 2e-3, 1e-9),
+            # Hats bend within the larger cells further away.
+            ("graded", ["Refinement/Strategy=tip", "Refinement/Cycles=2"], 1e-3,
+             2e-5)):
         plane = run(PLANE, f"plane_{name}", more)
         expected = plane.table("crack_tip.csv")["K_I"][-1]
         rows = front(run(PLATE, f"slice_{name}", more))
@@ -129,7 +129,7 @@ def test_free_strain():
     check_below(max(abs(row["K_I"]) for row in front(free)) / size, 1e-3,
                 "K_I without stress")
     print("held between planes:", front(held)[0]["K_I"], "in the plane:", plane)
-    check_below(max(abs(row["K_I"] / plane - 1) for row in front(held)), 1e-3,
+    check_below(max(abs(row["K_I"] / plane - 1) for row in front(held)), 5e-3,
                 "thermal K_I of a slice")
 
 

@@ -29,7 +29,8 @@ namespace Crevasse
   {
     double radius; ///< R
     /** n = 2 where the square cuts no cell. 3 else: with 2 the second
-     * derivatives jump where it ends. */
+     * derivatives jump where it ends. 4 in space: with 3 the third ones jump,
+     * which rules in cells do not integrate to four digits. */
     int exponent;
 
     /** A factor and its first two derivatives; 0 outside of the square. */
@@ -39,7 +40,7 @@ namespace Crevasse
       const double s = x / radius, rest = 1. - s * s;
       if (std::abs(s) >= 1.)
         return {};
-      const double last = exponent == 2 ? 1. : rest; // rest^(n − 2)
+      const double last = std::pow(rest, exponent - 2);
       return {{last * rest * rest,
                -2. * exponent * s * last * rest / radius,
                2. * exponent * last * ((2. * exponent - 1.) * s * s - 1.) /
