@@ -52,13 +52,14 @@ namespace Crevasse
         return unknown != dealii::numbers::invalid_dof_index;
       }
 
-      /** The component whose direction is nearest to the normal. */
+      /** The component whose direction is nearest to the normal, the first of
+       * equals: rounding must not decide, nor the mesh. */
       unsigned int
       component() const
       {
         unsigned int largest = 0;
         for (unsigned int d = 1; d < dim; ++d)
-          if (std::abs(normal[d]) > std::abs(normal[largest]))
+          if (std::abs(normal[d]) > (1. + 1e-8) * std::abs(normal[largest]))
             largest = d;
         return largest;
       }
