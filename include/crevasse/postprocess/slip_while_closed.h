@@ -10,6 +10,9 @@
 #include <crevasse/model/body.h>
 #include <crevasse/time/observer.h>
 
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
 
 namespace Crevasse
 {
@@ -23,37 +26,74 @@ namespace Crevasse
   class SlipWhileClosed : public Observer
   {
   public:
-    /** References must outlive this object. */
+    /** Collective. References must outlive this object. */
     SlipWhileClosed(const Body<dim> &body, Log &log)
       : body(body)
       , log(log)
       , lengths(body.space.lip.nodes.size())
     {
+      const Space<dim>             &space = body.space;
+      std::map<Index, Jumps>        mine;
+      std::map<Index, unsigned int> numbers;
+      for (unsigned int i = 0; i < lengths.size(); ++i)
+        // Before rigid planes nothing slides on another lip.
+        if (const auto &node = space.lip.nodes[i];
+            node.sides[1] != dealii::numbers::invalid_dof_index)
+          {
+            numbers[node.unknown] = i;
+            for (unsigned int d = 0; d < dim; ++d)
+              for (const unsigned int side : {0, 1})
+                if (const Index dof = node.sides[side] + d;
+                    space.locally_owned_unknowns.is_element(dof))
+                  {
+                    const auto *line =
+                      space.constraints.get_constraint_entries(dof);
+                    const Weights itself{{dof, 1.}};
+                    for (const auto &[unknown, weight] :
+                         line == nullptr ? itself : *line)
+                      mine[unknown].emplace_back(i * (dim + 1) + d,
+                                                 side == 0 ? weight : -weight);
+                  }
+          }
+      for (const auto &of_rank :
+           dealii::Utilities::MPI::all_gather(space.communicator(), mine))
+        for (const auto &[unknown, entries] : of_rank)
+          if (const auto &owned = space.locally_owned_unknowns;
+              owned.is_element(unknown))
+            {
+              Jumps &of_unknown = jumps[owned.index_within_set(unknown)];
+              of_unknown.insert(of_unknown.end(),
+                                entries.begin(),
+                                entries.end());
+            }
+      for (unsigned int k = 0; k < body.lip.nodes.size(); ++k)
+        if (const auto at = numbers.find(body.lip.nodes[k].dof);
+            at != numbers.end())
+          bounds.emplace_back(k, at->second * (dim + 1) + dim);
     }
 
     void
     observe(const Sample &sample) override
     {
-      const auto &nodes = body.space.lip.nodes;
       if (sample.step == 0)
         {
-          lengths.assign(nodes.size(), 0.);
+          lengths.assign(lengths.size(), 0.);
           before.clear();
         }
-      const std::vector<double> values = jumps(sample);
-      for (unsigned int i = 0; i < nodes.size(); ++i)
+      look_at(sample);
+      for (unsigned int i = 0; i < lengths.size() && !before.empty(); ++i)
         {
-          const double *const now = &values[i * (dim + 1)];
-          if (now[dim] == 0. || before.empty() ||
-              before[i * (dim + 1) + dim] == 0.)
+          const double *const here  = &now[i * (dim + 1)];
+          const double *const there = &before[i * (dim + 1)];
+          if (here[dim] == 0. || there[dim] == 0.)
             continue;
           dealii::Tensor<1, dim> step;
           for (unsigned int d = 0; d < dim; ++d)
-            step[d] = now[d] - before[i * (dim + 1) + d];
-          lengths[i] +=
-            (step - (step * nodes[i].normal) * nodes[i].normal).norm();
+            step[d] = here[d] - there[d];
+          const auto &normal = body.space.lip.nodes[i].normal;
+          lengths[i] += (step - (step * normal) * normal).norm();
         }
-      before = values;
+      before.swap(now);
     }
 
     void
@@ -87,45 +127,41 @@ namespace Crevasse
     }
 
   private:
+    using Index   = dealii::types::global_dof_index;
+    using Weights = OpeningUnknowns::Weights;
+    /** Entries of a list of jumps, and with which weights an unknown is there.
+     */
+    using Jumps = std::vector<std::pair<unsigned int, double>>;
+
     /** Of each node of LipBasis the jump of the displacement, and 1 if it is
      * closed. Collective. */
-    std::vector<double>
-    jumps(const Sample &sample) const
+    void
+    look_at(const Sample &sample)
     {
-      const State                                    &state = sample.state;
-      const Space<dim>                               &space = body.space;
-      std::map<dealii::types::global_dof_index, bool> is_closed;
-      for (unsigned int k = 0; k < body.lip.nodes.size(); ++k)
-        is_closed[body.lip.nodes[k].dof] = state.contact_forces[k] > 0.;
-      Vector whole(state.displacement);
-      if (sample.secular_flow != nullptr)
-        whole.add(sample.time, sample.secular_flow->velocity);
-      const Vector        u     = space.nodal_values(whole);
-      const auto         &nodes = space.lip.nodes;
-      std::vector<double> values(nodes.size() * (dim + 1));
-      for (unsigned int i = 0; i < nodes.size(); ++i)
+      const SecularFlow *const flow = sample.secular_flow;
+      now.assign(lengths.size() * (dim + 1), 0.);
+      for (const auto &[unknown, entries] : jumps)
         {
-          // Before rigid planes nothing slides on another lip.
-          if (nodes[i].sides[1] == dealii::numbers::invalid_dof_index)
-            continue;
-          double *const of_node = &values[i * (dim + 1)];
-          for (const unsigned int side : {0, 1})
-            for (unsigned int d = 0; d < dim; ++d)
-              if (const auto dof = nodes[i].sides[side] + d;
-                  u.in_local_range(dof))
-                of_node[d] += (side == 0 ? 1. : -1.) * u(dof);
-          if (const auto node = is_closed.find(nodes[i].unknown);
-              node != is_closed.end() && node->second)
-            of_node[dim] = 1.;
+          double u = sample.state.displacement.local_element(unknown);
+          if (flow != nullptr)
+            u += sample.time * flow->velocity.local_element(unknown);
+          for (const auto &[entry, weight] : entries)
+            now[entry] += weight * u;
         }
-      dealii::Utilities::MPI::sum(values, space.communicator(), values);
-      return values;
+      for (const auto &[k, entry] : bounds)
+        now[entry] = sample.state.contact_forces[k] > 0.;
+      dealii::Utilities::MPI::sum(now, body.space.communicator(), now);
     }
 
     const Body<dim>    &body;
     Log                &log;
-    std::vector<double> lengths; ///< of the last period
-    std::vector<double> before;  ///< jumps() of the last sample
+    std::vector<double> lengths;     ///< of the last period
+    std::vector<double> now, before; ///< look_at() at this and the last sample
+
+    std::map<unsigned int, Jumps> jumps; ///< of this rank's unknowns
+    /** This rank's bounds, and the entries that tell whether they are closed.
+     */
+    std::vector<std::pair<unsigned int, unsigned int>> bounds;
   };
 } // namespace Crevasse
 
