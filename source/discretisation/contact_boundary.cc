@@ -52,9 +52,9 @@ namespace Crevasse
                            node.normal});
         Place place;
         if (node.has_unknown())
-          place.speakers.emplace_back(node.unknown, 1.);
-        for (const auto &[number, factor] : node.speakers)
-          place.speakers.emplace_back(all[number].unknown, factor);
+          place.masters.emplace_back(node.unknown, 1.);
+        for (const auto &[number, factor] : node.masters)
+          place.masters.emplace_back(all[number].unknown, factor);
         for (const auto first :
              std::set<types::global_dof_index>(node.sides.begin(),
                                                node.sides.end()))
@@ -85,7 +85,7 @@ namespace Crevasse
     at_unknowns.update_ghost_values();
     Vector values = make_vector(space.dof_handler);
     for (const Place &place : places)
-      for (const auto &[unknown, factor] : place.speakers)
+      for (const auto &[unknown, factor] : place.masters)
         values(place.dof) += factor * at_unknowns(unknown);
     values.update_ghost_values();
     return values;
@@ -100,7 +100,7 @@ namespace Crevasse
     weights.compress(VectorOperation::add);
     Vector at_unknowns = space.ghosted_vector();
     for (const Place &place : places)
-      for (const auto &[unknown, factor] : place.speakers)
+      for (const auto &[unknown, factor] : place.masters)
         at_unknowns(unknown) += factor * weights(place.dof);
     at_unknowns.compress(VectorOperation::add);
     std::vector<double> factors;

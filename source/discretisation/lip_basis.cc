@@ -46,30 +46,42 @@ namespace Crevasse
 
 
 
+  /** What only the construction needs. */
+  template <int dim>
+  struct LipBasis<dim>::Surroundings
+  {
+    std::vector<std::vector<unsigned int>> nodes_of_faces;
+    std::multimap<Index, unsigned int>     nodes_at; ///< by their first dofs
+    Meanings                               supported;
+  };
+
+
+
   template <int dim>
   LipBasis<dim>::LipBasis(const Space<dim>                &space,
                           const AffineConstraints<double> &supports)
     : OpeningUnknowns(space.dof_handler.n_dofs())
   {
-    collect_nodes(find_lip_faces(space));
-    gather_supports(space, supports);
+    Surroundings surroundings = collect_nodes(find_lip_faces(space));
+    surroundings.supported    = gather_supports(space, supports);
     for (Node &node : nodes)
-      if (!hangs(node))
-        make_opening(node);
+      if (!hangs(node, surroundings))
+        make_opening(node, surroundings.supported);
     const auto renumbered = number_unknowns();
     for (Node &node : nodes)
       if (const auto found = renumbered.find(node.unknown);
           found != renumbered.end())
         node.unknown = found->second;
-    choose_speakers();
+    choose_masters(surroundings);
   }
 
 
 
   template <int dim>
-  void
+  typename LipBasis<dim>::Surroundings
   LipBasis<dim>::collect_nodes(const std::vector<LipFace<dim>> &faces)
   {
+    Surroundings            surroundings;
     std::vector<Point<dim>> centres;
     std::vector<double>     sizes;
     for (const LipFace<dim> &face : faces)
@@ -85,7 +97,7 @@ namespace Crevasse
           throw SceneError(describe_unmatched(face.centre));
         if (face.is_crack && partners[f] < f)
           continue;
-        nodes_of_faces.emplace_back();
+        auto &of_face = surroundings.nodes_of_faces.emplace_back();
         for (const auto &node : face.nodes)
           {
             const auto *opposite =
@@ -97,14 +109,16 @@ namespace Crevasse
               node_number(node,
                           opposite == nullptr ? numbers::invalid_dof_index
                                               : opposite->first,
-                          inward);
+                          inward,
+                          surroundings);
             nodes[number].normal += inward;
             nodes[number].weight += node.weight;
-            nodes_of_faces.back().push_back(number);
+            of_face.push_back(number);
           }
       }
     for (Node &node : nodes)
       node.normal = unit(node.normal);
+    return surroundings;
   }
 
 
@@ -113,8 +127,10 @@ namespace Crevasse
   unsigned int
   LipBasis<dim>::node_number(const typename LipFace<dim>::Node &node,
                              const Index                        other_side,
-                             Tensor<1, dim>                    &inward)
+                             Tensor<1, dim>                    &inward,
+                             Surroundings                      &surroundings)
   {
+    auto      &nodes_at = surroundings.nodes_at;
     const bool is_crack = other_side != numbers::invalid_dof_index;
     const auto search   = [&](const Index                 first,
                             const std::array<Index, 2> &sides) -> int {
@@ -154,12 +170,13 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  LipBasis<dim>::gather_supports(const Space<dim>                &space,
-                                 const AffineConstraints<double> &supports)
+  OpeningUnknowns::Meanings
+  LipBasis<dim>::gather_supports(
+    const Space<dim>                &space,
+    const AffineConstraints<double> &supports) const
   {
-    const IndexSet          &owned = space.dof_handler.locally_owned_dofs();
-    std::map<Index, Weights> mine;
+    const IndexSet &owned = space.dof_handler.locally_owned_dofs();
+    Meanings        mine, all;
     for (const Node &node : nodes)
       for (const Index first : node.sides)
         for (unsigned int d = 0; d < dim; ++d)
@@ -168,22 +185,25 @@ namespace Crevasse
             if (const auto *entries = supports.get_constraint_entries(dof))
               mine[dof] = *entries;
     for (auto &of_rank : Utilities::MPI::all_gather(space.communicator(), mine))
-      supported.merge(of_rank);
+      all.merge(of_rank);
+    return all;
   }
 
 
 
   template <int dim>
   bool
-  LipBasis<dim>::hangs(Node &node) const
+  LipBasis<dim>::hangs(Node &node, const Surroundings &surroundings) const
   {
+    const auto        &nodes_at  = surroundings.nodes_at;
+    const Meanings    &supported = surroundings.supported;
     const unsigned int component = node.component();
-    const auto add_speaker       = [&](const Index first, const double factor) {
+    const auto add_master        = [&](const Index first, const double factor) {
       const auto [begin, end] = nodes_at.equal_range(first);
       for (auto at = begin; at != end; ++at)
         if (std::abs(nodes[at->second].normal * node.normal) > 0.5)
           {
-            node.speakers.emplace_back(at->second, factor);
+            node.masters.emplace_back(at->second, factor);
             return;
           }
     };
@@ -202,13 +222,13 @@ namespace Crevasse
                 {
                   is_hanging = true;
                   if (d == component && n_sides == 1)
-                    add_speaker(dof - component, factor);
+                    add_master(dof - component, factor);
                 }
         n_hanging += is_hanging;
       }
     // If the other side does not, the opening is not interpolated.
     if (n_hanging < n_sides)
-      node.speakers.clear();
+      node.masters.clear();
     return n_hanging == n_sides;
   }
 
@@ -216,7 +236,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  LipBasis<dim>::make_opening(Node &node)
+  LipBasis<dim>::make_opening(Node &node, const Meanings &supported)
   {
     Weights opening;
     for (const unsigned int side : {0, 1})
@@ -237,10 +257,10 @@ namespace Crevasse
 
   template <int dim>
   void
-  LipBasis<dim>::choose_speakers()
+  LipBasis<dim>::choose_masters(const Surroundings &surroundings)
   {
     std::map<unsigned int, std::pair<double, unsigned int>> nearest;
-    for (const auto &on_face : nodes_of_faces)
+    for (const auto &on_face : surroundings.nodes_of_faces)
       for (const unsigned int i : on_face)
         if (!nodes[i].has_unknown())
           for (const unsigned int j : on_face)
@@ -257,29 +277,29 @@ namespace Crevasse
       {
         Node                                        &node = nodes[i];
         double                                       rest = 1., most = 0.;
-        std::vector<std::pair<unsigned int, double>> speakers;
+        std::vector<std::pair<unsigned int, double>> masters;
         const auto                                   best = nearest.find(i);
         int strongest = best == nearest.end() ? -1 : int(best->second.second);
-        for (const auto &[speaker, factor] : node.speakers)
-          if (nodes[speaker].has_unknown())
+        for (const auto &[master, factor] : node.masters)
+          if (nodes[master].has_unknown())
             {
-              speakers.emplace_back(speaker, factor);
+              masters.emplace_back(master, factor);
               rest -= factor;
               if (factor > most)
-                strongest = speaker;
+                strongest = master;
               most = std::max(most, factor);
             }
-        node.speakers = speakers;
+        node.masters = masters;
         if (node.has_unknown() || strongest < 0)
           continue;
-        // What a hanging node has from held ones, the nearest of the others has
-        // to tell.
-        for (const auto &[speaker, factor] : speakers)
-          nodes[speaker].weight += factor * node.weight;
+        // What a hanging node has from held ones, it takes from the nearest of
+        // the others.
+        for (const auto &[master, factor] : masters)
+          nodes[master].weight += factor * node.weight;
         if (std::abs(rest) > 1e-10)
           {
             nodes[strongest].held_weight += rest * node.weight;
-            node.speakers.emplace_back(strongest, rest);
+            node.masters.emplace_back(strongest, rest);
           }
       }
   }

@@ -40,7 +40,7 @@ namespace Crevasse
       return force > 0. && opening(displacement) <= touching;
     }
 
-    /** The force on the part of the lip that this node speaks for, from its
+    /** The force on the part of the lip whose pressure this node has, from its
      * contact force g: g and the share of the held nodes around. */
     double
     force(const double g) const
@@ -104,12 +104,12 @@ namespace Crevasse
     of_contact_forces(Vector &weights) const;
 
   private:
-    /** A degree of freedom that holds a pressure, and the unknowns whose nodes
-     * speak for it. */
+    /** A degree of freedom that holds a pressure, and the unknowns of the nodes
+     * from which it has that. */
     struct Place
     {
       dealii::types::global_dof_index dof;
-      typename LipBasis<dim>::Weights speakers;
+      typename LipBasis<dim>::Weights masters;
     };
 
     const Space<dim>  &space;

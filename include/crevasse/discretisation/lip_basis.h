@@ -42,9 +42,9 @@ namespace Crevasse
       double weight = 0.;
       /** ∫φ of the held nodes that take their pressure from this one. */
       double held_weight = 0.;
-      /** Of a node without unknown: those that speak for it, by their numbers,
-       * with factors. */
-      std::vector<std::pair<unsigned int, double>> speakers;
+      /** Of a node without unknown: those whose pressures it takes, by their
+       * numbers, with factors. */
+      std::vector<std::pair<unsigned int, double>> masters;
 
       bool
       has_unknown() const
@@ -80,7 +80,9 @@ namespace Crevasse
     std::vector<Node> nodes;
 
   private:
-    void
+    struct Surroundings;
+
+    Surroundings
     collect_nodes(const std::vector<LipFace<dim>> &faces);
 
     /** The number of the node on these sides, new or not. @param inward ∫φ n
@@ -88,26 +90,24 @@ namespace Crevasse
     unsigned int
     node_number(const typename LipFace<dim>::Node &node,
                 const Index                        other_side,
-                dealii::Tensor<1, dim>            &inward);
+                dealii::Tensor<1, dim>            &inward,
+                Surroundings                      &surroundings);
 
-    void
+    /** The supports at the nodes, on all ranks. */
+    Meanings
     gather_supports(const Space<dim>                        &space,
-                    const dealii::AffineConstraints<double> &supports);
+                    const dealii::AffineConstraints<double> &supports) const;
 
-    /** Whether it hangs between other nodes; then these speak for it. */
+    /** Whether it hangs between other nodes; then these are its masters. */
     bool
-    hangs(Node &node) const;
+    hangs(Node &node, const Surroundings &surroundings) const;
 
     void
-    make_opening(Node &node);
+    make_opening(Node &node, const Meanings &supported);
 
     /** For nodes without unknown, which give their weights away. */
     void
-    choose_speakers();
-
-    std::vector<std::vector<unsigned int>> nodes_of_faces;
-    std::multimap<Index, unsigned int>     nodes_at; ///< by their first dofs
-    Meanings                               supported;
+    choose_masters(const Surroundings &surroundings);
   };
 } // namespace Crevasse
 
