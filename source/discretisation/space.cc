@@ -27,7 +27,8 @@ namespace Crevasse
                     const BoundaryRoles                &roles,
                     const std::vector<FixedPoint<dim>> &fixed_points,
                     const VolumetricStrain              volumetric_strain,
-                    const SingularFunctions            &singular_functions)
+                    const SingularFunctions            &singular_functions,
+                    const bool                          lips_closed)
     : triangulation(std::move(mesh))
     , finite_element(FE_Q<dim>(degree), dim)
     , dof_handler(*triangulation)
@@ -50,7 +51,7 @@ namespace Crevasse
     lip = LipBasis<dim>(*this, supports_and_hanging);
     number_unknowns();
     choose_rules();
-    make_constraints();
+    make_constraints(lips_closed);
   }
 
 
@@ -174,7 +175,7 @@ namespace Crevasse
 
   template <int dim>
   void
-  Space<dim>::make_constraints()
+  Space<dim>::make_constraints(const bool lips_closed)
   {
     constraints.reinit(locally_relevant_unknowns);
     const auto add = [&](const auto index, const auto &entries) {
@@ -187,11 +188,11 @@ namespace Crevasse
       if (constraints.can_store_line(index))
         add(index, entries);
     for (const auto &node : lip.nodes)
-      if (roles.closed && node.has_unknown() &&
+      if (lips_closed && node.has_unknown() &&
           constraints.can_store_line(node.unknown))
         constraints.add_line(node.unknown);
     // Without a lip there is none that it could open.
-    if (shapes != nullptr && (!roles.has_lip() || roles.closed))
+    if (shapes != nullptr && (!roles.has_lip() || lips_closed))
       constraints.add_line(singular_unknown(0));
     constraints.close();
   }
@@ -231,7 +232,6 @@ namespace Crevasse
                   }
             }
     });
-
     if (Utilities::MPI::max(found ? 1 : 0, communicator()) == 0)
       throw SceneError(
         "[Boundary] Fixed points: " + Text::from_point(fixed_point.point) +

@@ -46,16 +46,15 @@ namespace Crevasse
 
     // The other space's constraints agree with this one's but for the openings,
     // where the loads then do not count.
-    BoundaryRoles roles                = body.space.roles;
-    roles.closed                       = true;
     const SingularShapes *const shapes = body.space.singular_shapes();
     const Space<dim>            closed_space(body.space.triangulation,
                                   body.space.finite_element.degree,
-                                  roles,
+                                  body.space.roles,
                                   fixed_points<dim>(scene),
                                   body.space.volumetric_strain,
                                   shapes != nullptr ? shapes->functions
-                                                               : SingularFunctions());
+                                                               : SingularFunctions(),
+                                  true);
     ContactSystem<dim>          closed(systems.settings,
                               closed_space,
                               body.points,

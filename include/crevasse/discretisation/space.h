@@ -72,13 +72,15 @@ namespace Crevasse
      *
      * @param volumetric_strain mean with degree 1, and not in plane stress.
      * @param singular_functions in the plane only; without fields: none.
+     * @param lips_closed whether lips are held closed, for comparison.
      */
     Space(std::shared_ptr<const Mesh<dim>>    mesh,
           const unsigned int                  degree,
           const BoundaryRoles                &roles,
           const std::vector<FixedPoint<dim>> &fixed_points,
           const VolumetricStrain   volumetric_strain  = VolumetricStrain::full,
-          const SingularFunctions &singular_functions = {});
+          const SingularFunctions &singular_functions = {},
+          const bool               lips_closed        = false);
 
     /** The same, without singular functions, on a coarser mesh of the same
      * body, for preconditioners. Fixed points that are no vertices there move
@@ -218,7 +220,7 @@ namespace Crevasse
     void
     make_supports();
     void
-    make_constraints();
+    make_constraints(const bool lips_closed);
     /** Whether a constraint makes this unknown depend on others. */
     bool
     is_tied(const dealii::types::global_dof_index dof) const

@@ -24,8 +24,6 @@ namespace Crevasse
     std::set<dealii::types::boundary_id> loaded;
     std::set<dealii::types::boundary_id> contact;
     std::set<dealii::types::boundary_id> crack;
-    /** Whether lips are held closed, for comparison. */
-    bool closed = false;
 
     bool
     has_lip() const
