@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/problems.h>
 #include <crevasse/grid/cut_cracks.h>
 
 #include <algorithm>
@@ -134,6 +135,40 @@ namespace Crevasse
 
 
 
+    /** @throw SceneError if an element of a crack keeps all of its nodes: then
+     * the crack ends at each of them. */
+    void
+    require_opening(const std::set<Nodes> &cuts,
+                    const Faces           &faces,
+                    const GmshMesh        &mesh)
+    {
+      for (const MeshElement &element : mesh.boundary)
+        if (cuts.count(sorted(element.nodes)) > 0)
+          {
+            const auto &sides = faces.at(sorted(element.nodes));
+            const auto  lip   = [&](const CellFace &side) {
+              return sorted(face_nodes(mesh.cells[side.first], side.second));
+            };
+            if (lip(sides[0]) != lip(sides[1]))
+              continue;
+            const auto n = std::count_if(mesh.boundary.begin(),
+                                         mesh.boundary.end(),
+                                         [&](const MeshElement &other) {
+                                           return other.group == element.group;
+                                         });
+            throw SceneError(
+              "the crack of the physical group " +
+              std::to_string(element.group) + ", which has " +
+              std::to_string(n) + (n == 1 ? " element" : " elements") +
+              ", cannot open at element " + std::to_string(element.number) +
+              ", since it ends at all nodes of that; a crack needs nodes "
+              "between its ends: refine the mesh along it, to at least two "
+              "elements across it in each direction");
+          }
+    }
+
+
+
     /** Boundary elements with the nodes that their cells have now, one for
      * either side of a cut. */
     std::vector<MeshElement>
@@ -184,6 +219,7 @@ namespace Crevasse
     const Faces                    faces = faces_of(uncut);
     const std::set<Nodes> cuts = find_cuts(groups, mesh.boundary, faces);
     double_nodes(cuts, faces, mesh);
+    require_opening(cuts, faces, mesh);
     mesh.boundary = boundary_of(mesh, cuts, faces);
     add_middles(uncut, mesh);
   }

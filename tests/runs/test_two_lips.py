@@ -402,6 +402,16 @@ def test_unmatched_lip():
     check(status == 2 and "has no partner" in error, error)
 
 
+def test_crack_of_one_element():
+    write_block("short.msh", (steps(0, 1, 3), steps(-1, 1, 2)),
+                lambda middle, normal: normal == 1 and abs(middle[0] - 0.5) < 0.1
+                and middle[1] == 0)
+    status, _, error = execute(write("short.prm", square_scene("short.msh")),
+                               "--output", "results/short")
+    check(status == 2 and f"the crack of the physical group {CRACK}, which has 1 "
+          "element, cannot open" in error and "at least two elements" in error, error)
+
+
 test_full_is_half()
 test_heterogeneous()
 test_turned()
@@ -417,3 +427,4 @@ test_slip()
 test_sweep()
 test_pictures()
 test_unmatched_lip()
+test_crack_of_one_element()

@@ -15,6 +15,8 @@ namespace Crevasse
    * between two cells: each becomes one element for either lip. A node is
    * doubled as often as the cells around it fall apart; at a tip they do not,
    * and both lips share it. Lips that the file has already stay as they are.
+   *
+   * @throw SceneError where no node of an element is doubled.
    */
   void
   cut_cracks(const std::set<unsigned int> &groups, GmshMesh &mesh);
