@@ -105,13 +105,17 @@ namespace Crevasse
          ++r)
       first += counts[r];
 
-    // What faces without partner are parts of: a coarser one lies there.
+    // What faces without partner are parts of: a coarser one lies there. The
+    // first part stands for all.
     std::vector<Point<dim>> wholes;
     std::vector<double>     sizes_of_wholes;
     unsigned int            i = first;
     for_each_crack_face(mesh, roles, [&](const auto &cell, const auto face) {
       TriaIterator<CellAccessor<dim>> up = cell;
-      while (partners[i] == i && up->level() > 0)
+      const unsigned int child = GeometryInfo<dim>::child_cell_on_face(
+        RefinementCase<dim>::isotropic_refinement, face, 0);
+      while (partners[i] == i && up->level() > 0 &&
+             up->parent()->child(child) == up)
         {
           up = up->parent();
           wholes.push_back(up->face(face)->center());
