@@ -135,6 +135,20 @@ def test_solvers():
                 1e-8, "projected SOR")
 
 
+def test_multigrid_at_45_degrees():
+    """Where components of the normal are equal, all meshes take the same one."""
+    for half in (True, False):
+        iterations = []
+        for degrees in (44, 45):
+            square("turned.msh", degrees=degrees, half=half)
+            results = run(square_scene("turned.msh", degrees, half), "multigrid", [
+                *FOUR_STEPS, "Geometry/Refinements=2", "Contact/Solver=active set",
+                "Linear solver/Type=gmg", "Linear solver/Tolerance=1e-12"])
+            iterations.append(results.summary["counters"]["linear_iterations"])
+        print("iterations at 44 and 45 degrees:", *iterations)
+        check(iterations[1] <= 1.01 * iterations[0], "more iterations at 45 degrees")
+
+
 def test_ranks():
     square("full_17.msh", degrees=17)
     scene = write("ranks.prm", square_scene("full_17.msh", 17))
@@ -417,6 +431,7 @@ test_heterogeneous()
 test_turned()
 test_one_lip_turned()
 test_solvers()
+test_multigrid_at_45_degrees()
 test_ranks()
 test_adapted_meshes()
 test_space()
