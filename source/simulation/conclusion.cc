@@ -55,8 +55,8 @@ namespace Crevasse
                Text::format(" (accepted up to %.2g)", statistics.accuracy));
       if (statistics.undetermined > 0)
         log.line("  In " + std::to_string(statistics.undetermined) +
-                 " of them no force presses on what contact alone holds: its "
-                 "displacement is one of many, of which one near 0 is taken.");
+                 " of them forces do not fix the position of what contact "
+                 "alone holds: its displacement is one of many.");
       constexpr double poor = 1e-6;
       if (statistics.accuracy > std::max(poor, tolerance))
         log.line(
