@@ -6,6 +6,7 @@
 #include <crevasse/discretisation/crack_tip.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Crevasse
 {
@@ -203,6 +204,53 @@ namespace Crevasse
         }))
       return tips;
     return {only_crack_tip(mesh, roles, wanted_by)};
+  }
+
+
+
+  double
+  straight_length(const Triangulation<2> &mesh,
+                  const BoundaryRoles    &roles,
+                  const CrackTip         &tip)
+  {
+    double length = std::numeric_limits<double>::infinity();
+    if (!tip.two_lips)
+      return length;
+    for (const CrackTip &other : find_crack_tips(mesh, roles))
+      if (other.position != tip.position)
+        length = std::min(length, other.position.distance(tip.position));
+    for (const auto &cell : mesh.cell_iterators_on_level(0))
+      {
+        const double tiny    = 1e-8 * cell->diameter();
+        const auto   side_of = [&tip](const Point<2> &local) {
+          return tip.is_on_line(local) ? 0 : (local[1] > 0. ? 1 : -1);
+        };
+        std::set<int> sides;
+        for (const unsigned int v : cell->vertex_indices())
+          sides.insert(side_of(tip.local(cell->vertex(v))));
+        const bool is_cut = sides.count(1) == 1 && sides.count(-1) == 1;
+        for (const unsigned int f : cell->face_indices())
+          {
+            const auto     face = cell->face(f);
+            const Point<2> a    = tip.local(face->vertex(0));
+            const Point<2> b    = tip.local(face->vertex(1));
+            const int      at_a = side_of(a), at_b = side_of(b);
+            if (at_a == 0 && at_b == 0)
+              {
+                if (a[0] + b[0] < 0. &&
+                    !(face->at_boundary() &&
+                      tip.is_on_line(tip.local(face->center(true)))))
+                  length = std::min(length, -std::max(a[0], b[0]));
+              }
+            else if (is_cut && at_a * at_b <= 0)
+              {
+                const double X = (a[0] * b[1] - b[0] * a[1]) / (b[1] - a[1]);
+                if (X < -tiny)
+                  length = std::min(length, -X);
+              }
+          }
+      }
+    return length;
   }
 
 

@@ -15,6 +15,7 @@ namespace Crevasse
     , strains(space.singular_shapes()->size(),
               std::vector<VoigtVector<2>>(points.n_local_points))
     , weights(points.n_local_points)
+    , coefficients(strains.size())
     , local_values(space.finite_element.n_dofs_per_cell())
   {
     space.cell_loops()->initialize(nodal);
@@ -92,7 +93,7 @@ namespace Crevasse
   {
     nodal.zero_out_ghost_values();
     nodal = 0.;
-    coefficients.fill(0.);
+    std::fill(coefficients.begin(), coefficients.end(), 0.);
   }
 
 

@@ -9,28 +9,16 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  namespace
-  {
-    /** θ from 0 to π: the body is above the crack, and what rounding puts
-     * below it lies on the upper lip, not on the other side of it. */
-    double
-    angle_of(const Point<2> &local)
-    {
-      return std::atan2(std::abs(local[1]), local[0]);
-    }
-  } // namespace
-
-
-
   Tensor<1, 2>
   PolarField::displacement(const Point<2> &local) const
   {
-    const double theta = angle_of(local);
+    const double theta = std::atan2(local[1], local[0]);
     Tensor<1, 2> u;
     for (const Term &term : terms)
       {
-        u[0] += term.cosine * std::cos(term.frequency * theta);
-        u[1] += term.sine * std::sin(term.frequency * theta);
+        const double angle = term.frequency * theta - phase;
+        u[0] += term.cosine * std::cos(angle);
+        u[1] += term.sine * std::sin(angle);
       }
     return std::pow(local.norm(), power) * u;
   }
@@ -41,13 +29,13 @@ namespace Crevasse
   PolarField::gradient(const Point<2> &local) const
   {
     const double       r     = local.norm();
-    const double       theta = angle_of(local);
+    const double       theta = std::atan2(local[1], local[0]);
     const Tensor<1, 2> radial({local[0] / r, local[1] / r});
     const Tensor<1, 2> tangential({-local[1] / r, local[0] / r});
     Tensor<1, 2>       along_r, along_theta;
     for (const Term &term : terms)
       {
-        const double angle = term.frequency * theta;
+        const double angle = term.frequency * theta - phase;
         along_r[0] += power * term.cosine * std::cos(angle);
         along_r[1] += power * term.sine * std::sin(angle);
         along_theta[0] -= term.frequency * term.cosine * std::sin(angle);
@@ -60,11 +48,12 @@ namespace Crevasse
 
 
   PolarField
-  williams_term(const unsigned int n, const double kappa)
+  williams_term(const unsigned int n, const double kappa, const CrackMode mode)
   {
     const double half = n / 2.;
-    const double sign = n % 2 == 0 ? 1. : -1.;
+    const double sign = (n % 2 == 0) == (mode == CrackMode::opening) ? 1. : -1.;
     return PolarField(half,
+                      mode,
                       {{{half, kappa + half + sign, kappa - half - sign},
                         {half - 2., -half, half}}});
   }
@@ -72,9 +61,12 @@ namespace Crevasse
 
 
   PolarField
-  square_root_without_opening()
+  square_root_without_jump(const CrackMode mode)
   {
-    // cos θ/2 (1 + cos θ) = (3 cos θ/2 + cos 3θ/2)/2, and likewise for sines.
-    return PolarField(0.5, {{{0.5, 1.5, 0.5}, {1.5, 0.5, 0.5}}});
+    // The derivative of the first term by κ, times κ + 1, less that term.
+    const double sign = mode == CrackMode::opening ? -1. : 1.;
+    return PolarField(0.5,
+                      mode,
+                      {{{0.5, 0.5 - sign, 1.5 + sign}, {-1.5, 0.5, -0.5}}});
   }
 } // namespace Crevasse

@@ -3,41 +3,80 @@
 
 #include <crevasse/discretisation/singular_shapes.h>
 
-#include <deal.II/base/function.h>
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/numerics/vector_tools.h>
 
 
 namespace Crevasse
 {
   using namespace dealii;
 
+  Tensor<1, 2>
+  SingularFunction::value(const Point<2> &point,
+                          const Point<2> &cell_center) const
+  {
+    const Point<2> local = tip.local(point, cell_center);
+    const double   rest  = 1. - local.norm_square() / (radius * radius);
+    if (rest <= 0.)
+      return {};
+    return Utilities::fixed_power<3>(rest) *
+           tip.global(field.displacement(local));
+  }
+
+
+
+  Tensor<2, 2>
+  SingularFunction::gradient(const Point<2> &point,
+                             const Point<2> &cell_center) const
+  {
+    const Point<2> local = tip.local(point, cell_center);
+    const double   rest  = 1. - local.norm_square() / (radius * radius);
+    if (rest <= 0.)
+      return {};
+    const Tensor<1, 2> of_factor =
+      -6. * rest * rest / (radius * radius) * Tensor<1, 2>(local);
+    const Tensor<2, 2> to_local = tip.to_local();
+    return transpose(to_local) *
+           (Utilities::fixed_power<3>(rest) * field.gradient(local) +
+            outer_product(field.displacement(local), of_factor)) *
+           to_local;
+  }
+
+
+
   SingularFunctions
   make_singular_functions(const unsigned int     n,
                           const CrackTip        &tip,
                           const PlaneElasticity &elasticity,
-                          const double           length)
+                          const double           length,
+                          const double           radius)
   {
     Assert(n >= 1 && n <= 3, ExcInternalError());
-    SingularFunctions functions{tip, {}, 0.};
-    const double      kappa = elasticity.kappa();
-    // The n-th term opens the lip by (κ + 1) r^{n/2}, up to its sign.
-    const auto scaled = [&](PolarField field, const double power) {
-      return field *= std::pow(length, -power) / (kappa + 1.);
-    };
-    functions.fields.push_back(scaled(williams_term(1, kappa), 0.5));
-    if (n >= 2)
-      functions.fields.push_back(scaled(square_root_without_opening(), 0.5));
-    if (n >= 3)
-      functions.fields.push_back(scaled(williams_term(3, kappa), 1.5));
-
+    const double kappa = elasticity.kappa();
     // 2μu = williams_term(1) has √(2π).
-    functions.unit_stress_intensity = 2. * elasticity.shear_modulus *
-                                      std::sqrt(2. * numbers::PI / length) /
-                                      (kappa + 1.);
+    const double intensity = 2. * elasticity.shear_modulus *
+                             std::sqrt(2. * numbers::PI / length) /
+                             (kappa + 1.);
+    SingularFunctions functions;
+    for (const CrackMode mode : {CrackMode::opening, CrackMode::sliding})
+      {
+        // The n-th term moves the lips by (κ + 1) r^{n/2}, up to its sign.
+        const auto add = [&](PolarField field, const double power) {
+          field *= std::pow(length, -power) / (kappa + 1.);
+          functions.push_back({tip, mode, field, radius, 0.});
+        };
+        add(williams_term(1, kappa, mode), 0.5);
+        functions.back().stress_intensity = intensity;
+        if (n >= 2)
+          add(square_root_without_jump(mode), 0.5);
+        if (n >= 3)
+          add(williams_term(3, kappa, mode), 1.5);
+        if (!tip.two_lips)
+          break;
+      }
     return functions;
   }
 
@@ -53,23 +92,35 @@ namespace Crevasse
     AffineConstraints<double> hanging_nodes(relevant);
     DoFTools::make_hanging_node_constraints(dof_handler, hanging_nodes);
     hanging_nodes.close();
-    interpolated.reserve(functions.fields.size()); // copies lose ghost values
-    for (unsigned int k = 0; k < functions.fields.size(); ++k)
+    const IndexSet &owned = dof_handler.locally_owned_dofs();
+    interpolated.reserve(size()); // copies lose ghost values
+    for (unsigned int k = 0; k < size(); ++k)
+      interpolated.emplace_back(owned,
+                                relevant,
+                                dof_handler.get_communicator());
+
+    const FiniteElement<2>              &fe = dof_handler.get_fe();
+    FEValues<2>                          nodes(mapping,
+                      fe,
+                      Quadrature<2>(fe.get_unit_support_points()),
+                      update_quadrature_points);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          nodes.reinit(cell);
+          cell->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            for (unsigned int k = 0; k < size() && owned.is_element(dofs[i]);
+                 ++k)
+              interpolated[k](dofs[i]) = functions[k].value(
+                nodes.quadrature_point(i),
+                cell->center())[fe.system_to_component_index(i).first];
+        }
+    for (Vector &vector : interpolated)
       {
-        interpolated.emplace_back(dof_handler.locally_owned_dofs(),
-                                  relevant,
-                                  dof_handler.get_communicator());
-        std::vector<std::function<double(const Point<2> &)>> components;
-        for (unsigned int c = 0; c < 2; ++c)
-          components.push_back([k, c, &functions](const Point<2> &point) {
-            return functions.value(k, point)[c];
-          });
-        VectorTools::interpolate(mapping,
-                                 dof_handler,
-                                 FunctionFromFunctionObjects<2>(components),
-                                 interpolated.back());
-        hanging_nodes.distribute(interpolated.back());
-        interpolated.back().update_ghost_values();
+        hanging_nodes.distribute(vector);
+        vector.update_ghost_values();
       }
   }
 
@@ -83,8 +134,10 @@ namespace Crevasse
     result.resize(values.n_quadrature_points);
     values[FEValuesExtractors::Vector(0)].get_function_values(interpolated[k],
                                                               result);
+    const Point<2> center = values.get_cell()->center();
     for (const unsigned int q : values.quadrature_point_indices())
-      result[q] = functions.value(k, values.quadrature_point(q)) - result[q];
+      result[q] =
+        functions[k].value(values.quadrature_point(q), center) - result[q];
   }
 
 
@@ -97,7 +150,9 @@ namespace Crevasse
     result.resize(values.n_quadrature_points);
     values[FEValuesExtractors::Vector(0)].get_function_gradients(
       interpolated[k], result);
+    const Point<2> center = values.get_cell()->center();
     for (const unsigned int q : values.quadrature_point_indices())
-      result[q] = functions.gradient(k, values.quadrature_point(q)) - result[q];
+      result[q] =
+        functions[k].gradient(values.quadrature_point(q), center) - result[q];
   }
 } // namespace Crevasse

@@ -35,7 +35,7 @@ namespace Crevasse
     , mapping(has_curved_edges(*triangulation) ? degree : 1)
     , roles(roles)
     , volumetric_strain(volumetric_strain)
-    , face_rule(singular_functions.fields.empty() ? degree + 1 : 5)
+    , face_rule(singular_functions.empty() ? degree + 1 : 5)
     , supports(fixed_points)
   {
     Assert(degree == 1 || volumetric_strain == VolumetricStrain::full,
@@ -43,7 +43,7 @@ namespace Crevasse
     check_roles();
     dof_handler.distribute_dofs(finite_element);
     if constexpr (dim == 2)
-      if (!singular_functions.fields.empty())
+      if (!singular_functions.empty())
         shapes = std::make_unique<SingularShapes>(singular_functions,
                                                   mapping,
                                                   dof_handler);
@@ -123,29 +123,28 @@ namespace Crevasse
     quadratures.push_back(QGauss<dim>(finite_element.degree + 2));
     if constexpr (dim == 2)
       {
-        // As Mousavi and Sukumar (Comput. Mech. 45, 2010) for stresses with
-        // 1/√r.
-        constexpr unsigned int n         = 5;
-        constexpr double       beta      = 2.;
-        constexpr double       near_size = 3.5;
+        // As Mousavi and Sukumar (Comput. Mech. 45, 2010) for 1/√r.
+        constexpr unsigned int n    = 5;
+        constexpr double       beta = 2., near_size = 3.5;
         quadratures.push_back(QGauss<dim>(n));
         for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
           quadratures.push_back(
             QSplit<dim>(QDuffy(n, beta),
                         GeometryInfo<dim>::unit_cell_vertex(v)));
 
-        const Point<dim> &tip = shapes->functions.tip.position;
         rule_of_cell.assign(triangulation->n_active_cells(), 0);
         for (const auto &cell : triangulation->active_cell_iterators())
-          {
-            const double size = cell->diameter() / std::sqrt(2.);
-            auto        &rule = rule_of_cell[cell->active_cell_index()];
-            if (cell->center().distance(tip) < near_size * size)
-              rule = 1;
-            for (const unsigned int v : cell->vertex_indices())
-              if (cell->vertex(v).distance(tip) < 1e-8 * size)
-                rule = 2 + v;
-          }
+          for (const SingularFunction &function : shapes->functions)
+            {
+              const Point<dim> &tip  = function.tip.position;
+              const double      size = cell->diameter() / std::sqrt(2.);
+              auto             &rule = rule_of_cell[cell->active_cell_index()];
+              if (rule == 0 && cell->center().distance(tip) < near_size * size)
+                rule = 1;
+              for (const unsigned int v : cell->vertex_indices())
+                if (cell->vertex(v).distance(tip) < 1e-8 * size)
+                  rule = 2 + v;
+            }
       }
   }
 
@@ -191,9 +190,10 @@ namespace Crevasse
       if (lips_closed && node.has_unknown() &&
           constraints.can_store_line(node.unknown))
         constraints.add_line(node.unknown);
-    // Without a lip there is none that it could open.
-    if (shapes != nullptr && (!roles.has_lip() || lips_closed))
-      constraints.add_line(singular_unknown(0));
+    // Without a lip there is none that they could open.
+    for (unsigned int k = 0; shapes != nullptr && k < shapes->size(); ++k)
+      if (shapes->functions[k].opens() && (!roles.has_lip() || lips_closed))
+        constraints.add_line(singular_unknown(k));
     constraints.close();
   }
 

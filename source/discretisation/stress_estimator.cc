@@ -62,6 +62,7 @@ namespace Crevasse
                          QuadratureField<dim>::get(stress, offset) -
                            singular_stress(singular,
                                            values.quadrature_point(q),
+                                           values.get_cell()->center(),
                                            stiffness_at(point)));
                      });
     const double        degree = space.finite_element.degree;
@@ -85,12 +86,14 @@ namespace Crevasse
             of_cells * c * h * h / (degree * degree) * residual.in_volume(cell);
           for (const unsigned int f : cell->face_indices())
             if (cell->at_boundary(f))
-              whole +=
-                of_faces / degree * c *
-                residual.at_boundary(cell, f, [&](const auto &point) {
-                  return singular_stress(
-                    singular, point, stiffness_at(points.first_point(cell)));
-                });
+              whole += of_faces / degree * c *
+                       residual.at_boundary(cell, f, [&](const auto &point) {
+                         return singular_stress(singular,
+                                                point,
+                                                cell->center(),
+                                                stiffness_at(
+                                                  points.first_point(cell)));
+                       });
             else if (const auto other = cell->neighbor(f);
                      other->has_children())
               {
@@ -195,7 +198,7 @@ namespace Crevasse
   StressEstimator<dim>::singular_coefficients(const Vector *displacement) const
   {
     std::vector<double> coefficients;
-    if (displacement != nullptr)
+    if (displacement != nullptr && space.roles.crack.empty())
       for (auto k = space.singular_unknown(0); k < space.n_unknowns(); ++k)
         coefficients.push_back(dealii::Utilities::MPI::sum(
           displacement->in_local_range(k) ? (*displacement)(k) : 0.,
@@ -209,13 +212,15 @@ namespace Crevasse
   VoigtVector<dim>
   StressEstimator<dim>::singular_stress(const std::vector<double> &coefficients,
                                         const dealii::Point<dim>  &point,
+                                        const dealii::Point<dim>  &cell_center,
                                         const VoigtMatrix<dim> &stiffness) const
   {
     dealii::Tensor<2, dim> gradient;
     if constexpr (dim == 2)
       for (unsigned int k = 0; k < coefficients.size(); ++k)
-        gradient += coefficients[k] *
-                    space.singular_shapes()->functions.gradient(k, point);
+        gradient +=
+          coefficients[k] *
+          space.singular_shapes()->functions[k].gradient(point, cell_center);
     return stiffness * voigt_strain<dim>(gradient);
   }
 

@@ -50,8 +50,9 @@ namespace Crevasse
 
 
 
-    /** The singular functions of [Discretisation]; without fields if there are
-     * none. Collective. @throw SceneError as elasticity_at(). */
+    /** The singular functions of [Discretisation]. Collective. @throw
+     * SceneError as elasticity_at(), or if cracks are straight for too short.
+     */
     template <int dim>
     SingularFunctions
     tip_functions(const Scene            &scene,
@@ -59,21 +60,39 @@ namespace Crevasse
                   const MaxwellLaw<dim>  &law,
                   const Temperature<dim> &temperature)
     {
-      const unsigned int n = scene.discretisation.singular_functions;
+      constexpr double    fewest_cells = 2.;
+      const unsigned int  n     = scene.discretisation.singular_functions;
+      const BoundaryRoles roles = boundary_roles(scene);
+      SingularFunctions   functions;
       if constexpr (dim == 2)
         if (n > 0)
           {
             const std::string wanted_by =
               "[Discretisation] Singular functions = " + std::to_string(n);
-            const CrackTip tip =
-              only_crack_tip(mesh, boundary_roles(scene), wanted_by);
-            return make_singular_functions(
-              n,
-              tip,
-              elasticity_at(tip, mesh, law, temperature, 0., wanted_by),
-              cell_size_at(tip, mesh));
+            for (const CrackTip &tip : crack_tips(mesh, roles, wanted_by))
+              {
+                const double size   = cell_size_at(tip, mesh);
+                const double radius = straight_length(mesh, roles, tip);
+                if (radius < fewest_cells * size * (1. - 1e-10))
+                  throw SceneError(
+                    wanted_by + ": from its tip " +
+                    Text::from_point(tip.position) +
+                    " the crack is straight and alone for " +
+                    Text::from_number(radius) +
+                    ", less than two cells there of the size " +
+                    Text::from_number(size) +
+                    ". Make the cells smaller ([Geometry] Refinements or "
+                    "[Refinement] Strategy = tip), or set it to 0.");
+                const SingularFunctions of_tip = make_singular_functions(
+                  n,
+                  tip,
+                  elasticity_at(tip, mesh, law, temperature, 0., wanted_by),
+                  size,
+                  radius);
+                functions.insert(functions.end(), of_tip.begin(), of_tip.end());
+              }
           }
-      return {};
+      return functions;
     }
   } // namespace
 
@@ -292,14 +311,17 @@ namespace Crevasse
         bounds.sign.push_back(node.sign);
         bounds.gap.push_back(node.gap);
       }
-    if (space.singular_shapes() != nullptr &&
-        space.locally_owned_unknowns.is_element(space.singular_unknown(0)))
-      {
-        bounds.dofs.push_back(space.singular_unknown(0));
-        bounds.sign.push_back(1.);
-        bounds.gap.push_back(0.);
-        bounds.n_global = 1;
-      }
+    if (const SingularShapes *const shapes = space.singular_shapes())
+      for (unsigned int k = 0; k < shapes->size(); ++k)
+        if (const auto unknown = space.singular_unknown(k);
+            shapes->functions[k].opens() &&
+            space.locally_owned_unknowns.is_element(unknown))
+          {
+            bounds.dofs.push_back(unknown);
+            bounds.sign.push_back(1.);
+            bounds.gap.push_back(0.);
+            ++bounds.n_global;
+          }
     for (const RigidMotion &motion : motions)
       {
         bounds.free_motions.push_back({motion.name, {}});

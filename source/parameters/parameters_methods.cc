@@ -38,7 +38,8 @@ namespace Crevasse
       "Number of functions with the singularity of the crack tip that are "
       "added to the finite elements: 1: that of a unit K_I, 2: also the other "
       "one with the square root of r, for a viscous Poisson ratio other than "
-      "the elastic one, 3: also that with the power 3/2.",
+      "the elastic one, 3: also that with the power 3/2. At each tip between "
+      "two lips as many of mode II.",
       Integer(0, 3));
   }
 

@@ -23,9 +23,9 @@ namespace Crevasse
     , intensity(scene, body, tip, steps, geometry)
     , energy(body.material, intensity.points)
     , growth_law(describe_growth_law(scene.crack_tip))
-    , has_singular_function(body.space.singular_shapes() != nullptr &&
-                            !body.effects.viscosity.on &&
-                            !body.material.stiffness_varies)
+    , has_singular_functions(body.space.singular_shapes() != nullptr &&
+                             !body.effects.viscosity.on &&
+                             !body.material.stiffness_varies)
     , mean_load_vanishes(split.mean_load.size() > 0 && !split.effect.on)
   {
     no_c_star = find_viscous_region(split);
@@ -153,6 +153,28 @@ namespace Crevasse
           c_star += K * K / viscous.modulus();
         }
     return c_star;
+  }
+
+
+
+  double
+  CrackTipAnalysis::of_singular_function(const CrackMode         mode,
+                                         const Vector           &displacement,
+                                         const MaterialState<2> &material) const
+  {
+    double sum = 0.;
+    if (has_singular_functions)
+      for (unsigned int k = 0; k < body.space.singular_shapes()->size(); ++k)
+        {
+          const auto &function = body.space.singular_shapes()->functions[k];
+          const auto  unknown  = body.space.singular_unknown(k);
+          if (function.mode == mode &&
+              function.tip.position == intensity.region.tip.position &&
+              displacement.in_local_range(unknown))
+            sum += function.stress_intensity * displacement(unknown);
+        }
+    return material.stiffness_factor *
+           Utilities::MPI::sum(sum, body.space.communicator());
   }
 
 

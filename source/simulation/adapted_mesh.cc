@@ -249,7 +249,8 @@ namespace Crevasse
         {enough, limit, now + std::max(0.5 * (limit - now), little * limit)});
     // What singular functions describe is not in the squares.
     const CrackFront<dim> front =
-      scene.discretisation.singular_functions > 0
+      scene.discretisation.singular_functions > 0 &&
+          boundary_roles(scene).crack.empty()
         ? CrackFront<dim>()
         : crack_front<dim>(*current, boundary_roles(scene));
     bool                  divides   = false;

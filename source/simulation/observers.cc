@@ -327,7 +327,7 @@ namespace Crevasse
                 work.steps,
                 work.start.flow,
                 tables.table("crack_tip_" + std::to_string(++number) + ".csv",
-                             MixedModeTable::columns()),
+                             MixedModeTable::columns(*tip)),
                 log));
             else
               add(std::make_unique<CrackTipTable>(

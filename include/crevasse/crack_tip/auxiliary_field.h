@@ -12,17 +12,6 @@
 
 namespace Crevasse
 {
-  /** What is found at a tip: how the lips move apart, across the crack, along
-   * it or along its front, and s₁₁ − s₂₂ of the constant stress beside the
-   * singular one: T, as open lips have no s₂₂. */
-  enum class CrackMode
-  {
-    opening, ///< K_I
-    sliding, ///< K_II
-    tearing, ///< K_III, in space
-    constant ///< T
-  };
-
   /** The weight q = (1 − X²/R²)ⁿ (1 − Y²/R²)ⁿ of the interaction integral, the
    * product of a factor of X and one of Y. */
   struct SquareWeight

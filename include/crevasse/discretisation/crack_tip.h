@@ -13,6 +13,17 @@
 
 namespace Crevasse
 {
+  /** What is found at a tip: how the lips move apart, across the crack or along
+   * it, and s₁₁ − s₂₂ of the constant stress beside the singular one: T, as
+   * open lips have no s₂₂. */
+  enum class CrackMode
+  {
+    opening, ///< K_I
+    sliding, ///< K_II
+    tearing, ///< K_III, in space
+    constant ///< T
+  };
+
   /** The end of a crack in the plane: where a face of the lip goes straight on
    * as a face of the plane of symmetry, or where the two lips of a crack meet.
    * Its own coordinates X and Y begin there; r and θ are their polar
@@ -31,6 +42,18 @@ namespace Crevasse
     {
       const dealii::Tensor<1, 2> distance = point - position;
       return {distance * ahead, distance * inward};
+    }
+
+    /** (X, Y) of a point of a cell; on a lip Y has the sign of that lip,
+     * whatever rounding makes of it.
+     * @param beside another point of this cell, off the line of the crack. */
+    dealii::Point<2>
+    local(const dealii::Point<2> &point, const dealii::Point<2> &beside) const
+    {
+      dealii::Point<2> place = local(point);
+      if (place[0] < 0. && (!two_lips || is_on_line(place)))
+        place[1] = std::copysign(place[1], two_lips ? local(beside)[1] : 1.);
+      return place;
     }
 
     /** Whether (X, Y) is on the line of the crack, but for rounding. */
@@ -79,6 +102,14 @@ namespace Crevasse
   crack_tips(const dealii::Triangulation<2> &mesh,
              const BoundaryRoles            &roles,
              const std::string              &wanted_by);
+
+  /** Behind a tip with two lips, how far the crack goes straight on until its
+   * line is in the body; infinite: it leaves the body, or the tip has one lip.
+   * At most the distance of another tip. Looks at the coarse mesh. */
+  double
+  straight_length(const dealii::Triangulation<2> &mesh,
+                  const BoundaryRoles            &roles,
+                  const CrackTip                 &tip);
 
   /** Where faces of the lip go straight on as faces of the plane of symmetry in
    * the coarse mesh, and where two lips meet: both ends of each edge in space,

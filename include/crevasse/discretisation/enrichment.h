@@ -84,9 +84,10 @@ namespace Crevasse
     std::vector<std::vector<VoigtVector<2>>> strains; ///< of φ_k, by point
     std::vector<double>                      weights; ///< of the points
 
-    Vector                nodal; ///< with the layout of CellLoops' vectors
-    std::array<double, 3> coefficients;
-    std::vector<double>   local_values;
+    std::vector<double> coefficients;
+
+    Vector              nodal; ///< with the layout of CellLoops' vectors
+    std::vector<double> local_values;
   };
 
 

@@ -4,18 +4,17 @@
 #ifndef crevasse_discretisation_polar_field_h
 #define crevasse_discretisation_polar_field_h
 
-#include <deal.II/base/point.h>
-#include <deal.II/base/tensor.h>
+#include <crevasse/discretisation/crack_tip.h>
 
 #include <array>
 
 namespace Crevasse
 {
   /**
-   * A displacement of mode I around a crack tip, in the tip's coordinates (X
-   * ahead, Y into the body; see CrackTip):
+   * A displacement of mode I or II around a crack tip, in the tip's coordinates
+   * (X ahead, Y into the body; see CrackTip), with δ = 0 or π/2:
    *
-   *     u_X = r^p Σ aᵢ cos mᵢθ,      u_Y = r^p Σ bᵢ sin mᵢθ
+   *     u_X = r^p Σ aᵢ cos(mᵢθ − δ),      u_Y = r^p Σ bᵢ sin(mᵢθ − δ)
    *
    * Its gradient is singular at the tip for p < 1 and must not be asked for
    * there.
@@ -29,8 +28,11 @@ namespace Crevasse
       double frequency, cosine, sine;
     };
 
-    PolarField(const double power, const std::array<Term, 2> &terms)
+    PolarField(const double               power,
+               const CrackMode            mode,
+               const std::array<Term, 2> &terms)
       : power(power)
+      , phase(mode == CrackMode::sliding ? dealii::numbers::PI_2 : 0.)
       , terms(terms)
     {
     }
@@ -54,7 +56,7 @@ namespace Crevasse
     }
 
   private:
-    double              power;
+    double              power, phase;
     std::array<Term, 2> terms;
   };
 
@@ -65,19 +67,22 @@ namespace Crevasse
    *     2μ u_X = r^{n/2} [(κ + n/2 + (−1)ⁿ) cos(nθ/2) − (n/2) cos((n/2 − 2)θ)]
    *     2μ u_Y = r^{n/2} [(κ − n/2 − (−1)ⁿ) sin(nθ/2) + (n/2) sin((n/2 − 2)θ)]
    *
-   * The first one has K_I = √(2π), the second one is the stress along the
-   * crack, the even ones do not open it.
+   * and in mode II with −(−1)ⁿ and δ = π/2. The first one has K = √(2π), the
+   * second one is the stress along the crack; the even ones of mode I and all
+   * of mode II do not open it.
    *
    * @param kappa 3 − 4ν in plane strain, (3 − ν)/(1 + ν) in plane stress.
    */
   PolarField
-  williams_term(const unsigned int n, const double kappa);
+  williams_term(const unsigned int n,
+                const double       kappa,
+                const CrackMode    mode = CrackMode::opening);
 
   /** D: besides the first term of the series the other displacement with √r
-   * that is left of it for any κ: √r (cos θ/2 (1 + cos θ), sin θ/2 (1 + cos
-   * θ)). It does not open the crack. */
+   * that is left of it for any κ: in mode I √r (cos θ/2 (1 + cos θ), sin θ/2
+   * (1 + cos θ)). The lips do not move apart. */
   PolarField
-  square_root_without_opening();
+  square_root_without_jump(const CrackMode mode = CrackMode::opening);
 } // namespace Crevasse
 
 #endif

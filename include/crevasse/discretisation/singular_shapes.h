@@ -13,50 +13,69 @@
 #include <deal.II/fe/mapping.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <limits>
 
 namespace Crevasse
 {
   /**
-   * Displacements ψ of mode I with the singularities of a crack tip, to be
-   * added to the finite elements (Strang and Fix 1973, §8.2; the end of §7 of
-   * the paper): w₁, the field of K_I; D, which with w₁ spans all displacements
-   * with √r whatever Poisson's ratio; w₃, the term with r^{3/2} of Williams'
-   * series.
+   * A displacement ψ with the singularity of a crack tip, to be added to the
+   * finite elements (Strang and Fix 1973, §8.2; the end of §7 of the paper). In
+   * each mode there are three: w₁, the field of K; D, which with w₁ spans all
+   * displacements with √r whatever Poisson's ratio; w₃, the term with r^{3/2}
+   * of Williams' series.
    *
-   * They are scaled by a length h, the size of the cells at the tip, and to an
-   * opening of 1 there, so that a coefficient is a displacement as those of the
+   * They are scaled by a length h, the size of the cells at the tip, and to a
+   * jump of 1 there, so that a coefficient is a displacement as those of the
    * nodes are, in any units.
+   *
+   * On the line behind the tip ψ jumps, and the body must not go on there. So
+   * where a crack with two lips ends or turns at the distance R, ψ is
+   * multiplied by χ = (1 − r²/R²)³, 0 from R on, which leaves the singularity
+   * as it is: (1 − χ) ψ has r^{5/2}.
    */
-  struct SingularFunctions
+  struct SingularFunction
   {
-    /** ψ_k and ∂ψ_k/∂x, in the coordinates of the mesh. */
+    /** ψ and ∂ψ/∂x, in the coordinates of the mesh.
+     * @param cell_center of the cell that the point is in. */
     dealii::Tensor<1, 2>
-    value(const unsigned int k, const dealii::Point<2> &point) const
-    {
-      return tip.global(fields[k].displacement(tip.local(point)));
-    }
+    value(const dealii::Point<2> &point,
+          const dealii::Point<2> &cell_center) const;
     dealii::Tensor<2, 2>
-    gradient(const unsigned int k, const dealii::Point<2> &point) const
+    gradient(const dealii::Point<2> &point,
+             const dealii::Point<2> &cell_center) const;
+
+    /** Whether this one opens the crack at the tip, so that its coefficient
+     * must not be negative. */
+    bool
+    opens() const
     {
-      const dealii::Tensor<2, 2> to_local = tip.to_local();
-      return transpose(to_local) * fields[k].gradient(tip.local(point)) *
-             to_local;
+      return mode == CrackMode::opening && stress_intensity > 0.;
     }
 
-    CrackTip                tip;
-    std::vector<PolarField> fields; ///< none: they are off
+    CrackTip   tip;
+    CrackMode  mode;
+    PolarField field;
+    double     radius; ///< R, or infinite: χ = 1
 
-    /** K_I of a unit coefficient of w₁ (stress √length / length). */
-    double unit_stress_intensity = 0.;
+    /** K of a unit coefficient of w₁ (stress √length / length), of others 0. */
+    double stress_intensity;
   };
 
-  /** @param n from 1 to 3.
-   * @param length h */
+  /** Of all tips; none: they are off. */
+  using SingularFunctions = std::vector<SingularFunction>;
+
+  /** The first n of mode I, and of mode II at a tip with two lips.
+   *
+   * @param n from 1 to 3.
+   * @param length h
+   * @param radius R */
   SingularFunctions
-  make_singular_functions(const unsigned int     n,
-                          const CrackTip        &tip,
-                          const PlaneElasticity &elasticity,
-                          const double           length);
+  make_singular_functions(
+    const unsigned int     n,
+    const CrackTip        &tip,
+    const PlaneElasticity &elasticity,
+    const double           length,
+    const double           radius = std::numeric_limits<double>::infinity());
 
   /**
    * Singular functions as shape functions: φ = ψ − I_h ψ, with the conforming
@@ -78,7 +97,7 @@ namespace Crevasse
     unsigned int
     size() const
     {
-      return functions.fields.size();
+      return functions.size();
     }
 
     /** φ_k at the points of a cell or face.

@@ -71,7 +71,7 @@ namespace Crevasse
      * that no face has, or a fixed point is not a vertex.
      *
      * @param volumetric_strain mean with degree 1, and not in plane stress.
-     * @param singular_functions in the plane only; without fields: none.
+     * @param singular_functions in the plane only.
      * @param lips_closed whether lips are held closed, for comparison.
      */
     Space(std::shared_ptr<const Mesh<dim>>    mesh,

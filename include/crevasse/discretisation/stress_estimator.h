@@ -90,7 +90,9 @@ namespace Crevasse
     energy(const Vector &stress, const MaterialState<dim> &material) const;
 
     /** The coefficients c_k of singular functions; none if there is no
-     * displacement, as without such functions. */
+     * displacement, as without such functions, and with two lips, where they
+     * are cut off and no more in equilibrium: then what they describe counts as
+     * error. */
     std::vector<double>
     singular_coefficients(const Vector *displacement) const;
 
@@ -101,6 +103,7 @@ namespace Crevasse
     VoigtVector<dim>
     singular_stress(const std::vector<double> &coefficients,
                     const dealii::Point<dim>  &point,
+                    const dealii::Point<dim>  &cell_center,
                     const VoigtMatrix<dim>    &stiffness) const;
 
     const Space<dim>           &space;

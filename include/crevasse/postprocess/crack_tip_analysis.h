@@ -36,6 +36,13 @@ namespace Crevasse
     std::optional<double>
     c_star(const SecularFlow *flow) const;
 
+    /** Of the coefficient of the singular function with unit K in this mode; 0
+     * without has_singular_functions. Collective. */
+    double
+    of_singular_function(const CrackMode         mode,
+                         const Vector           &displacement,
+                         const MaterialState<2> &material) const;
+
     /** Adds C* and what the growth law makes of a history, and prints them.
      * @param title of lines in the log. */
     void
@@ -49,8 +56,8 @@ namespace Crevasse
     const StressIntensity intensity;
     const StrainEnergy    energy;
     const std::string     growth_law; ///< its description; empty: none
-    /** Whether the coefficient of the first singular function is a K_I. */
-    const bool  has_singular_function;
+    /** Whether the coefficients of singular functions are intensities. */
+    const bool  has_singular_functions;
     std::string no_c_star; ///< why; empty: it is known
 
   private:

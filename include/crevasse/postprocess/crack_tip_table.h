@@ -53,7 +53,7 @@ namespace Crevasse
     columns(const CrackTipAnalysis &analysis)
     {
       std::vector<std::string> columns = {"t", "K_I", "K_I_stress"};
-      if (analysis.has_singular_function)
+      if (analysis.has_singular_functions)
         columns.push_back("K_I_singular");
       columns.insert(columns.end(),
                      {"K_I_error", "energy_release_rate", "strain_energy"});
@@ -76,7 +76,7 @@ namespace Crevasse
       std::vector<double> row = {sample.time,
                                  values.intensity,
                                  values.of_stress};
-      if (analysis.has_singular_function)
+      if (analysis.has_singular_functions)
         row.push_back(values.of_singular_function);
       row.insert(row.end(), {values.error, values.release_rate, values.energy});
       table.add_row(row);
@@ -145,20 +145,11 @@ namespace Crevasse
       const MaterialState<2> material = analysis.body.material.at(t);
       const PlaneElasticity  at_tip   = analysis.intensity.elasticity(t);
       Values values{analysis.intensity.evaluate(t, sample, material, at_tip),
-                    0.,
+                    analysis.of_singular_function(CrackMode::opening,
+                                                  sample.state.displacement,
+                                                  material),
                     0.,
                     0.};
-      if (analysis.has_singular_function)
-        {
-          const Space<2> &space = analysis.body.space;
-          const Vector   &u     = sample.state.displacement;
-          const auto      first = space.singular_unknown(0);
-          values.of_singular_function =
-            material.stiffness_factor *
-            space.singular_shapes()->functions.unit_stress_intensity *
-            dealii::Utilities::MPI::sum(u.in_local_range(first) ? u(first) : 0.,
-                                        space.communicator());
-        }
       values.error =
         std::max(values.error, relative_error * std::abs(values.intensity));
       // The fit may be far less accurate than the integral.

@@ -43,18 +43,21 @@ namespace Crevasse
     }
 
     static std::vector<std::string>
-    columns()
+    columns(const CrackTipAnalysis &analysis)
     {
-      return {"t",
-              "K_I",
-              "K_II",
-              "K_I_error",
-              "K_II_error",
-              "energy_release_rate",
-              "growth_angle",
-              "equivalent_intensity",
-              "T_stress",
-              "growth_angle_G"};
+      std::vector<std::string> columns = {"t",
+                                          "K_I",
+                                          "K_II",
+                                          "K_I_error",
+                                          "K_II_error",
+                                          "energy_release_rate",
+                                          "growth_angle",
+                                          "equivalent_intensity",
+                                          "T_stress",
+                                          "growth_angle_G"};
+      if (analysis.has_singular_functions)
+        columns.insert(columns.end(), {"K_I_singular", "K_II_singular"});
+      return columns;
     }
 
     void
@@ -64,17 +67,22 @@ namespace Crevasse
         instants.clear(), of_last_period.clear();
       instants.push_back(sample.instant);
       of_last_period.push_back(evaluate(sample));
-      const Values &v = of_last_period.back();
-      table.add_row({sample.time,
-                     v.intensity[0],
-                     v.intensity[1],
-                     v.error[0],
-                     v.error[1],
-                     v.release_rate,
-                     v.growth_angle,
-                     v.equivalent,
-                     v.t_stress,
-                     v.angle_of_release});
+      const Values       &v   = of_last_period.back();
+      std::vector<double> row = {sample.time,
+                                 v.intensity[0],
+                                 v.intensity[1],
+                                 v.error[0],
+                                 v.error[1],
+                                 v.release_rate,
+                                 v.growth_angle,
+                                 v.equivalent,
+                                 v.t_stress,
+                                 v.angle_of_release};
+      if (analysis.has_singular_functions)
+        row.insert(row.end(),
+                   v.of_singular_functions.begin(),
+                   v.of_singular_functions.end());
+      table.add_row(row);
     }
 
     void
@@ -142,7 +150,8 @@ namespace Crevasse
     /** The numbers of a step. */
     struct Values
     {
-      std::array<double, 2> intensity, error; ///< of modes I and II
+      /** Of modes I and II. */
+      std::array<double, 2> intensity, error, of_singular_functions;
       double                release_rate;
       double                growth_angle; ///< in degrees
       double                equivalent;   ///< GrowthDirection::intensity
@@ -169,6 +178,10 @@ namespace Crevasse
             modes[mode].intensity == 0.
               ? 0.
               : std::max(modes[mode].error, relative_error * size);
+          values.of_singular_functions[mode] =
+            analysis.of_singular_function(CrackMode(mode),
+                                          sample.state.displacement,
+                                          material);
         }
       values.release_rate =
         size * size / (material.stiffness_factor * at_tip.modulus());

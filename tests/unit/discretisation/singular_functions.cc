@@ -14,6 +14,8 @@
 #include <crevasse/parameters/built_in_boundary.h>
 
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_precondition.h>
 
@@ -34,6 +36,13 @@ namespace
     return K * voigt_strain<2>(field.gradient(x));
   }
 
+  /** From the lower lip to the upper one. */
+  dealii::Tensor<1, 2>
+  jump(const PolarField &field)
+  {
+    return field.displacement({-0.7, 0.}) - field.displacement({-0.7, -0.});
+  }
+
   /** div s by central differences, times r^2 / |s|'s own scale. */
   double
   unbalanced_stress(const PolarField       &field,
@@ -52,54 +61,106 @@ namespace
   }
 
   /** Williams' terms are in equilibrium and leave the lips free, in plane
-   * stress and plane strain; the first one has K_I = sqrt(2 pi) / 2 mu. */
+   * stress and plane strain; the first one of each mode has K = sqrt(2 pi) / 2
+   * mu and jumps as far as D does not. */
   void
-  check_williams_terms(const bool plane_stress)
+  check_williams_terms(const bool plane_stress, const CrackMode mode)
   {
     const VoigtMatrix<2>  K = isotropic_stiffness<2>(7., 0.3, plane_stress);
     const PlaneElasticity elasticity(K);
-    const std::string     name = plane_stress ? "plane stress" : "plane strain";
+    const bool            slides = mode == CrackMode::sliding;
+    const std::string     name =
+      std::string(plane_stress ? "plane stress" : "plane strain") +
+      (slides ? ", mode II" : ", mode I");
     check(name + ": the stiffness is isotropic",
           PlaneElasticity::is_isotropic(K));
     check_below(name + ": plane modulus",
                 std::abs(elasticity.modulus() -
                          7. / (plane_stress ? 1. : 1. - 0.09)),
                 1e-12);
-    double unbalanced = 0., on_lip = 0., shear_ahead = 0.;
+    double unbalanced = 0., on_lips = 0., ahead = 0., opening = 0.;
     for (unsigned int n = 1; n <= 8; ++n)
       {
-        const PolarField term = williams_term(n, elasticity.kappa());
-        for (const double theta : {0.3, 1.1, 2.9})
-          unbalanced = std::max(unbalanced,
-                                unbalanced_stress(term,
-                                                  K,
-                                                  {0.7 * std::cos(theta),
-                                                   0.7 * std::sin(theta)}));
-        const VoigtVector<2> lip = stress_of(term, K, {-0.7, 1e-300});
-        on_lip = std::max({on_lip, std::abs(lip[1]), std::abs(lip[3])});
-        shear_ahead =
-          std::max(shear_ahead, std::abs(stress_of(term, K, {0.7, 0.})[3]));
+        const PolarField term = williams_term(n, elasticity.kappa(), mode);
+        // The second term of mode II is a rotation, without stress.
+        if (!slides || n != 2)
+          for (const double theta : {-2.3, 0.3, 1.1, 2.9})
+            unbalanced = std::max(unbalanced,
+                                  unbalanced_stress(term,
+                                                    K,
+                                                    {0.7 * std::cos(theta),
+                                                     0.7 * std::sin(theta)}));
+        for (const double y : {0., -0.})
+          {
+            const VoigtVector<2> lip = stress_of(term, K, {-0.7, y});
+            on_lips = std::max({on_lips, std::abs(lip[1]), std::abs(lip[3])});
+          }
+        ahead =
+          std::max(ahead,
+                   std::abs(stress_of(term, K, {0.7, 0.})[slides ? 1 : 3]));
+        opening = std::max(opening, std::abs(jump(term)[1]));
       }
     check_below(name + ": div s of eight terms", unbalanced, 1e-7);
-    check_below(name + ": traction on the lip", on_lip, 1e-11);
-    check_below(name + ": shear ahead of the tip", shear_ahead, 1e-12);
-    const double stress_ahead =
-      stress_of(williams_term(1, elasticity.kappa()), K, {0.7, 0.})[1];
-    check_below(name + ": K_I of the first term",
-                std::abs(stress_ahead * std::sqrt(2. * pi * 0.7) /
+    check_below(name + ": traction on both lips", on_lips, 1e-11);
+    check_below(name + ": stress of the other mode ahead", ahead, 1e-12);
+    if (slides)
+      check_below(name + ": opening", opening, 1e-12);
+    const PolarField first = williams_term(1, elasticity.kappa(), mode);
+    check_below(name + ": K of the first term",
+                std::abs(stress_of(first, K, {0.7, 0.})[slides ? 3 : 1] *
+                           std::sqrt(2. * pi * 0.7) /
                            (2. * elasticity.shear_modulus) -
                          std::sqrt(2. * pi)),
                 1e-12);
-    // What rounding has put below the lip still is on it.
-    const PolarField first = williams_term(1, elasticity.kappa());
-    check_below(name + ": a lip that is not quite straight",
-                (first.displacement({-0.7, -1e-17}) -
-                 first.displacement({-0.7, 0.}))
-                  .norm(),
+    check_below(name + ": jump of the first term",
+                std::abs(jump(first)[slides ? 0 : 1] /
+                           (2. * (elasticity.kappa() + 1.) * std::sqrt(0.7)) -
+                         1.),
                 1e-12);
-    const dealii::Tensor<1, 2> of_d =
-      square_root_without_opening().displacement({-0.7, 0.});
-    check_below(name + ": opening of D", std::abs(of_d[1]), 1e-15);
+    check_below(name + ": jump of D",
+                jump(square_root_without_jump(mode)).norm(),
+                1e-14);
+  }
+
+  /** On which lip a point is, its cell says, not what rounding has made of it.
+   */
+  void
+  check_sides()
+  {
+    const CrackTip         tip{{},
+                       dealii::Tensor<1, 2>({1., 0.}),
+                       dealii::Tensor<1, 2>({0., 1.}),
+                       true};
+    const SingularFunction slides =
+      make_singular_functions(
+        1, tip, PlaneElasticity(isotropic_stiffness<2>(7., 0.3, true)), 0.1, 2.)
+        .back();
+    const auto above = slides.value({-0.7, -1e-17}, {-0.6, 0.1});
+    const auto below = slides.value({-0.7, 1e-17}, {-0.6, -0.1});
+    check_below("lips slide by as much to both sides",
+                (above + below).norm() / above.norm(),
+                1e-12);
+    check_below("nothing is left where the crack ends",
+                slides.value({-2., 1e-17}, {-1.9, 0.1}).norm() +
+                  slides.gradient({-2., 0.1}, {-2.1, 0.1}).norm(),
+                1e-15);
+    const dealii::Point<2>     x(-0.6, 0.5), cell(-0.6, 0.51);
+    const dealii::Tensor<2, 2> exact = slides.gradient(x, cell);
+    constexpr double           h     = 1e-5;
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        dealii::Tensor<1, 2> step;
+        step[d] = h;
+        dealii::Tensor<1, 2> difference =
+          (slides.value(x + step, cell) - slides.value(x - step, cell)) /
+          (2. * h);
+        for (unsigned int c = 0; c < 2; ++c)
+          difference[c] -= exact[c][d];
+        check_below("gradient where it is cut off, less differences, along " +
+                      std::to_string(d),
+                    difference.norm() / exact.norm(),
+                    1e-8);
+      }
   }
 
   /** A plate with a crack from the right, refined at its tip. */
@@ -121,28 +182,47 @@ namespace
     return mesh;
   }
 
+  /** The square |x|, |y| ≤ 1 with a crack with two lips from a side to its
+   * centre, turned. */
+  std::shared_ptr<const Mesh<2>>
+  slit_square()
+  {
+    dealii::Triangulation<2> square;
+    dealii::GridGenerator::hyper_cube_slit(square, -1., 1.);
+    for (const auto &cell : square.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() && std::abs(face->center()[0]) < 1e-10)
+          face->set_boundary_id(1);
+    dealii::GridTools::rotate(0.5, square);
+    auto mesh = std::make_shared<Mesh<2>>(MPI_COMM_WORLD);
+    mesh->copy_triangulation(square);
+    mesh->refine_global(3);
+    return mesh;
+  }
+
   /** D, its transpose and the stiffness agree, the coefficients included. */
   void
-  check_operators(const unsigned int degree)
+  check_operators(const std::string                    &name,
+                  const std::shared_ptr<const Mesh<2>> &mesh,
+                  const BoundaryRoles                  &roles,
+                  const unsigned int                    degree,
+                  const unsigned int                    n_functions)
   {
-    GeometryParameters geometry;
-    geometry.subdivisions      = {6, 3};
-    const auto           mesh  = cracked_plate(geometry, 2);
-    const BoundaryRoles  roles = built_in_roles(geometry);
-    const VoigtMatrix<2> K     = isotropic_stiffness<2>(7., 0.3, true);
-
-    const auto tips = find_crack_tips(*mesh, roles);
-    section("Q" + std::to_string(degree));
-    check("one tip, the crack on its right",
-          tips.size() == 1 && tips[0].ahead[0] == -1. &&
-            tips[0].inward[1] == 1.);
+    const VoigtMatrix<2> K    = isotropic_stiffness<2>(7., 0.3, true);
+    const auto           tips = find_crack_tips(*mesh, roles);
+    section(name + ", Q" + std::to_string(degree));
+    const double radius = straight_length(*mesh, roles, tips.at(0));
+    check("one tip, the crack behind it leaves the body",
+          tips.size() == 1 && std::isinf(radius));
     const Space<2> space(
       mesh,
       degree,
       roles,
       {},
       VolumetricStrain::full,
-      make_singular_functions(3, tips[0], PlaneElasticity(K), 0.04));
+      make_singular_functions(3, tips[0], PlaneElasticity(K), 0.04, radius));
+    check("as many functions as modes need",
+          space.singular_shapes()->size() == n_functions);
     const QuadratureField<2> points(space);
     const StrainOperator<2>  strain_operator(space, points);
 
@@ -197,7 +277,7 @@ namespace
           continue;
         at_support_points.reinit(cell);
         cell->get_dof_indices(indices);
-        for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int k = 0; k < n_functions; ++k)
           {
             space.singular_shapes()->values(k, at_support_points, values);
             for (unsigned int i = 0; i < indices.size(); ++i)
@@ -210,8 +290,11 @@ namespace
       }
     check_below("singular functions at the nodes", at_nodes, 1e-12);
     check_below("sum of the weights of all rules - area",
-                std::abs(dealii::Utilities::MPI::sum(volume, MPI_COMM_WORLD) -
-                         1.),
+                std::abs(
+                  dealii::Utilities::MPI::sum(volume, MPI_COMM_WORLD) /
+                    dealii::GridTools::volume(
+                      static_cast<const dealii::Triangulation<2> &>(*mesh)) -
+                  1.),
                 1e-13);
   }
 
@@ -301,10 +384,23 @@ namespace
 void
 singular_functions()
 {
-  check_williams_terms(true);
-  check_williams_terms(false);
-  check_operators(1);
-  check_operators(2);
+  for (const CrackMode mode : {CrackMode::opening, CrackMode::sliding})
+    for (const bool plane_stress : {true, false})
+      check_williams_terms(plane_stress, mode);
+  check_sides();
+  GeometryParameters geometry;
+  geometry.subdivisions = {6, 3};
+  BoundaryRoles two_lips;
+  two_lips.crack = {1};
+  for (const unsigned int degree : {1, 2})
+    {
+      check_operators("one lip",
+                      cracked_plate(geometry, 2),
+                      built_in_roles(geometry),
+                      degree,
+                      3);
+      check_operators("two lips", slit_square(), two_lips, degree, 6);
+    }
   section("condition");
   check_condition();
 }
