@@ -1,6 +1,6 @@
 """K_I along crack fronts in space: a penny-shaped crack against its closed form, a
-slice against the plane, creep and closed lips by what must not change, ranks,
-hanging nodes, and what is refused."""
+slice against the plane, creep and closed lips by what must not change, two fronts,
+ranks, hanging nodes, and what is refused."""
 
 import math
 import re
@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 from crevasse_run import (SOURCE, check, check_below, check_close, execute,
-                          overrides, run, run_on)
+                          full, overrides, run, run_on)
 
 PLATE = """\
 set Dimension = 3
@@ -96,6 +96,63 @@ def test_penny():
                 "two ranks")
 
 
+def beside_its_image(path, other, width):
+    """The mesh of a block and that beside it, moved by the width along x."""
+    lines = open(path).read().split("\n")
+    begin, end = lines.index("$Nodes") + 2, lines.index("$EndNodes")
+    n = end - begin
+    points = [tuple(map(float, line.split()[1:])) for line in lines[begin:end]]
+    at_side = {(y, z): i + 1 for i, (x, y, z) in enumerate(points) if x == width / 2}
+    numbers = [at_side[y, z] if x == -width / 2 else i + 1 + n
+               for i, (x, y, z) in enumerate(points)]
+    elements = [list(map(int, line.split()[1:])) for line in
+                lines[lines.index("$Elements") + 2:lines.index("$EndElements")]]
+
+    def is_shared(element, side):
+        return element[0] == 16 and all(
+            points[node - 1][0] == side for node in element[4:])
+    body = [e for e in elements if not is_shared(e, width / 2)]
+    body += [e[:4] + [numbers[node - 1] for node in e[4:]] for e in elements
+             if not is_shared(e, -width / 2)]
+    with open(other, "w") as file:
+        print("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n", 2 * n, file=file)
+        for i, (x, y, z) in enumerate(points):
+            print(f"{i + 1} {x!r} {y!r} {z!r}\n{i + 1 + n} {x + width!r} {y!r} {z!r}",
+                  file=file)
+        print("$EndNodes\n$Elements\n", len(body), file=file)
+        for i, element in enumerate(body):
+            print(i + 1, *element, file=file)
+        print("$EndElements", file=file)
+
+
+@full
+def test_two_pennies():
+    """Two half discs in one block have K_I of one, mirrored; a whole disc, whose
+    front is closed, has that of its quarter."""
+    penny_mesh("half.msh", "4", "0.1", "x")
+    beside_its_image("half.msh", "two.msh", 40.)
+    rows = front(run(PENNY, "two", [
+        "Geometry/Mesh file=two.msh", "Boundary/Symmetry=1, 5",
+        "Boundary/Fixed points=20, 0, 0: 1"]))
+    one, two = ([row for row in rows if row["front"] == k] for k in (1, 2))
+    check(len(one) == len(two) == 9, "two fronts")
+    closed_form = 2 * SIGMA * math.sqrt(RADIUS / math.pi)
+    for a, b in zip(one, reversed(two), strict=True):
+        check_close(a["x"] + b["x"], 40, 1e-9, "mirrored")
+        check_below(abs(a["K_I"] / b["K_I"] - 1), 1e-9, "K_I of both fronts")
+        check_close(a["K_I"] / closed_form, 1, 0.02, "closed form")
+
+    quarter = front(run(PENNY, "quarter", [penny_mesh("quarter.msh", "4", "0.1")]))
+    whole = front(run(PENNY, "whole", [
+        penny_mesh("whole.msh", "4", "0.1", "xy"), "Boundary/Symmetry=1",
+        "Boundary/Fixed points=20, 0, 0: 1, 2; -20, 0, 0: 2"]))
+    check(len(whole) == 16, f"{len(whole)} vertices of a closed front")
+    expected = {round(row["x"], 6): row["K_I"] for row in quarter}
+    for row in whole:
+        check_below(abs(row["K_I"] / expected[round(abs(row["x"]), 6)] - 1), 1e-9,
+                    "K_I of a closed front")
+
+
 def test_slice():
     """Between rigid planes a straight front is in plane strain."""
     for name, more, error, spread in (
@@ -173,6 +230,7 @@ def test_refusals():
 
 test_slice()
 test_penny()
+test_two_pennies()
 test_free_strain()
 test_creep()
 test_refusals()
