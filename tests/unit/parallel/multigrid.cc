@@ -8,6 +8,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/contact/active_set.h>
 #include <crevasse/discretisation/rigid_modes.h>
+#include <crevasse/discretisation/rigid_motions.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/linear/gmg_cg.h>
 #include <crevasse/linear/matrix_operator.h>
