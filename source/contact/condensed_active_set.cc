@@ -120,10 +120,10 @@ namespace Crevasse
     // What rounding leaves of loads does work, too: a second solution is as
     // good as the certificate wants, if no better.
     constexpr double       negligible = 0.01;
-    constexpr unsigned int enough     = 100;
+    constexpr unsigned int most_steps = 100;
     unsigned int           n_sets     = 0;
     LipVector              before(loads.size()), forces(loads.size());
-    for (unsigned int k = 0; k < enough; ++k)
+    for (unsigned int k = 0;; ++k)
       {
         LipVector with_springs = before;
         with_springs.scale(springs);
@@ -140,6 +140,13 @@ namespace Crevasse
           break;
         if (k > 0)
           require_no_escape(step);
+        if (k == most_steps)
+          throw NumericalError(
+            "The part that contact alone holds, " +
+            problem.bounds.free_motions.front().name + ", has not come to " +
+            "rest after " + std::to_string(most_steps) +
+            " proximal steps: its gap is wide for so small a load. Close the " +
+            "[Boundary] Gap, or hold the part by Fixed points.");
         before = on_lip;
       }
     if (!determine_position(forces))

@@ -157,7 +157,7 @@ namespace Crevasse
     if (!body.held_by_contact.empty())
       all.push_back("contact alone holds the body against " +
                     body.held_by_contact.front().name +
-                    "; use [Periodic state] Method = anderson");
+                    "; use [Periodic state] Method = march");
     if (scene.time_integration.step_control != StepControlType::uniform)
       all.push_back(
         "harmonics need equal steps; set [Time integration] Step "

@@ -118,8 +118,9 @@ namespace Crevasse
       throw NumericalError(
         "Unconstrained rigid-body motion: " +
         body.held_by_contact.front().name +
-        "\nContact could stop it, but no load presses the body on a lip. Hold "
-        "it by [Boundary] Clamped, Symmetry or Fixed points, or load it.");
+        "\nContact could stop it, but no load does work on it: nothing tells "
+        "where the part is. Hold it by [Boundary] Clamped, Symmetry or Fixed "
+        "points, or load it.");
     if (body.material.has_thermal_strain)
       for (unsigned int k = 0; k < steps.n_steps(); ++k)
         largest =

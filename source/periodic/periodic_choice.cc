@@ -15,6 +15,16 @@ namespace Crevasse
 
 
 
+    /** The first part of the body that moves freely but for contact. */
+    template <int dim>
+    std::string
+    part_of(const Body<dim> &body)
+    {
+      return "a part (" + body.held_by_contact.front().name + ')';
+    }
+
+
+
     template <int dim>
     PeriodicChoice
     choose_automatically(const Scene     &scene,
@@ -33,6 +43,8 @@ namespace Crevasse
         return PeriodicChoice{
           method, starts_from_fourier, true, "automatic: " + why, {}};
       };
+      if (!body.held_by_contact.empty())
+        return choice(Method::march, "contact alone holds " + part_of(body));
       if (scene.periodic_state.secular_split == SecularSplitType::off)
         return choice(Method::march,
                       "Secular split = off leaves what flows in the viscous "
@@ -86,6 +98,10 @@ namespace Crevasse
                                    parameters.start_from == StartFrom::fourier;
       choice.why = Text::parameter(PeriodicStateParameters::section, "Method") +
                    " = " + name_of(parameters.method);
+      if (choice.method == Method::anderson && !body.held_by_contact.empty())
+        throw SceneError(choice.why + ": contact alone holds " + part_of(body) +
+                         ", whose position may be any of several. Use Method = "
+                         "march.");
       if (choice.uses_fourier())
         require_fourier(scene, body, steps);
       if (const std::string flow = secular_obstacle(body);

@@ -169,8 +169,10 @@ def test_refused():
                 "mumps", settings=[setting])
     refused(pressed, 2, "Elastic comparison = open",
             settings=["Output/Elastic comparison=open"])
-    refused(pressed, 2, "contact alone holds the body", "Method = anderson",
+    refused(pressed, 2, "contact alone holds the body", "Method = march",
             settings=["Periodic state/Method=fourier"])
+    refused(pressed, 2, "position may be any of several", "Method = march",
+            settings=["Periodic state/Method=anderson"])
 
 
 test_block_on_block()
