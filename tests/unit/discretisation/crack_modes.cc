@@ -119,9 +119,10 @@ namespace
     std::array<double, 3> K;
     const PlaneElasticity elasticity(body.law.stiffness.at(
       Place<2>{region.tip.position, 0., 0., dealii::types::material_id(0)}));
+    unsigned int          of_mode = 0;
     for (const CrackMode mode :
          {CrackMode::opening, CrackMode::sliding, CrackMode::constant})
-      K[static_cast<unsigned int>(mode)] =
+      K[of_mode++] =
         InteractionIntegral(
           body, points, region, mode, LoadParameters(), {size, size, false})
           .of_uniform_body(stress, forces, elasticity.kappa());
