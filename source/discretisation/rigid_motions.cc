@@ -354,6 +354,14 @@ namespace Crevasse
 
 
 
+  std::string
+  what_contact_holds(const std::vector<RigidMotion> &motions)
+  {
+    return "contact alone holds the body against " + motions.front().name;
+  }
+
+
+
 #define INSTANTIATE(dim)                                                \
   template std::vector<std::string> find_free_rigid_motions<dim>(       \
     const Space<dim> &);                                                \

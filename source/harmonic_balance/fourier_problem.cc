@@ -155,8 +155,7 @@ namespace Crevasse
   {
     std::vector<std::string> all = material_obstacles(body);
     if (!body.held_by_contact.empty())
-      all.push_back("contact alone holds the body against " +
-                    body.held_by_contact.front().name +
+      all.push_back(what_contact_holds(body.held_by_contact) +
                     "; use [Periodic state] Method = march");
     if (scene.time_integration.step_control != StepControlType::uniform)
       all.push_back(

@@ -133,8 +133,7 @@ namespace Crevasse
                             (parameters.solver != Type::automatic &&
                              parameters.solver != Type::condensed_active_set)))
         throw SceneError(
-          "[Contact] Solver: contact alone holds the body against " +
-          held_by_contact.front().name +
+          "[Contact] Solver: " + what_contact_holds(held_by_contact) +
           ", so that without contact it has no equilibrium. Set Solver = "
           "condensed active set and [Linear solver] Type = cholesky or mumps, "
           "or hold the body by [Boundary] Clamped, Symmetry or Fixed points.");
@@ -184,8 +183,8 @@ namespace Crevasse
          !scene.contact.relaxation_table.empty()))
       throw SceneError(
         "[Output] Elastic comparison = open and [Contact] Relaxation table are "
-        "about the body without contact, which alone holds it against " +
-        body.held_by_contact.front().name +
+        "about the body without contact, but " +
+        what_contact_holds(body.held_by_contact) +
         ". Leave both out, or hold the body by [Boundary] Clamped, Symmetry or "
         "Fixed points.");
     if (Utilities::MPI::n_mpi_processes(communicator) > 1)

@@ -15,16 +15,6 @@ namespace Crevasse
 
 
 
-    /** The first part of the body that moves freely but for contact. */
-    template <int dim>
-    std::string
-    part_of(const Body<dim> &body)
-    {
-      return "a part (" + body.held_by_contact.front().name + ')';
-    }
-
-
-
     template <int dim>
     PeriodicChoice
     choose_automatically(const Scene     &scene,
@@ -44,7 +34,7 @@ namespace Crevasse
           method, starts_from_fourier, true, "automatic: " + why, {}};
       };
       if (!body.held_by_contact.empty())
-        return choice(Method::march, "contact alone holds " + part_of(body));
+        return choice(Method::march, what_contact_holds(body.held_by_contact));
       if (scene.periodic_state.secular_split == SecularSplitType::off)
         return choice(Method::march,
                       "Secular split = off leaves what flows in the viscous "
@@ -99,7 +89,8 @@ namespace Crevasse
       choice.why = Text::parameter(PeriodicStateParameters::section, "Method") +
                    " = " + name_of(parameters.method);
       if (choice.method == Method::anderson && !body.held_by_contact.empty())
-        throw SceneError(choice.why + ": contact alone holds " + part_of(body) +
+        throw SceneError(choice.why + ": " +
+                         what_contact_holds(body.held_by_contact) +
                          ", whose position may be any of several. Use Method = "
                          "march.");
       if (choice.uses_fourier())

@@ -40,6 +40,11 @@ namespace Crevasse
   template <int dim>
   std::vector<RigidMotion>
   rigid_motions_held_by_contact(const Space<dim> &space);
+
+  /** "contact alone holds the body against …", the first of these motions; what
+   * many methods cannot do with. */
+  std::string
+  what_contact_holds(const std::vector<RigidMotion> &motions);
 } // namespace Crevasse
 
 #endif
