@@ -4,11 +4,10 @@ ranks, hanging nodes, and what is refused."""
 
 import math
 import re
-import subprocess
-import sys
 
-from crevasse_run import (SOURCE, check, check_below, check_close, execute,
-                          full, overrides, run, run_on)
+from crevasse_run import (check, check_below, check_close, execute, full, overrides,
+                          run, run_on)
+from fronts import PENNY, front, penny_mesh
 
 PLATE = """\
 set Dimension = 3
@@ -50,21 +49,7 @@ PLANE = PLATE.replace("Dimension = 3", "Dimension = 2").replace(
     "2, 5, 6", "automatic").replace(
     "set Viscosity ", "set Plane state   = plane strain\n  set Viscosity ")
 
-PENNY = SOURCE / "prm/penny_crack.prm"
 SIGMA, RADIUS, E, NU = 1e6, 2., 2e11, 0.3
-
-
-def front(results):
-    """The rows of the last instant as dictionaries."""
-    table = results.table("crack_front.csv")
-    rows = [dict(zip(table, row)) for row in zip(*table.values())]
-    return [row for row in rows if row["t"] == rows[-1]["t"]]
-
-
-def penny_mesh(name, *words):
-    subprocess.run([sys.executable, SOURCE / "prm/penny_mesh.py", name, *words],
-                   check=True)
-    return f"Geometry/Mesh file={name}"
 
 
 def test_penny():

@@ -6,17 +6,13 @@ import contextlib
 import io
 import math
 import pathlib
-import subprocess
-import sys
 
 from cracked import BACK, BOTTOM, CRACK, FRONT, LEFT, RIGHT, TOP, steps, write_block
-from crevasse_run import (SOURCE, check, check_below, check_close, execute, run,
-                          run_on)
+from crevasse_run import check, check_below, check_close, execute, run, run_on
+from fronts import PENNY, front, penny_mesh
 
-sys.path.insert(0, str(SOURCE / "source" / "python"))
-from crevasse import report as make_report  # noqa: E402
+from crevasse import report as make_report
 
-PENNY = SOURCE / "prm/penny_crack.prm"
 RADIUS, NU, STRESS = 2., 0.3, 1e6
 K_0 = 2 * STRESS * math.sqrt(RADIUS / math.pi)  # under tension
 MODES = ("K_I", "K_II", "K_III")
@@ -60,19 +56,6 @@ subsection Output
   set Fields = none
 end
 """
-
-
-def front(results):
-    """The rows of the last instant as dictionaries."""
-    table = results.table("crack_front.csv")
-    rows = [dict(zip(table, row)) for row in zip(*table.values())]
-    return [row for row in rows if row["t"] == rows[-1]["t"]]
-
-
-def penny_mesh(name, *words):
-    subprocess.run([sys.executable, SOURCE / "prm/penny_mesh.py", name, *words],
-                   check=True)
-    return f"Geometry/Mesh file={name}"
 
 
 def at_sides(axis):

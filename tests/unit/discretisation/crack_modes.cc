@@ -7,9 +7,8 @@
 #include <crevasse/crack_tip/growth_direction.h>
 #include <crevasse/crack_tip/interaction_integral.h>
 
-#include <deal.II/grid/grid_generator.h>
-
 #include <complex>
+#include <crevasse_tests/slit_square.h>
 #include <crevasse_tests/tests.h>
 
 using namespace Crevasse;
@@ -48,23 +47,6 @@ namespace
       return stress;
     }
   };
-
-  /** The square |x|, |y| ≤ 1 with a crack from below to its centre, turned. */
-  std::shared_ptr<const Mesh<2>>
-  cracked_square(const double angle, const unsigned int refinements)
-  {
-    dealii::Triangulation<2> square;
-    dealii::GridGenerator::hyper_cube_slit(square, -1., 1.);
-    for (const auto &cell : square.active_cell_iterators())
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary() && std::abs(face->center()[0]) < 1e-10)
-          face->set_boundary_id(1);
-    dealii::GridTools::rotate(angle, square);
-    auto mesh = std::make_shared<Mesh<2>>(MPI_COMM_WORLD);
-    mesh->copy_triangulation(square);
-    mesh->refine_global(refinements);
-    return mesh;
-  }
 
 
 
@@ -137,7 +119,7 @@ namespace
     const std::string   name  = std::to_string(degrees) + " degrees";
     const Scene         scene = cracked_scene();
     const Body<2>       body(scene,
-                       cracked_square(degrees * pi / 180., is_full() ? 5 : 4));
+                       slit_square(degrees * pi / 180., is_full() ? 5 : 4));
     const PointGeometry points(body.space, body.points);
     const auto tips = find_crack_tips(body.space.mesh(), body.space.roles);
     check(name + ": one tip with two lips, at the centre, straight ahead",

@@ -14,11 +14,11 @@
 #include <crevasse/parameters/built_in_boundary.h>
 
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_precondition.h>
 
+#include <crevasse_tests/slit_square.h>
 #include <crevasse_tests/tests.h>
 #include <random>
 
@@ -179,24 +179,6 @@ namespace
                 cell->set_refine_flag();
         mesh->execute_coarsening_and_refinement();
       }
-    return mesh;
-  }
-
-  /** The square |x|, |y| ≤ 1 with a crack with two lips from a side to its
-   * centre, turned. */
-  std::shared_ptr<const Mesh<2>>
-  slit_square()
-  {
-    dealii::Triangulation<2> square;
-    dealii::GridGenerator::hyper_cube_slit(square, -1., 1.);
-    for (const auto &cell : square.active_cell_iterators())
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary() && std::abs(face->center()[0]) < 1e-10)
-          face->set_boundary_id(1);
-    dealii::GridTools::rotate(0.5, square);
-    auto mesh = std::make_shared<Mesh<2>>(MPI_COMM_WORLD);
-    mesh->copy_triangulation(square);
-    mesh->refine_global(3);
     return mesh;
   }
 
@@ -399,7 +381,7 @@ singular_functions()
                       built_in_roles(geometry),
                       degree,
                       3);
-      check_operators("two lips", slit_square(), two_lips, degree, 6);
+      check_operators("two lips", slit_square(0.5, 3), two_lips, degree, 6);
     }
   section("condition");
   check_condition();
