@@ -14,7 +14,8 @@ TABLES = {"contact": ("force", "largest_pressure", "closed_nodes"),
                         "strain_energy"),
           "crack_tip_N": ("K_I", "K_II", "K_I_error", "K_II_error",
                           "energy_release_rate", "growth_angle",
-                          "equivalent_intensity", "T_stress")}
+                          "equivalent_intensity", "T_stress", "growth_angle_G",
+                          "K_I_singular", "K_II_singular")}
 SAME_INSTANT = 1e-9  # of the period
 
 
