@@ -335,13 +335,17 @@ namespace Crevasse
     const auto            free  = kernel(gram, parts);
     if (free.empty())
       return {};
-    gram.add(1., opening_gram_matrix(space, parts));
+    // A motion must open lips by a thousandth of its size; find_and_lock()
+    // takes a millionth.
+    constexpr double steep = 1e-3;
+    gram.add(steep * steep, opening_gram_matrix(space, parts));
     if (const auto sliding = kernel(gram, parts); !sliding.empty())
       throw NumericalError(
         "Unconstrained rigid-body motions:\n  " +
         Text::join(names_of(sliding, parts), "\n  ") +
-        "\nContact does not stop them: they neither open nor close a lip. Hold "
-        "the body by [Boundary] Clamped, Symmetry or Fixed points, for "
+        "\nContact does not stop them: they open or close a lip by less "
+        "than a thousandth of their size. Hold the body by [Boundary] Clamped, "
+        "Symmetry or Fixed points, for "
         "example --set \"Boundary/Fixed points=" +
         (dim == 2 ? "0, 0" : "0, 0, 0") + "\"." + ids_without_role(space));
     std::vector<RigidMotion> motions;
