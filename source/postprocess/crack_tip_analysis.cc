@@ -99,7 +99,8 @@ namespace Crevasse
           const Vector loads = loads_at(body, t);
           double       force = 0.;
           for (unsigned int m = 0; m < modes.size(); ++m)
-            for (std::size_t i = 0; i < loads.locally_owned_size(); ++i)
+            // which may lack singular unknowns: they move nothing
+            for (std::size_t i = 0; i < modes[m].locally_owned_size(); ++i)
               force +=
                 motion[m] * modes[m].local_element(i) * loads.local_element(i);
           force = Utilities::MPI::sum(force, body.space.communicator());
