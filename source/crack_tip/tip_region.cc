@@ -5,10 +5,9 @@
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/tip_region.h>
 #include <crevasse/discretisation/cell_values.h>
+#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/material/plane_elasticity.h>
 #include <crevasse/parameters/parameters.h>
-
-#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 
@@ -129,9 +128,7 @@ namespace Crevasse
   {
     cells.assign(space.mesh().n_active_cells(),
                  {std::numeric_limits<double>::max(), 0.});
-    const double tiny =
-      rounding *
-      GridTools::diameter(static_cast<const Triangulation<2> &>(space.mesh()));
+    const double tiny = rounding * RigidParts<2>(space.mesh()).size();
     for (const auto &cell : space.mesh().active_cell_iterators())
       if (!cell->is_artificial())
         {

@@ -4,14 +4,13 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/checkpoint/checkpoint_writer.h>
+#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/harmonic_balance/prescribed_motion.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/periodic/anderson.h>
 #include <crevasse/periodic/contraction.h>
 #include <crevasse/periodic/march.h>
 #include <crevasse/simulation/compute_periods.h>
-
-#include <deal.II/grid/grid_tools.h>
 
 
 namespace Crevasse
@@ -87,14 +86,15 @@ namespace Crevasse
                 const std::vector<Observer *> &observers,
                 Checkpointer                  &checkpointer)
     {
-      constexpr double        tolerable = 1e-8;
-      const FourierResult    &direct    = *work.start.direct;
-      StepControl             as_they_are;
-      PrescribedMotion        motion(direct.motion,
-                              direct.rule,
-                              work.steps.step(0),
-                              GridTools::diameter(work.setup.body.space.mesh()),
-                              work.setup.largest_nodal_force);
+      constexpr double     tolerable = 1e-8;
+      const FourierResult &direct    = *work.start.direct;
+      StepControl          as_they_are;
+      PrescribedMotion     motion(
+        direct.motion,
+        direct.rule,
+        work.steps.step(0),
+        RigidParts<dim>(work.setup.body.space.mesh()).size(),
+        work.setup.largest_nodal_force);
       std::vector<Observer *> all = observers;
       all.push_back(&motion);
       ObservedPeriods<dim> periods(
