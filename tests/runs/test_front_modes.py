@@ -8,7 +8,7 @@ import math
 import pathlib
 
 from cracked import BACK, BOTTOM, CRACK, FRONT, LEFT, RIGHT, TOP, steps, write_block
-from crevasse_run import check, check_below, check_close, execute, run, run_on
+from crevasse_run import check, check_below, check_close, execute, run, run_on, tier
 from fronts import PENNY, front, penny_mesh
 
 from crevasse import report as make_report
@@ -223,8 +223,8 @@ def test_refusals():
               f"{name}: status {status}\n{error}")
 
 
-TESTS = [test_slice, test_turned, test_half_model, test_penny, test_closed,
-         test_two_cracks, test_refusals]
+TESTS = [test_slice, test_turned, test_half_model, test_closed, test_two_cracks,
+         test_refusals, *tier([], [test_penny])]
 
 if __name__ == "__main__":
     for test in TESTS:
