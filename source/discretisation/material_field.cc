@@ -136,6 +136,7 @@ namespace Crevasse
         fluidity_is_free.push_back(varies_in_time(branch.fluidity));
         fluidity_varies = fluidity_varies || fluidity_is_free.back();
       }
+    fluidity_varies    = fluidity_varies || varies_in_time(law.creep_exponent);
     has_thermal_strain = !free_strains.empty();
     for (const FreeStrain *strain : free_strains)
       thermal_strain_varies =
@@ -145,7 +146,7 @@ namespace Crevasse
       varies_in_space(law.stiffness) || thermal_strain_varies_in_space();
     for (const auto &branch : law.branches)
       of_importance = of_importance || varies_in_space(branch.fluidity);
-    if (of_importance)
+    if (of_importance || varies_in_space(law.creep_exponent))
       {
         locations.resize(n_points);
         materials.resize(n_points);
@@ -176,6 +177,8 @@ namespace Crevasse
           constant.fluidity[i] = evaluate(law.branches[i].fluidity, 0.);
       if (has_thermal_strain && !thermal_strain_varies)
         constant.thermal_strain = evaluate_thermal_strain(0.);
+      if (law.is_power_law() && !stiffness_varies && !fluidity_varies)
+        constant.creep_power = evaluate_creep_power(constant, 0.);
     });
   }
 
@@ -245,6 +248,29 @@ namespace Crevasse
     for (std::size_t p = 0; p < n_points; ++p)
       strains[p] = strain_at(p);
     return std::make_shared<const Vectors>(std::move(strains));
+  }
+
+
+
+  template <int dim>
+  std::shared_ptr<const PointValues<CreepPower>>
+  MaterialField<dim>::evaluate_creep_power(const MaterialState<dim> &state,
+                                           const double              t) const
+  {
+    const auto rates =
+      combine(*state.fluidity[0],
+              *state.stiffness,
+              n_points,
+              [](const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K) {
+                return relaxation_rates<dim>(H, K).largest;
+              });
+    return std::make_shared<const PointValues<CreepPower>>(
+      combine(*evaluate(law.creep_exponent, t),
+              rates,
+              n_points,
+              [](const double n, const double rate) {
+                return CreepPower{n, n * rate};
+              }));
   }
 
 
@@ -334,6 +360,8 @@ namespace Crevasse
             state.fluidity[i] = evaluate(law.branches[i].fluidity, t);
         if (thermal_strain_varies)
           state.thermal_strain = evaluate_thermal_strain(t);
+        if (law.is_power_law() && state.creep_power == nullptr)
+          state.creep_power = evaluate_creep_power(state, t);
       });
     set_factors(t, state);
     return state;

@@ -37,6 +37,8 @@ namespace Crevasse
   MaterialField<dim>::extreme_rates(const MaterialState<dim> &state) const
   {
     RelaxationRates all{std::numeric_limits<double>::infinity(), 0., true};
+    if (state.creep_power != nullptr) // the stress alone tells
+      return {std::numeric_limits<double>::infinity(), 0., false};
     for (unsigned int i = 0; i < state.fluidity.size(); ++i)
       {
         const double fraction = state.fractions[i];
@@ -66,12 +68,16 @@ namespace Crevasse
     const bool          rates_vary = stiffness_varies || fluidity_varies;
     RelaxationRates     now, all{infinity, 0., true};
     std::vector<double> least_rates, fluidity_factors; // of all instants
+    double              creep_exponent = 1.;
     for (const double t : instants)
       {
         if (rates_vary || t == instants.front())
           {
             const MaterialState<dim> state = at(t);
             collectively(communicator, [&]() { now = extreme_rates(state); });
+            if (state.creep_power != nullptr)
+              for (const CreepPower &power : state.creep_power->distinct())
+                creep_exponent = std::max(creep_exponent, power.exponent);
             now.least = Utilities::MPI::min(now.least, communicator);
           }
         set_factors(t, factors);
@@ -93,7 +99,8 @@ namespace Crevasse
             std::isfinite(all.least) ? 1. / all.least : infinity,
             std::isfinite(mean_least) ? 1. / mean_least : infinity,
             lower_mean(instants, fluidity_factors, period),
-            relaxes};
+            relaxes,
+            Utilities::MPI::max(creep_exponent, communicator)};
   }
 
 

@@ -267,6 +267,34 @@ namespace Crevasse
 
 
 
+    /** H of a power law, for a unit stress. */
+    template <int dim>
+    Property<VoigtMatrix<dim>>
+    creep_fluidity(const MaterialParameters &parameters)
+    {
+      Property<VoigtMatrix<dim>> property;
+      add_formula(property, *parameters.creep_coefficient, Ranges::positive);
+      property.make = [](const Values &values) {
+        return values[0] * isotropic_compliance<dim>(1., 0.5);
+      };
+      return property;
+    }
+
+
+
+    Property<double>
+    make_creep_exponent(const MaterialParameters &parameters)
+    {
+      Property<double> property;
+      if (parameters.viscosity != ViscosityType::power_law)
+        return property;
+      add_formula(property, *parameters.creep_exponent, Ranges::creep_exponent);
+      property.make = [](const Values &values) { return values[0]; };
+      return property;
+    }
+
+
+
     template <int dim>
     std::vector<typename MaxwellLaw<dim>::Branch>
     make_branches(const MaterialParameters &parameters)
@@ -296,6 +324,9 @@ namespace Crevasse
                                             branch.relaxation_time,
                                             branch.fraction)});
             break;
+          case ViscosityType::power_law:
+            branches.push_back({1., creep_fluidity<dim>(parameters)});
+            break;
           case ViscosityType::none:
             break;
         }
@@ -322,6 +353,7 @@ namespace Crevasse
   MaxwellLaw<dim>::MaxwellLaw(const MaterialParameters &parameters)
     : stiffness(stiffness_property<dim>(parameters))
     , branches(make_branches<dim>(parameters))
+    , creep_exponent(make_creep_exponent(parameters))
     , plane_stress(dim == 2 &&
                    parameters.plane_state == PlaneState::plane_stress)
     , k(*parameters.stiffness_time_factor)

@@ -223,6 +223,10 @@ namespace Crevasse
       if (body.material.fluidity_varies)
         for (std::size_t i = 0; i < a.fluidity.size(); ++i)
           jumps = jumps || differ(*a.fluidity[i], *b.fluidity[i], 0.);
+      if (body.material.fluidity_varies && a.creep_power != nullptr)
+        for (std::size_t p = 0; p < body.points.n_local_points; ++p)
+          jumps = jumps || factors_differ((*a.creep_power)[p].exponent,
+                                          (*b.creep_power)[p].exponent);
       return dealii::Utilities::MPI::max(jumps ? 1 : 0,
                                          body.space.communicator()) == 1;
     }

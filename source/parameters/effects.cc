@@ -178,6 +178,8 @@ namespace Crevasse
           return {*material.viscous_modulus, *material.viscous_poisson_ratio};
         case ViscosityType::matrix:
           return entries(material.viscosity_matrix);
+        case ViscosityType::power_law:
+          return {*material.creep_coefficient, *material.creep_exponent};
         default:
           break;
       }

@@ -185,6 +185,18 @@ namespace Crevasse
       "volume. Allowed: a number of at least -0.999, at most 0.5" +
         formula,
       prm);
+    creep_coefficient.add_parameter("Creep coefficient",
+                                    "Rate of the creep strain under tension by "
+                                    "a unit stress, in units of 1 / "
+                                    "(stress ^ Creep exponent * time)." +
+                                      positive,
+                                    prm);
+    creep_exponent.add_parameter(
+      "Creep exponent",
+      "Power of the stress in the rate of creep. Allowed: a number of at least "
+      "1, at most 50" +
+        formula,
+      prm);
     viscosity_matrix.add_parameter(
       "Viscosity matrix",
       "Viscosity, in units of stress times time. Allowed: " + matrix,

@@ -185,6 +185,10 @@ namespace Crevasse
                          "must be given, for the viscosity is \"chain\": a "
                          "list such as 0.5: 10; 0.3: 100");
           break;
+        case ViscosityType::power_law:
+          checker.demand_valid("Creep coefficient", creep_coefficient);
+          checker.demand_valid("Creep exponent", creep_exponent);
+          break;
         case ViscosityType::none:
           break;
       }

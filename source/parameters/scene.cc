@@ -51,6 +51,12 @@ namespace Crevasse
                        "Crack growth law",
                        "is for Dimension = 2: in space K varies along the "
                        "front");
+      crack_tip.demand(!scene.crack_tip.stress_intensity ||
+                         scene.material.viscosity != ViscosityType::power_law,
+                       "Stress intensity",
+                       "must be false with [Material] Viscosity = power law: "
+                       "where the stress of a tip creeps by a power of itself "
+                       "K does not tell the stress");
     }
 
 
@@ -117,6 +123,13 @@ namespace Crevasse
                 "Elastic comparison",
                 "compares at steps that are known in advance: with [Time "
                 "integration] Step control = adaptive it must be none");
+      Checker(TimeIntegrationParameters::section, problems)
+        .demand(scene.material.viscosity != ViscosityType::power_law ||
+                  !traits(scene.time_integration.scheme).keeps_matrices,
+                "Scheme",
+                "has implicit stages, whose equations are not linear with "
+                "[Material] Viscosity = power law; use euler, heun, rk4 or "
+                "arkode explicit");
       Checker(PeriodicStateParameters::section, problems)
         .demand(periodic.secular_split != SecularSplitType::off ||
                   (periodic.method != PeriodicMethodType::anderson &&

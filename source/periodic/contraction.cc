@@ -28,9 +28,10 @@ namespace Crevasse
     last_change         = change;
     const double lambda = factor();
     if (change <= rounding)
-      return lambda < 1. ? change * std::max(1., lambda / (1. - lambda))
-                         : change;
-    return lambda < 1. ? change * lambda / (1. - lambda)
+      return lambda < 1.
+               ? change * std::max(1., exponent * lambda / (1. - lambda))
+               : change;
+    return lambda < 1. ? exponent * change * lambda / (1. - lambda)
                        : std::numeric_limits<double>::quiet_NaN();
   }
 

@@ -97,7 +97,7 @@ namespace Crevasse
         require_fourier(scene, body, steps);
       if (const std::string flow = secular_obstacle(body);
           choice.method == Method::anderson && !flow.empty() &&
-          !body.law.has_spring())
+          !body.law.has_spring() && !body.law.is_power_law())
         throw SceneError(choice.why +
                          ": whether there is a periodic viscous strain is not "
                          "known, for " +

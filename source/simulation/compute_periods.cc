@@ -164,13 +164,16 @@ namespace Crevasse
                ObservedPeriods<dim> &periods,
                const double          slowness)
     {
-      const Body<dim>              &body = work.setup.body;
+      const Body<dim> &body = work.setup.body;
+      // A power law has no fluidity of its own, and takes the stiffness.
       const ViscousCoordinates<dim> coordinates(
         body.space,
         body.points,
         body.material.at(0.),
-        work.setup.scene.loads.period *
-          work.setup.relaxation_times.mean_fluidity_factor);
+        body.law.is_power_law()
+          ? 0.
+          : work.setup.scene.loads.period *
+              work.setup.relaxation_times.mean_fluidity_factor);
       Anderson<dim>           method(periods,
                            coordinates,
                            work.setup.scene.periodic_state,
@@ -201,12 +204,13 @@ namespace Crevasse
       const double slowness =
         std::isfinite(slowest)
           ? slowness_of_relaxation(work.setup.scene.loads.period / slowest)
-          : 1.;
+          : work.setup.relaxation_times.creep_exponent;
       if (work.start.choice.method != PeriodicMethodType::march)
         return accelerate(work, periods, slowness);
       return march(periods,
                    work.setup.scene.periodic_state.tolerance,
                    slowness,
+                   work.setup.relaxation_times.creep_exponent,
                    work.state.viscous_strain);
     }
   } // namespace

@@ -203,6 +203,9 @@ namespace Crevasse
       const double                limit =
         integrator.stability_limit * setup.relaxation_times.smallest;
       text << "; " << integrator.name << ", stable ";
+      if (std::isfinite(integrator.stability_limit) &&
+          setup.body.law.is_power_law())
+        return text << "with steps as the stress allows them";
       return std::isfinite(limit) ? text << "below " << limit
                                   : text << "with any step";
     }

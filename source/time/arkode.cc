@@ -222,6 +222,8 @@ namespace Crevasse
         if (!properties.controls_steps)
           return;
         driver->control_steps(allowed_errors, period / 4.);
+        if (properties.stability_limit != no_stability_limit)
+          driver->limit_steps(properties.stability_limit);
         if (parameters.locate_contact_events)
           driver->seek_events();
       }

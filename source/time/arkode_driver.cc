@@ -241,6 +241,25 @@ namespace Crevasse
 
 
   void
+  ArkodeDriver::limit_steps(const double stability_limit)
+  {
+    limit = stability_limit;
+    check(ARKStepSetCFLFraction(memory.get(), 0.9));
+    check(ARKStepSetStabilityFn(
+      memory.get(),
+      [](N_Vector, sunrealtype, sunrealtype *longest, void *user_data) {
+        auto *self = static_cast<ArkodeDriver *>(user_data);
+        return self->guarded([&]() {
+          const double rate = self->equation.last().relaxation_rate();
+          *longest          = rate > 0. ? self->limit / rate : 0.; // 0: any
+        });
+      },
+      this));
+  }
+
+
+
+  void
   ArkodeDriver::seek_events()
   {
     const ARKRootFn functions =

@@ -126,6 +126,7 @@ namespace Crevasse
     const double              k        = material.stiffness_factor;
     const double              factor   = k / material.viscosity_factor;
     const Stopwatch           watch("strain sweeps");
+    fastest = 0.;
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {
@@ -142,6 +143,13 @@ namespace Crevasse
             sum += stress;
             VoigtVector<dim> branch_rate =
               factor * ((*material.fluidity[i])[point] * stress);
+            if (material.creep_power != nullptr)
+              {
+                const CreepPower &law      = (*material.creep_power)[point];
+                const double      multiple = law.factor<dim>(k * stress);
+                branch_rate *= multiple;
+                fastest = std::max(fastest, factor * multiple * law.rate);
+              }
             if (flow != nullptr)
               branch_rate -= Field::get(flow->strain_rate, place);
             Field::set(rate, place, branch_rate);
@@ -302,6 +310,16 @@ namespace Crevasse
                      material.stiffness_factor *
                        (*material.stiffness)[point].norm());
       }
+  }
+
+
+
+  template <int dim>
+  double
+  Evolution<dim>::relaxation_rate() const
+  {
+    return dealii::Utilities::MPI::max(fastest,
+                                       last.stress.get_mpi_communicator());
   }
 
 

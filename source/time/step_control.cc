@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/time/step_control.h>
@@ -43,8 +44,10 @@ namespace Crevasse
       AdaptiveSteps(const TimeIntegrationParameters &parameters,
                     const double                     largest_step,
                     const std::vector<double>       &fixed_instants,
-                    const std::vector<double>       &nodes)
-        : parameters(parameters)
+                    const std::vector<double>       &nodes,
+                    const double                     stability_limit)
+        : StepControl(stability_limit)
+        , parameters(parameters)
         , largest_step(largest_step)
         , fixed_instants(fixed_instants)
         , looks_at_end(std::find(nodes.begin(), nodes.end(), 1.) != nodes.end())
@@ -93,9 +96,13 @@ namespace Crevasse
         const bool   has_matrix = integrator.properties.has_matrix_of_step;
         const bool   halves     = !is_free || has_matrix;
         const double t = steps.instant(k), left = steps.step(k);
-        double       length       = first_trial(t, left, has_matrix);
-        bool         was_rejected = false;
-        double       step_error;
+        // Where the stress grows within the step the limit falls.
+        const double longest = 0.9 * longest_stable(period_step);
+        double       length  = first_trial(t, left, has_matrix);
+        while (length > longest)
+          length = halves ? 0.5 * length : longest;
+        bool   was_rejected = false;
+        double step_error;
         error.reinit(r, true);
         saved = r;
         while (true)
@@ -137,8 +144,9 @@ namespace Crevasse
             length *= halves ? 0.5 : std::clamp(factor, 0.1, 0.8);
           }
         propose(length, step_error, was_rejected);
-        needed +=
-          std::max(std::sqrt(step_error) / safety, length / largest_step);
+        needed += std::max({std::sqrt(step_error) / safety,
+                            length / largest_step,
+                            length / longest});
         ++accepted;
         ++taken;
         if (left - length > 1e-12 * steps.period())
@@ -340,6 +348,45 @@ namespace Crevasse
 
 
 
+  double
+  StepControl::longest_stable(const PeriodStep &step) const
+  {
+    if (stability_limit == no_stability_limit)
+      return no_stability_limit;
+    const double rate = step.f.relaxation_rate();
+    if (!(stability_limit * most_steps < rate * step.steps.period()))
+      return rate > 0. ? stability_limit / rate : no_stability_limit;
+    throw NumericalError(
+      Text::Message()
+      << "The stress relaxes at the rate " << rate
+      << " at t = " << step.steps.instant(step.k) << ": that takes more than "
+      << most_steps << " steps of " << step.integrator.properties.name
+      << " in a period. Look at [Material] Creep coefficient, at [Loads] and "
+         "at their units.");
+  }
+
+
+
+  void
+  StepControl::require_stability(const PeriodStep &step) const
+  {
+    const double longest = longest_stable(step),
+                 length  = step.steps.step(step.k);
+    if (length <= longest)
+      return;
+    throw NumericalError(
+      Text::Message()
+      << "The time step " << length
+      << " from t = " << step.steps.instant(step.k) << " on is too large: "
+      << step.integrator.properties.name << " is stable with steps of at most "
+      << longest << " where the stress relaxes as fast as here. Use at least "
+      << std::ceil(step.steps.period() / longest)
+      << " steps: [Time integration] Steps per period; or Step control = "
+         "adaptive.");
+  }
+
+
+
   std::unique_ptr<StepControl>
   make_step_control(const TimeIntegrationParameters &parameters,
                     const StepList                  &steps,
@@ -347,6 +394,8 @@ namespace Crevasse
                     const double                     smallest_relaxation_time)
   {
     const double limit = integrator.stability_limit;
+    const double if_checked =
+      parameters.check_stability ? limit : no_stability_limit;
     if (parameters.step_control != StepControlType::adaptive)
       {
         if (parameters.check_stability)
@@ -354,7 +403,7 @@ namespace Crevasse
                             parameters.step_control == StepControlType::uniform,
                             limit,
                             smallest_relaxation_time);
-        return std::make_unique<StepControl>();
+        return std::make_unique<StepControl>(if_checked);
       }
     double longest = integrator.controls_steps
                        ? no_stability_limit
@@ -380,6 +429,7 @@ namespace Crevasse
     return std::make_unique<AdaptiveSteps>(parameters,
                                            longest,
                                            steps.fixed_instants(),
-                                           integrator.quadrature.nodes);
+                                           integrator.quadrature.nodes,
+                                           if_checked);
   }
 } // namespace Crevasse

@@ -55,6 +55,11 @@ CASES = {
         "Time integration/Scheme=trapezoid", "Periodic state/Method=fourier",
         "Material/Viscosity=relaxation time", "Material/Relaxation time=60",
         "Geometry/Subdivisions=24, 24"],
+    "power law": periods(5) + [
+        "Material/Viscosity=power law", "Material/Creep exponent=5",
+        "Material/Creep coefficient=1e-11",
+        "Time integration/Step control=adaptive",
+        "Time integration/Relative tolerance=1e-3"],
     "two lips": REDISTRIBUTES + periods(6) + cracked_square(),
     "readapted": REDISTRIBUTES + periods(6) + [
         "Refinement/Strategy=adaptive", "Refinement/Cycles=2",

@@ -54,13 +54,14 @@ namespace Crevasse
 
     // Close to -1 the shear modulus is all there is, and rounding eats the
     // rest.
-    constexpr double least_ratio   = -0.999;
-    constexpr Range  elastic_ratio = {least_ratio,
-                                      0.5 - 1e-15,
-                                      "at least -0.999 and less than 0.5"};
-    constexpr Range  viscous_ratio = {least_ratio,
-                                      0.5,
-                                      "at least -0.999 and at most 0.5"};
+    constexpr double least_ratio    = -0.999;
+    constexpr Range  elastic_ratio  = {least_ratio,
+                                       0.5 - 1e-15,
+                                       "at least -0.999 and less than 0.5"};
+    constexpr Range  viscous_ratio  = {least_ratio,
+                                       0.5,
+                                       "at least -0.999 and at most 0.5"};
+    constexpr Range  creep_exponent = {1., 50., "at least 1 and at most 50"};
   } // namespace Ranges
 
   /** For ParameterHandler: a number in a range, described in words. */

@@ -6,6 +6,7 @@
 
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/material/creep_power.h>
 #include <crevasse/material/maxwell_law.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/temperature/temperature.h>
@@ -25,6 +26,8 @@ namespace Crevasse
     std::vector<double>                          fractions;   ///< wᵢ
     double                                       spring = 1.; ///< 1 − Σ wᵢ
     std::vector<std::shared_ptr<const Matrices>> fluidity;    ///< Hᵢ
+    std::shared_ptr<const PointValues<CreepPower>>
+      creep_power; ///< null: the fluidity does not depend on the stress
     std::shared_ptr<const Vectors>
       thermal_strain; ///< f, such as χθ; null: none
 
@@ -48,7 +51,7 @@ namespace Crevasse
     {
       return stiffness->is_uniform() && fractions.size() == 1 &&
              fractions[0] == 1. && fluidity[0]->is_uniform() &&
-             thermal_strain == nullptr;
+             creep_power == nullptr && thermal_strain == nullptr;
     }
   };
 
@@ -64,6 +67,10 @@ namespace Crevasse
 
     double mean_fluidity_factor; ///< mean over the period of 1/η₀, or less
     bool   all;                  ///< whether all parts of the stress relax
+
+    /** The largest exponent of creep, of which the stress alone tells the
+     * rates; 1 where it is linear. */
+    double creep_exponent = 1.;
   };
 
   /**
@@ -193,6 +200,10 @@ namespace Crevasse
 
     std::shared_ptr<const Vectors>
     evaluate_thermal_strain(const double t) const;
+
+    /** Of the stiffness and fluidity of this state. */
+    std::shared_ptr<const PointValues<CreepPower>>
+    evaluate_creep_power(const MaterialState<dim> &state, const double t) const;
 
     RelaxationRates
     extreme_rates(const MaterialState<dim> &state) const;

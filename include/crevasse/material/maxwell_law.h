@@ -23,6 +23,10 @@ namespace Crevasse
    * Hᵢ (symmetric, positive semidefinite) and the fractions wᵢ; 1 − Σ wᵢ is an
    * elastic spring. One branch with w = 1 is the paper's body, none an elastic
    * one.
+   *
+   * Creep by a power law (Norton and Odqvist) is one branch whose fluidity H,
+   * of the viscous Poisson ratio ½, is multiplied by a power of von Mises'
+   * stress: ṙ = η₀(t)⁻¹ s_eq^(n−1) H s = η₀⁻¹ 3/2 A s_eq^(n−1) dev s.
    */
   template <int dim>
   class MaxwellLaw
@@ -48,6 +52,15 @@ namespace Crevasse
     const Property<VoigtMatrix<dim>> stiffness;
 
     const std::vector<Branch> branches;
+
+    /** n of the one branch; without formulas: 1. */
+    const Property<double> creep_exponent;
+
+    bool
+    is_power_law() const
+    {
+      return !creep_exponent.formulas.empty();
+    }
 
     /** The parts of f. */
     std::vector<FreeStrain> free_strains;

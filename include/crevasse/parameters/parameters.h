@@ -99,6 +99,10 @@ namespace Crevasse
     Formula viscous_poisson_ratio{"0.3",
                                   material_formula("Viscous Poisson ratio",
                                                    Ranges::viscous_ratio)};
+    Formula creep_coefficient{"1", material_formula("Creep coefficient")};
+    Formula creep_exponent{"1",
+                           material_formula("Creep exponent",
+                                            Ranges::creep_exponent)};
     FormulaMatrix viscosity_matrix{"", material_matrix("Viscosity matrix")};
     Formula viscosity_time_factor{"1", time_factor("Viscosity time factor")};
     Parsed<std::vector<ChainBranch>> chain{"", parse_chain};

@@ -67,6 +67,7 @@ namespace Crevasse
     isotropic,
     matrix,
     chain,
+    power_law,
     none
   };
 
@@ -78,13 +79,16 @@ namespace Crevasse
       {ViscosityType::isotropic, "isotropic"},
       {ViscosityType::matrix, "matrix"},
       {ViscosityType::chain, "chain"},
+      {ViscosityType::power_law, "power law"},
       {ViscosityType::none, "none"}};
     static constexpr const char *meaning =
       "How the body creeps: \"relaxation time\" makes the viscosity the "
       "stiffness (without its time factor) times Relaxation time; "
       "\"isotropic\" builds it from Viscous modulus and Viscous Poisson ratio; "
       "\"matrix\" is Viscosity matrix; \"chain\" puts several such bodies in "
-      "parallel; \"none\" is an elastic body.";
+      "parallel; \"power law\" creeps by a power of the stress, at the rate "
+      "Creep coefficient times the stress to the Creep exponent under tension, "
+      "and keeps the volume; \"none\" is an elastic body.";
   };
 
   /** Of which point the change of volume in the strain is: of the displacement

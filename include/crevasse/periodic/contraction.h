@@ -21,10 +21,20 @@ namespace Crevasse
    * node or two the changes fall once or twice, and then continue as slowly as
    * before. A change alone says little: a slow approach makes small changes far
    * from its limit.
+   *
+   * What relaxes by a power n of itself decays like (n−1)th roots do, with
+   * ratios that tend to 1: the k-th change is k^(−n/(n−1)), and the rest of
+   * them is n times that sum in the limit.
    */
   class Contraction
   {
   public:
+    /** @param exponent n; 1: what relaxes is linear. */
+    explicit Contraction(const double exponent)
+      : exponent(exponent)
+    {
+    }
+
     /** Takes the next change, relative to the size of what changes.
      *
      * @param counts whether it is one of the sequence: the first, from nothing
@@ -51,6 +61,8 @@ namespace Crevasse
 
   private:
     static constexpr unsigned int n_ratios = 4;
+
+    const double exponent;
 
     std::optional<double> last_change;
     std::vector<double>   ratios; ///< of the last changes, the newest last

@@ -19,6 +19,7 @@ namespace Crevasse
    * maximum; 0: compute as many periods as are allowed.
    * @param slowness 1/(1−λ) with the contraction λ of the slowest point by
    * itself: changes may decrease by that ratio in the end. 1: not known.
+   * @param creep_exponent see Contraction.
    * @param r at the beginning of a period; afterwards at the end of the last.
    */
   template <int dim>
@@ -26,9 +27,10 @@ namespace Crevasse
   march(ObservedPeriods<dim> &periods,
         const double          tolerance,
         const double          slowness,
+        const double          creep_exponent,
         Vector               &r)
   {
-    Contraction              contraction;
+    Contraction              contraction(creep_exponent);
     bool                     is_first = true;
     const SerializationScope part(periods.checkpointer(),
                                   [&](StateArchive &archive) {

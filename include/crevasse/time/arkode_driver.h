@@ -41,6 +41,11 @@ namespace Crevasse
     void
     control_steps(Vector tolerances, const double longest_step);
 
+    /** From now on ARKODE's steps are at most as long as this over the rate at
+     * which the stress relaxes (RateEquation::relaxation_rate). */
+    void
+    limit_steps(const double stability_limit);
+
     /** From now on evolve() stops at the roots of the switching functions of
      * all contact nodes (RateEquation::switching_functions). */
     void
@@ -123,6 +128,7 @@ namespace Crevasse
     const Memory       memory;      ///< ARKODE's
     const Solver       solver;      ///< of implicit stages
     Vector             known, rate; ///< of a stage
+    double             limit = 0.;  ///< see limit_steps()
     std::exception_ptr thrown;
   };
 

@@ -96,6 +96,9 @@ namespace Crevasse
       return elastic_stress;
     }
 
+    double
+    relaxation_rate() const override;
+
     void
     strain_per_stress(const Vector &r, Vector &scale) const override;
 
@@ -138,6 +141,7 @@ namespace Crevasse
       archive.section("evolution");
       last.serialize(archive);
       archive.nodal(loading);
+      archive.maximum(fastest);
     }
 
   private:
@@ -206,6 +210,9 @@ namespace Crevasse
     double              elastic_stress = 0.;
     std::vector<double> stiffness_norms; ///< |kK| of each point
     std::vector<double> fractions;       ///< wᵢ
+
+    /** Of this rank's points in the last evaluation: see relaxation_rate(). */
+    double fastest = 0.;
 
     State  last;
     Vector loading;

@@ -65,6 +65,12 @@ namespace Crevasse
     virtual void
     strain_per_stress(const Vector &r, Vector &scale) const = 0;
 
+    /** The largest rate at which the stress of the last evaluation relaxes
+     * where the strain is held, if that depends on the stress; otherwise 0, for
+     * the material tells it beforehand. Collective. */
+    virtual double
+    relaxation_rate() const = 0;
+
     /** φ = u_N − gap − κg of each contact node of this rank in the last
      * evaluation, κ > 0: positive where the lip is open, negative where it is
      * closed, continuous in between. */

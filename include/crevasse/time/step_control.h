@@ -25,6 +25,13 @@ namespace Crevasse
   class StepControl
   {
   public:
+    /** @param stability_limit of the integrator, where the rate of relaxation
+     * depends on the stress: steps at most as long as this over that rate. */
+    explicit StepControl(const double stability_limit = no_stability_limit)
+      : stability_limit(stability_limit)
+    {
+    }
+
     virtual ~StepControl() = default;
 
     /** Makes @p steps those of the next period, as far as they are known. */
@@ -44,10 +51,12 @@ namespace Crevasse
     }
 
     /** Advances r from instant k, the last start, to instant k + 1 of the
-     * steps, which may be divided for that. */
+     * steps, which may be divided for that.
+     * @throw NumericalError if a step that is not is beyond the limit. */
     virtual void
     advance(const PeriodStep &step)
     {
+      require_stability(step);
       step.integrator.advance({step.f,
                                step.steps.instant(step.k),
                                step.steps.step(step.k),
@@ -73,6 +82,19 @@ namespace Crevasse
     serialize(StateArchive &)
     {
     }
+
+  protected:
+    /** The longest stable step from the last evaluation on; infinite if the
+     * material alone tells. Collective.
+     * @throw NumericalError if a period takes too many of them. */
+    double
+    longest_stable(const PeriodStep &step) const;
+
+  private:
+    void
+    require_stability(const PeriodStep &step) const;
+
+    const double stability_limit;
   };
 
   /** @param smallest_relaxation_time bounds adaptive steps, which are none

@@ -35,6 +35,12 @@ namespace
       scale = 1.;
     }
 
+    double
+    relaxation_rate() const override
+    {
+      return 0.;
+    }
+
     void
     switching_functions(std::vector<double> &values) const override
     {

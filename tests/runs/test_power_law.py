@@ -1,0 +1,220 @@
+"""Creep by a power of the stress: closed forms of bars and of a tube, the linear
+law, the limit of explicit steps, periodic states."""
+
+import math
+
+import tubes
+from bars import BAR
+from crevasse_run import (SOURCE, check, check_below, check_close, execute, overrides,
+                          run)
+
+E, A = 13000., 1e-6
+POWER_LAW = ["Material/Viscosity=power law", "Material/Plane state=plane stress"]
+
+
+def law(n, stress):
+    """A coefficient that makes all exponents creep alike at a stress."""
+    return [f"Material/Creep exponent={n}",
+            f"Material/Creep coefficient={A * stress ** (1 - n)!r}"]
+
+
+def test_linear():
+    """The exponent 1 is Maxwell's body that keeps its volume."""
+    maxwell = run(BAR, "maxwell", [
+        "Material/Viscosity=isotropic", f"Material/Viscous modulus={1 / A!r}",
+        "Material/Viscous Poisson ratio=0.5", "Material/Plane state=plane strain"])
+    power = run(BAR, "exponent_1", [
+        *POWER_LAW, *law(1, 1.), "Material/Plane state=plane strain"])
+    mine, theirs = (results.table("probe_top.csv") for results in (power, maxwell))
+    for column in ("u_2", "s_22", "s_33"):
+        size = max(map(abs, theirs[column]))
+        check_below(max(abs(a - b) for a, b in zip(mine[column], theirs[column],
+                                                   strict=True)) / size,
+                    1e-13, f"exponent 1, {column}")
+
+
+def test_creeping_bar():
+    """Under a constant stress the rate is A s^n: every scheme is exact."""
+    for n in (3, 5, 8):
+        results = run(BAR, f"creeping_{n}", [
+            *POWER_LAW, *law(n, 10.), "Loads/Traction=0; 10"])
+        table = results.table("probe_top.csv")
+        for t, u in zip(table["t"], table["u_2"], strict=True):
+            check_below(abs(u / (10 / E + A * 10 * t) - 1), 1e-12,
+                        f"n = {n}, t = {t}")
+
+
+def relaxed(n, t, start):
+    """The stress of a bar of fixed length."""
+    rate = A * start ** (1 - n)
+    if n == 1:
+        return start * math.exp(-E * rate * t)
+    return (start ** (1 - n) + (n - 1) * E * rate * t) ** (1 / (1 - n))
+
+
+def relaxing(n, n_steps, scheme):
+    """The error at the end of a bar that is cooled at once, held at both ends."""
+    start = 10.
+    results = run(BAR, f"relaxing_{n}", [
+        *POWER_LAW, *law(n, start), "Loads/Traction=", "Boundary/Loaded=none",
+        "Boundary/Symmetry=2, 3", "Material/Thermal expansion=1e-5",
+        f"Loads/Temperature={-start / E / 1e-5!r}",
+        f"Time integration/Scheme={scheme}",
+        f"Time integration/Steps per period={n_steps}"])
+    table = results.table("probe_top.csv")
+    return abs(table["s_22"][-1] / relaxed(n, table["t"][-1], start) - 1)
+
+
+def test_relaxing_bar():
+    for scheme, order in (("euler", 1), ("heun", 2), ("rk4", 4)):
+        for n in (1, 3, 5, 8):
+            errors = [relaxing(n, n_steps, scheme) for n_steps in (40, 80)]
+            found = math.log2(errors[0] / errors[1])
+            print(f"{scheme}, n = {n}: {errors[1]:.1e}, order {found:.2f}")
+            check(found > order - 0.3, f"{scheme}, n = {n}: order {found}")
+
+
+def test_arrhenius():
+    """A rate A exp(-Q/theta) at a temperature that differs from place to place:
+    the bars side by side do not know of one another, for none is held."""
+    n, stress = 5, 10.
+    results = run(BAR, "arrhenius", [
+        *POWER_LAW, *law(n, stress)[:1], f"Loads/Traction=0; {stress}",
+        "Loads/Temperature=200*sin(2*pi*t/600)",
+        f"Material/Creep coefficient={A * stress ** (1 - n)!r}"
+        "*exp(-2000/(theta + 873) + 2000/873)",
+        "Time integration/Scheme=rk4", "Time integration/Steps per period=80"])
+    table = results.table("probe_top.csv")
+
+    def rate(t):
+        theta = 200 * math.sin(2 * math.pi * t / 600)
+        return A * stress * math.exp(-2000 / (theta + 873) + 2000 / 873)
+    # Simpson's rule on the steps, which RK4 is here.
+    h, crept = table["t"][1], 0.
+    for t in table["t"][:-1]:
+        crept += h / 6 * (rate(t) + 4 * rate(t + h / 2) + rate(t + h))
+    check_below(abs(table["u_2"][-1] / (stress / E + crept) - 1), 1e-10,
+                "Arrhenius, displacement")
+
+
+def test_tube():
+    """Steady creep of a thick tube under pressure, in plane strain, reached from
+    the elastic state: stresses of order 2 in the mesh, and extrapolated."""
+    n, radii, stresses = 5, (1.25, 1.5, 1.75), []
+    for rings in (12, 24):
+        mesh = tubes.write("tube.msh", rings, rings, order=1)
+        results = run(tubes.TUBE, f"tube_{rings}", [
+            mesh, "Material/Viscosity=power law", "Material/Young modulus=1000",
+            f"Material/Creep exponent={n}", "Material/Creep coefficient=1e-3",
+            "Discretisation/Degree=1", "Discretisation/Volumetric strain=mean",
+            "Loads/Period=30", "Time integration/Steps per period=30",
+            "Time integration/Scheme=arkode explicit", "Time integration/Order=4",
+            "Time integration/Step control=adaptive",
+            "Time integration/Relative tolerance=1e-4",
+            "Output/Probes=" + "; ".join(f"r{100 * r:.0f}: {r}, 0" for r in radii)])
+        stresses.append([results.table(f"probe_r{100 * r:.0f}.csv")[column][-1] for r in radii
+                         for column in ("s_11", "s_22", "s_33")])
+    expected = []
+    for r in radii:
+        power, size = (2 / r) ** (2 / n), 2 ** (2 / n) - 1
+        radial, hoop = (1 - power) / size, (1 + (2 / n - 1) * power) / size
+        expected += [radial, hoop, (radial + hoop) / 2]
+    coarse, fine = (max(abs(a - b) for a, b in zip(found, expected, strict=True))
+                    for found in stresses)
+    check_close(math.log2(coarse / fine), 2, 0.1, f"tube, order ({fine:.1e})")
+    for a, b, exact in zip(*stresses, expected, strict=True):
+        check_below(abs(b + (b - a) / 3 - exact), 2e-5, f"tube, stress {exact:.4f}")
+
+
+def test_limit_of_steps():
+    """The stress bounds the step: the program says so, and adapts it, also to
+    a stress that grows within the period."""
+    settings = [*POWER_LAW, *law(5, 5.), "Loads/Traction=0; 20"]
+    with open("bar.prm", "w", encoding="utf-8") as file:
+        file.write(BAR)
+    status, _, error = execute("bar.prm", "--output", "results/unstable",
+                               *overrides(settings))
+    check(status == 3 and "is stable with steps of at most" in error, error)
+    # Where all strain is creep the bar relaxes what it bears, and steps beyond
+    # the bound would make the stress grow; the tolerance would allow them.
+    held = [*POWER_LAW, *law(5, 10.), "Loads/Traction=", "Boundary/Loaded=none",
+            "Boundary/Symmetry=2, 3", "Material/Thermal expansion=1e-5",
+            "Loads/Temperature=-200*sin(2*pi*t/600)",
+            "Time integration/Relative tolerance=1e-2"]
+    exact = run(BAR, "held", [*held, "Time integration/Scheme=rk4",
+                              "Time integration/Steps per period=4000"])
+    exact = exact.table("probe_top.csv")["s_22"]
+    size = max(map(abs, exact))
+    for scheme in ("heun", "arkode explicit"):
+        results = run(BAR, f"adapted_{scheme.split()[0]}", [
+            *held, f"Time integration/Scheme={scheme}",
+            "Time integration/Step control=adaptive",
+            "Time integration/Steps per period=8"])
+        table = results.table("probe_top.csv")
+        check_below(max(abs(stress - exact[round(t / 600 * 4000)])
+                        for t, stress in zip(table["t"], table["s_22"], strict=True))
+                    / size, 4e-2, f"{scheme}, adaptive")
+        if scheme == "heun":
+            of_bound = [(after - t) * 5 * E * A * (stress / 10) ** 4 / 2 for
+                        t, after, stress in zip(table["t"], table["t"][1:],
+                                                table["s_22"])]
+            print(f"largest step: {max(of_bound):.2f} of the bound")
+            check(0.5 < max(of_bound) < 1, "the bound limits no step, or too late")
+
+
+def test_periodic_state():
+    """March and Anderson's acceleration come to the same state of a cracked
+    plate, and their estimates hold; under a mean load, where the lip opens and
+    closes in every period and the plate flows, those of two marches do."""
+    n_steps = 400
+
+    def stresses(method, tolerance, mean):
+        results = run(SOURCE / "prm/raous1980.prm", method, [
+            "Material/Viscosity=power law", *law(5, 20.),
+            "Contact/Solver=automatic", "Geometry/Subdivisions=8, 4",
+            f"Loads/Traction=0; 10*(sin(2*pi*t/600) - {mean})",
+            f"Time integration/Steps per period={n_steps}",
+            "Output/Probes=mouth: 1, 0; inside: 0.75, 0.5", "Output/Fields=none",
+            "Periodic state/Maximum periods=400", f"Periodic state/Method={method}",
+            f"Periodic state/Tolerance={tolerance}"])
+        table = results.table("probe_inside.csv")
+        openings = results.table("probe_mouth.csv")["opening"][-n_steps - 1:]
+        print(f"{method}, {tolerance}: {len(table['t']) // n_steps} periods, "
+              f"openings from {min(openings):.1e} to {max(openings):.1e}")
+        check(mean == 0 or min(openings) == 0 < max(openings), "opens and closes")
+        return [x for column in ("s_11", "s_22", "s_12")
+                for x in table[column][-n_steps - 1:]]
+
+    for mean, best, others in ((0., ("anderson", 1e-4),
+                                (("march", 2e-2), ("anderson", 1e-3))),
+                               (0.2, ("march", 4e-3), (("march", 2e-2),))):
+        exact = stresses(*best, mean)
+        for method, tolerance in others:
+            found = stresses(method, tolerance, mean)
+            check_below(max(abs(a - b) for a, b in zip(found, exact, strict=True))
+                        / max(map(abs, exact)), tolerance,
+                        f"{method}, mean {mean}, error")
+
+
+def test_refusals():
+    """What is known of linear creep alone is refused, with what to take."""
+    for settings, words in (
+            (["Periodic state/Method=fourier"], "no harmonics of its own"),
+            (["Periodic state/Secular split=on"], "not the mean creep"),
+            (["Time integration/Scheme=sdirk2"], "use euler, heun, rk4"),
+            (["Crack tip/Stress intensity=true"], "creeps by a power of itself")):
+        with open("bar.prm", "w", encoding="utf-8") as file:
+            file.write(BAR)
+        status, _, error = execute("bar.prm", "--output", "results/refused",
+                                   *overrides([*POWER_LAW, *law(5, 10.), *settings]))
+        check(status != 0 and words in error, f"{settings}: {error}")
+
+
+test_linear()
+test_creeping_bar()
+test_relaxing_bar()
+test_arrhenius()
+test_tube()
+test_limit_of_steps()
+test_periodic_state()
+test_refusals()
