@@ -28,7 +28,8 @@ namespace Crevasse
            static_cast<unsigned int>(
              space.finite_element.degree +
              (space.singular_shapes() == nullptr ? 1 : 2)),
-           space.volumetric_strain == VolumetricStrain::mean}
+           space.volumetric_strain == VolumetricStrain::mean,
+           space.roles.has_axis}
     , n_nodes(space.finite_element.n_dofs_per_cell() / dim)
     , place_of_dof(space.finite_element.n_dofs_per_cell())
   {

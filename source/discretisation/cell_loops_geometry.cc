@@ -16,9 +16,9 @@ namespace Crevasse
   {
     using CellShape = BatchGeometry::Shape;
 
-    /** ∂ξ_d/∂x_e, row by row, and the ratio of volumes. */
+    /** ∂ξ_d/∂x_e, row by row, the ratio of volumes, and of rings 1/x₁. */
     template <int dim>
-    using PointGeometry = std::array<double, dim * dim + 1>;
+    using PointGeometry = std::array<double, dim * dim + 2>;
 
     template <int dim>
     struct CellGeometry
@@ -31,11 +31,11 @@ namespace Crevasse
     PointGeometry<dim>
     point_geometry(const Tensor<2, dim> &inverse_jacobian, const double volume)
     {
-      PointGeometry<dim> of_point;
+      PointGeometry<dim> of_point{};
       for (unsigned int d = 0; d < dim; ++d)
         for (unsigned int e = 0; e < dim; ++e)
           of_point[d * dim + e] = inverse_jacobian[d][e];
-      of_point.back() = volume;
+      of_point[dim * dim] = volume;
       return of_point;
     }
 
@@ -96,10 +96,12 @@ namespace Crevasse
         , fe_values(space.mapping,
                     no_functions,
                     rule,
-                    update_inverse_jacobians | update_jacobians)
+                    update_inverse_jacobians | update_jacobians |
+                      update_quadrature_points)
         , n_lanes(n_lanes)
         , unit(unit)
-        , volume_unit(std::pow(unit, dim))
+        , volume_unit(std::pow(unit, space.measure_dimension()))
+        , rings(space.roles.has_axis)
       {
       }
 
@@ -119,15 +121,23 @@ namespace Crevasse
       add(const typename Triangulation<dim>::cell_iterator &cell)
       {
         CellGeometry<dim> geometry{CellShape::other, {}};
-        if (is_straight)
+        if (is_straight && !rings)
           geometry = simple_geometry<dim>(cell);
         if (geometry.shape == CellShape::other)
           {
             fe_values.reinit(cell);
             for (unsigned int q = 0; q < rule.size(); ++q)
-              geometry.points.push_back(point_geometry<dim>(
-                Tensor<2, dim>(fe_values.inverse_jacobian(q)),
-                determinant(Tensor<2, dim>(fe_values.jacobian(q)))));
+              {
+                geometry.points.push_back(point_geometry<dim>(
+                  Tensor<2, dim>(fe_values.inverse_jacobian(q)),
+                  determinant(Tensor<2, dim>(fe_values.jacobian(q)))));
+                if (rings)
+                  {
+                    const double radius = fe_values.quadrature_point(q)[0];
+                    geometry.points.back()[dim * dim] *= radius;
+                    geometry.points.back()[dim * dim + 1] = 1. / radius;
+                  }
+              }
           }
         batch.push_back(std::move(geometry));
         if (batch.size() == n_lanes)
@@ -147,7 +157,7 @@ namespace Crevasse
         numbers.clear();
         const unsigned int n = shape == CellShape::other ? rule.size() : 1;
         for (unsigned int q = 0; q < n; ++q)
-          for (unsigned int k = 0; k <= dim * dim; ++k)
+          for (unsigned int k = 0; k <= dim * dim + (rings ? 1 : 0); ++k)
             if (shape != CellShape::brick || k == dim * dim ||
                 k % (dim + 1) == 0)
               for (const auto &cell : batch)
@@ -188,6 +198,7 @@ namespace Crevasse
       FEValues<dim>         fe_values;
       const unsigned int    n_lanes;
       const double          unit, volume_unit;
+      const bool            rings;
 
       std::vector<CellGeometry<dim>> batch;
       std::vector<Real>              numbers;

@@ -39,6 +39,21 @@ namespace Crevasse
   {
     const auto &all   = space.lip.nodes;
     const auto &owned = space.locally_owned_unknowns;
+    // Of a body of revolution, on the axis and of degree 2: the pressure there
+    // is that of the nearest other node.
+    const auto has_no_share = [&](const auto &node) {
+      return space.roles.has_axis && space.finite_element.degree == 2 &&
+             node.point[0] < 1e6 * rounding;
+    };
+    const auto nearest_with_share = [&](const auto &node) {
+      auto nearest = node;
+      for (const auto &other : all)
+        if (other.has_unknown() && !has_no_share(other) &&
+            (has_no_share(nearest) || other.point.distance(node.point) <
+                                        nearest.point.distance(node.point)))
+          nearest = other;
+      return nearest;
+    };
     for (const auto &node : all)
       {
         const double gap_there = gap_at(node.point);
@@ -52,7 +67,8 @@ namespace Crevasse
                            node.normal});
         Place place;
         if (node.has_unknown())
-          place.masters.emplace_back(node.unknown, 1.);
+          place.masters.emplace_back(
+            (has_no_share(node) ? nearest_with_share(node) : node).unknown, 1.);
         for (const auto &[number, factor] : node.masters)
           place.masters.emplace_back(all[number].unknown, factor);
         for (const auto first :

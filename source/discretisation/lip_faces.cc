@@ -21,7 +21,8 @@ namespace Crevasse
     std::vector<typename LipFace<dim>::Node>
     nodes_of(const FEFaceValues<dim>                    &face,
              const FEValues<dim>                        &support,
-             const std::vector<types::global_dof_index> &dofs)
+             const std::vector<types::global_dof_index> &dofs,
+             const bool                                  has_axis)
     {
       const FiniteElement<dim>                &fe = face.get_fe();
       std::vector<typename LipFace<dim>::Node> nodes;
@@ -38,7 +39,9 @@ namespace Crevasse
                 const double share =
                   face.shape_value_component(i, q, 0) * face.JxW(q);
                 node.weight += share;
-                node.inward -= share * face.normal_vector(q);
+                node.inward -=
+                  (has_axis ? share / face.quadrature_point(q)[0] : share) *
+                  face.normal_vector(q);
               }
             nodes.push_back(node);
           }
@@ -59,7 +62,7 @@ namespace Crevasse
                              fe,
                              space.face_quadrature(),
                              update_values | update_normal_vectors |
-                               update_JxW_values);
+                               update_JxW_values | update_quadrature_points);
     FEValues<dim>                        support(space.mapping,
                           fe,
                           Quadrature<dim>(fe.get_unit_support_points()),
@@ -80,7 +83,7 @@ namespace Crevasse
               face->center(),
               face->diameter(),
               space.roles.crack.count(face->boundary_id()) > 0,
-              nodes_of<dim>(values, support, dofs)};
+              nodes_of<dim>(values, support, dofs, space.roles.has_axis)};
             faces.push_back(mine);
           }
 
@@ -88,6 +91,13 @@ namespace Crevasse
     for (const auto &of_rank :
          Utilities::MPI::all_gather(space.communicator(), faces))
       all.insert(all.end(), of_rank.begin(), of_rank.end());
+    // On the axis ∫φx₁ vanishes for quadratic φ (for linear ones it is this):
+    // see ContactBoundary.
+    if (space.roles.has_axis)
+      for (LipFace<dim> &face : all)
+        for (auto &node : face.nodes)
+          if (node.point[0] < LipFace<dim>::tolerance * face.size)
+            node.weight = face.size * face.size / 6.;
     std::sort(all.begin(),
               all.end(),
               [](const LipFace<dim> &a, const LipFace<dim> &b) {

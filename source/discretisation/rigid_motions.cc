@@ -176,6 +176,10 @@ namespace Crevasse
               add_outer_product(gram, violation);
             }
       Utilities::MPI::sum(gram, space.communicator(), gram);
+      // Rings strain if they move but along the axis.
+      for (unsigned int i = 0; space.roles.has_axis && i < gram.m(); ++i)
+        if (i % n_modes != 1)
+          gram(i, i) += 1.;
       return gram;
     }
 

@@ -45,8 +45,8 @@ namespace Crevasse
       largest = std::max(largest, K[0][0]);
     const double unit_of_K =
       Utilities::MPI::max(largest, finest.get_mpi_communicator());
-    unit =
-      unit_of_K * std::pow(of.space(0).cell_loops()->length_unit(), dim - 2);
+    unit = unit_of_K * std::pow(of.space(0).cell_loops()->length_unit(),
+                                of.space(0).measure_dimension() - 2.);
 
     for (unsigned int l = 1; l < n_levels; ++l)
       {

@@ -36,7 +36,7 @@ namespace Crevasse
     const double                         unit)
   {
     const bool with_out_of_plane =
-      space.volumetric_strain == VolumetricStrain::mean;
+      space.volumetric_strain == VolumetricStrain::mean || space.roles.has_axis;
     bool is_isotropic = true;
     for (const VoigtMatrix<dim> &K : stiffness.distinct())
       is_isotropic =

@@ -101,8 +101,9 @@ namespace Crevasse
   BoundaryRoles
   boundary_roles(const Scene &scene)
   {
-    const BoundaryRoles roles =
+    BoundaryRoles roles =
       resolve_roles(scene.boundary, built_in_roles(scene.geometry));
+    roles.has_axis = scene.is_axisymmetric();
     for (const LoadParameters::Force &force : scene.loads.forces())
       if (!force.in_volume && roles.loaded.empty() &&
           !are_zero(*force.components))
@@ -130,6 +131,9 @@ namespace Crevasse
   std::vector<FixedPoint<dim>>
   fixed_points(const Scene &scene)
   {
+    // Without those that would only hold a radius.
+    if (scene.boundary.fixed_points->is_automatic && scene.is_axisymmetric())
+      return {};
     return scene.boundary.fixed_points->is_automatic
              ? built_in_fixed_points<dim>(scene.geometry, boundary_roles(scene))
              : to_fixed_points<dim>(*scene.boundary.fixed_points);

@@ -57,6 +57,20 @@ namespace Crevasse
                        "must be false with [Material] Viscosity = power law: "
                        "where the stress of a tip creeps by a power of itself "
                        "K does not tell the stress");
+      if (!scene.is_axisymmetric())
+        return;
+      crack_tip.demand(scene.crack_tip.method !=
+                         StressIntensityMethod::williams_fit,
+                       "Method",
+                       "williams fit is not for [Material] Plane state = "
+                       "axisymmetric; use automatic");
+      crack_tip.demand(!scene.crack_tip.stress_intensity ||
+                         (scene.material.stiffness_matrix.text().empty() &&
+                          scene.material.viscosity != ViscosityType::matrix),
+                       "Stress intensity",
+                       "is for isotropic bodies with [Material] Plane state = "
+                       "axisymmetric: leave Stiffness matrix and Viscosity "
+                       "matrix out");
     }
 
 
@@ -72,7 +86,7 @@ namespace Crevasse
       const bool    has_mean =
         discretisation.volumetric_strain == VolumetricStrain::mean;
       checker.demand(!has_mean || scene.dimension == 3 ||
-                       scene.material.plane_state == PlaneState::plane_strain,
+                       scene.material.plane_state != PlaneState::plane_stress,
                      "Volumetric strain",
                      "is not allowed in plane stress, where no volume is kept "
                      "and nothing locks; it must be full, or [Material] Plane "
@@ -88,6 +102,9 @@ namespace Crevasse
       demand(scene.dimension == 2,
              "Dimension = 3: they are those of a crack tip in the plane; use "
              "[Refinement] Strategy = tip");
+      demand(!scene.is_axisymmetric(),
+             "[Material] Plane state = axisymmetric: they are those of a crack "
+             "tip in the plane; use [Refinement] Strategy = tip");
       demand(!has_mean,
              "Volumetric strain = mean; use Degree = 2 instead of mean "
              "dilatations");

@@ -5,6 +5,7 @@
 #define crevasse_discretisation_space_h
 
 #include <crevasse/discretisation/lip_basis.h>
+#include <crevasse/discretisation/ring_mapping.h>
 #include <crevasse/discretisation/singular_shapes.h>
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/selections.h>
@@ -13,7 +14,6 @@
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/hp/q_collection.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -103,8 +103,9 @@ namespace Crevasse
     const dealii::FESystem<dim>            finite_element;
     dealii::DoFHandler<dim>                dof_handler;
     /** Of the degree of the elements if cells have curved edges, else linear.
-     */
-    const dealii::MappingQ<dim>       mapping;
+     * In bodies of revolution all weights have the factor x₁: integrals are
+     * those over a radian. */
+    const RingMapping<dim>            mapping;
     dealii::AffineConstraints<double> constraints;
     /** Of degrees of freedom alone: supports and hanging nodes. */
     dealii::AffineConstraints<double> supports_and_hanging;
@@ -113,6 +114,13 @@ namespace Crevasse
     const BoundaryRoles roles;
     /** What D takes from displacements of this space. */
     const VolumetricStrain volumetric_strain;
+
+    /** Which power of the length volumes are: 3 for rings too. */
+    unsigned int
+    measure_dimension() const
+    {
+      return roles.has_axis ? 3 : dim;
+    }
 
     MPI_Comm
     communicator() const
@@ -219,6 +227,8 @@ namespace Crevasse
     check_roles() const;
     void
     make_supports();
+    void
+    hold_axis();
     void
     make_constraints(const bool lips_closed);
     /** Whether a constraint makes this unknown depend on others. */

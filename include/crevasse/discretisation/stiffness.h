@@ -29,7 +29,9 @@ namespace Crevasse
       : space(space)
       , cell_values(space,
                     dealii::update_gradients | dealii::update_JxW_values |
-                      dealii::update_quadrature_points)
+                      dealii::update_quadrature_points |
+                      (space.roles.has_axis ? dealii::update_values
+                                            : dealii::update_default))
     {
     }
 
@@ -60,15 +62,26 @@ namespace Crevasse
           const auto         gradient = values->shape_grad_component(i, q, c);
           for (unsigned int d = 0; d < dim; ++d)
             strains[i][voigt_index<dim>(c, d)] = gradient[d];
+          const double hoop = hoop_strain(i, q);
+          strains[i][2] += hoop;
           if (!mean_dilatations.empty())
             for (unsigned int d = 0; d < 3; ++d)
-              strains[i][d] += (mean_dilatations[i] - gradient[c]) / 3.;
+              strains[i][d] += (mean_dilatations[i] - gradient[c] - hoop) / 3.;
         }
       for (const auto &gradients : singular_gradients)
         strains.push_back(voigt_strain<dim>(gradients[q]));
     }
 
   private:
+    /** u₁/x₁ of a shape function in a body of revolution, else 0. */
+    double
+    hoop_strain(const unsigned int i, const unsigned int q) const
+    {
+      return space.roles.has_axis ? values->shape_value_component(i, q, 0) /
+                                      values->quadrature_point(q)[0]
+                                  : 0.;
+    }
+
     /** The means over the cell of the dilatations of its shape functions. */
     void
     find_mean_dilatations()
@@ -83,7 +96,8 @@ namespace Crevasse
             {
               const unsigned int c = fe.system_to_component_index(i).first;
               mean_dilatations[i] +=
-                values->shape_grad_component(i, q, c)[c] * values->JxW(q);
+                (values->shape_grad_component(i, q, c)[c] + hoop_strain(i, q)) *
+                values->JxW(q);
             }
         }
       for (double &mean : mean_dilatations)

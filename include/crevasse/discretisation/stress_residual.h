@@ -40,7 +40,7 @@ namespace Crevasse
                polynomials.dof_handler.get_fe(),
                dealii::QGauss<dim>(space.finite_element.degree + 1),
                dealii::update_gradients | dealii::update_quadrature_points |
-                 dealii::update_JxW_values)
+                 dealii::update_JxW_values | dealii::update_values)
       , faces(space.mapping,
               polynomials.dof_handler.get_fe(),
               space.face_quadrature(),
@@ -52,6 +52,8 @@ namespace Crevasse
                      dealii::update_values)
       , gradients(inside.n_quadrature_points,
                   std::vector<dealii::Tensor<1, dim>>(n_stress_components<dim>))
+      , values_inside(inside.n_quadrature_points,
+                      dealii::Vector<double>(n_stress_components<dim>))
       , here(space.face_quadrature().size(),
              dealii::Vector<double>(n_stress_components<dim>))
       , there(here)
@@ -69,6 +71,8 @@ namespace Crevasse
     {
       inside.reinit(cell);
       inside.get_function_gradients(stress, gradients);
+      if (space.roles.has_axis)
+        inside.get_function_values(stress, values_inside);
       double integral = 0.;
       for (const unsigned int q : inside.quadrature_point_indices())
         {
@@ -77,6 +81,13 @@ namespace Crevasse
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int j = 0; j < dim; ++j)
               residual[i] += gradients[q][voigt_index<dim>(i, j)][j];
+          if (space.roles.has_axis)
+            {
+              const auto  &s      = values_inside[q];
+              const double radius = inside.quadrature_point(q)[0];
+              residual[0] += (s[0] - s[2]) / radius;
+              residual[1] += s[voigt_index<dim>(0, 1)] / radius;
+            }
           integral += residual.norm_square() * inside.JxW(q);
         }
       return integral;
@@ -189,12 +200,14 @@ namespace Crevasse
       return all;
     }
 
-    static double
-    size_of(const dealii::FEFaceValuesBase<dim> &face)
+    double
+    size_of(const dealii::FEFaceValuesBase<dim> &face) const
     {
       double measure = 0.;
       for (const unsigned int q : face.quadrature_point_indices())
-        measure += face.JxW(q);
+        measure += space.roles.has_axis
+                     ? face.JxW(q) / face.quadrature_point(q)[0]
+                     : face.JxW(q);
       return std::pow(measure, 1. / (dim - 1));
     }
 
@@ -207,9 +220,10 @@ namespace Crevasse
     dealii::FEFaceValues<dim>      displacement;
 
     std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
-    std::vector<dealii::Vector<double>> here, there; ///< stress at points
-    const Vector                        pressure;    ///< at the dofs of the lip
-    std::vector<dealii::Vector<double>> pressures;   ///< at the points
+    std::vector<dealii::Vector<double>> values_inside; ///< only with an axis
+    std::vector<dealii::Vector<double>> here, there;   ///< stress at points
+    const Vector                        pressure;  ///< at the dofs of the lip
+    std::vector<dealii::Vector<double>> pressures; ///< at the points
   };
 } // namespace Crevasse
 

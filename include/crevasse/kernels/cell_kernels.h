@@ -15,10 +15,12 @@ namespace Crevasse
     unsigned int degree;   ///< 1 or 2
     unsigned int n_points; ///< of Gauss's rule, in each direction
     bool         mean_volume;
+    bool         rings; ///< in the plane, of bodies of revolution
   };
 
   /** The geometry of a batch of cells: for each lane, side by side,
-   * ∂ξ_d/∂x_e of the unit cell's coordinates ξ, and the volume ratio. */
+   * ∂ξ_d/∂x_e of the unit cell's coordinates ξ, and the volume ratio; of rings
+   * 1/x₁ besides. */
   struct BatchGeometry
   {
     enum class Shape

@@ -12,10 +12,15 @@ namespace Crevasse
 {
   namespace
   {
-    template <int dim, int n, int n_points_1d, bool mean_volume, typename Real>
-    struct Kernel : PointKernel<dim, n_points_1d, mean_volume, Real>
+    template <int  dim,
+              int  n,
+              int  n_points_1d,
+              bool mean_volume,
+              typename Real,
+              bool rings = false>
+    struct Kernel : PointKernel<dim, n_points_1d, mean_volume, rings, Real>
     {
-      using Points = PointKernel<dim, n_points_1d, mean_volume, Real>;
+      using Points = PointKernel<dim, n_points_1d, mean_volume, rings, Real>;
       using Lines  = Line<n, n_points_1d, Real>;
       using Cells  = CellBatches<Real>;
       using Moduli = BatchModuli<Real>;
@@ -26,11 +31,11 @@ namespace Crevasse
       using typename Points::Stored;
       using typename Points::Strains;
       using typename Points::V;
+      using typename Points::Values;
 
       static constexpr int n_nodes = power(n, dim);
 
-      // Before the points, values at nodes have the first places.
-      using Values = V[dim][n_points];
+      // Before those at the points, values at nodes have the first places.
 
       static void
       gather(const unsigned int *first_indices, const Real *v, Values &values)
@@ -87,8 +92,8 @@ namespace Crevasse
             }
       }
 
-      /** From values at the nodes, which are overwritten, to gradients with
-       * respect to the unit cell's coordinates at the points. */
+      /** From values at the nodes to those at the points and to gradients with
+       * respect to the unit cell's coordinates there. */
       static void
       evaluate(Values &values, Gradients &gradients)
       {
@@ -117,7 +122,7 @@ namespace Crevasse
           }
       }
 
-      /** The transpose. */
+      /** The transpose; the values at points are those of rings. */
       static void
       integrate(const Gradients &gradients, Values &values)
       {
@@ -126,7 +131,7 @@ namespace Crevasse
           {
             V *const    u = values[c];
             const auto &g = gradients[c];
-            on_lines<m, m, 1, false, typename Lines::DifferentiateTranspose>(
+            on_lines<m, m, 1, rings, typename Lines::DifferentiateTranspose>(
               power(m, dim - 1), g[0], u);
             on_lines<m, m, m, true, typename Lines::DifferentiateTranspose>(
               power(m, dim - 2), g[1], u);
@@ -167,9 +172,9 @@ namespace Crevasse
             gather(indices, v, values);
             evaluate(values, gradients);
             Points::with_geometry(cells, batch, [&](const auto &geometry) {
-              Points::to_strains(geometry, gradients, at_points);
+              Points::to_strains(geometry, values, gradients, at_points);
               Points::apply_moduli(moduli, batch, at_points);
-              Points::from_stresses(geometry, at_points, gradients);
+              Points::from_stresses(geometry, at_points, values, gradients);
             });
             integrate(gradients, values);
             scatter(indices, cells.n_cells - first, values, result);
@@ -185,7 +190,7 @@ namespace Crevasse
         evaluate(values, gradients);
         Points::with_geometry(cells, 0, [&](const auto &geometry) {
           Strains at_points;
-          Points::to_strains(geometry, gradients, at_points);
+          Points::to_strains(geometry, values, gradients, at_points);
           for (int q = 0; q < n_points; ++q)
             for (int i = 0; i < n_components; ++i)
               reinterpret_cast<Stored *>(strains)[q * n_components + i] =
@@ -204,7 +209,7 @@ namespace Crevasse
             for (int i = 0; i < n_components; ++i)
               at_points[q][i] = reinterpret_cast<const Stored *>(
                 stresses)[q * n_components + i];
-          Points::from_stresses(geometry, at_points, gradients);
+          Points::from_stresses(geometry, at_points, values, gradients);
         });
         integrate(gradients, values);
         scatter(cells.first_indices, cells.n_cells, values, force);
@@ -222,6 +227,12 @@ namespace Crevasse
     CellKernels<Real>
     find_in(const CellKind &kind)
     {
+      if constexpr (dim == 2)
+        if (kind.rings)
+          return kind.mean_volume ? Kernel<2, 2, 2, true, Real, true>::kernels
+                 : kind.degree == 1
+                   ? Kernel<2, 2, 2, false, Real, true>::kernels
+                   : Kernel<2, 3, 3, false, Real, true>::kernels;
       if (kind.degree == 1 && kind.mean_volume)
         return Kernel<dim, 2, 2, true, Real>::kernels;
       if constexpr (dim == 2 && sizeof(Real) == sizeof(double))

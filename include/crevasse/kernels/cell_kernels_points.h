@@ -11,7 +11,11 @@ namespace Crevasse
   namespace
   {
     /** What happens at the points of a batch of cells. */
-    template <int dim, int n_points_1d, bool mean_volume, typename Real>
+    template <int  dim,
+              int  n_points_1d,
+              bool mean_volume,
+              bool rings,
+              typename Real>
     struct PointKernel
     {
       typedef Real V __attribute__((vector_size(CREVASSE_LANE_BYTES)));
@@ -25,6 +29,7 @@ namespace Crevasse
       static constexpr int n_points     = power(n_points_1d, dim);
       static constexpr int n_components = dim == 2 ? 4 : 6;
 
+      using Values    = V[dim][n_points];
       using Gradients = V[dim][dim][n_points]; ///< component, direction
       using Strains   = V[n_points][n_components];
 
@@ -58,7 +63,8 @@ namespace Crevasse
         const Stored *of_cells;
         int           per_point;
 
-        static constexpr int n_values = (is_brick ? dim : dim * dim) + 1;
+        static constexpr int place_of_volume = is_brick ? dim : dim * dim;
+        static constexpr int n_values = place_of_volume + (rings ? 2 : 1);
 
         V
         inverse(const int point, const int d, const int e) const
@@ -70,7 +76,13 @@ namespace Crevasse
         volume(const int point) const
         {
           return weights.of_point[point] *
-                 of_cells[point * per_point + n_values - 1];
+                 of_cells[point * per_point + place_of_volume];
+        }
+
+        V
+        inverse_radius(const int point) const
+        {
+          return of_cells[point * per_point + n_values - 1];
         }
       };
 
@@ -84,13 +96,16 @@ namespace Crevasse
         const BatchGeometry &of_batch = cells.geometries[batch];
         const Stored *const  values   = reinterpret_cast<const Stored *>(
           cells.geometry_values + of_batch.start);
-        if (of_batch.shape == Shape::brick)
-          f(Geometry<true>{values, 0});
-        else
-          f(Geometry<false>{values,
-                            of_batch.shape == Shape::other
-                              ? Geometry<false>::n_values
-                              : 0});
+        if constexpr (!rings)
+          if (of_batch.shape == Shape::brick)
+            {
+              f(Geometry<true>{values, 0});
+              return;
+            }
+        f(Geometry<false>{values,
+                          of_batch.shape == Shape::other
+                            ? Geometry<false>::n_values
+                            : 0});
       }
 
       /** The mean over the cells of a third of the trace of what is given at
@@ -114,9 +129,11 @@ namespace Crevasse
             values[q][i] += mean - thirds[q];
       }
 
+      /** @param values those at the points. */
       template <bool is_brick>
       static void
       to_strains(const Geometry<is_brick> &geometry,
+                 const Values             &values,
                  const Gradients          &gradients,
                  Strains                  &strains)
       {
@@ -137,7 +154,8 @@ namespace Crevasse
                         gradients[c][d][q] * geometry.inverse(q, d, e);
                   }
             if constexpr (dim == 2)
-              strains[q][2] = V{};
+              strains[q][2] =
+                rings ? values[0][q] * geometry.inverse_radius(q) : V{};
             for (int i = 0; i < dim; ++i)
               {
                 strains[q][i] = of_point[i][i];
@@ -149,11 +167,12 @@ namespace Crevasse
           make_trace_constant(geometry, strains);
       }
 
-      /** The transpose, with the volumes. */
+      /** The transpose, with the volumes. Only rings have values. */
       template <bool is_brick>
       static void
       from_stresses(const Geometry<is_brick> &geometry,
                     Strains                  &stresses,
+                    Values                   &values,
                     Gradients                &gradients)
       {
         if constexpr (mean_volume)
@@ -164,6 +183,11 @@ namespace Crevasse
             V       s[n_components];
             for (int i = 0; i < n_components; ++i)
               s[i] = volume * stresses[q][i];
+            if constexpr (rings)
+              {
+                values[0][q] = s[2] * geometry.inverse_radius(q);
+                values[1][q] = V{};
+              }
             for (int c = 0; c < dim; ++c)
               for (int d = 0; d < dim; ++d)
                 if constexpr (is_brick)

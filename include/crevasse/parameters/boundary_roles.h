@@ -24,6 +24,9 @@ namespace Crevasse
     std::set<dealii::types::boundary_id> loaded;
     std::set<dealii::types::boundary_id> contact;
     std::set<dealii::types::boundary_id> crack;
+    /** Whether x₁ = 0 is the axis of a body of revolution: no radial
+     * displacement there, and hoops elsewhere. */
+    bool has_axis = false;
 
     bool
     has_lip() const

@@ -30,6 +30,13 @@ namespace Crevasse
     CrackTipParameters        crack_tip;
     OutputParameters          output;
 
+    /** A body of revolution: x is the radius, y the axis. */
+    bool
+    is_axisymmetric() const
+    {
+      return dimension == 2 && material.plane_state == PlaneState::axisymmetric;
+    }
+
     void
     add_parameters(dealii::ParameterHandler &prm);
 

@@ -47,7 +47,8 @@ namespace Crevasse
   enum class PlaneState
   {
     plane_stress,
-    plane_strain
+    plane_strain,
+    axisymmetric
   };
 
   template <>
@@ -55,10 +56,12 @@ namespace Crevasse
   {
     static constexpr NamedValue<PlaneState> rows[] = {
       {PlaneState::plane_stress, "plane stress"},
-      {PlaneState::plane_strain, "plane strain"}};
+      {PlaneState::plane_strain, "plane strain"},
+      {PlaneState::axisymmetric, "axisymmetric"}};
     static constexpr const char *meaning =
       "What a plane model assumes of the third direction; without meaning in "
-      "three dimensions.";
+      "three dimensions. axisymmetric: a body of revolution, where x is the "
+      "radius, y the axis, and the third direction that of the hoops.";
   };
 
   enum class ViscosityType
