@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/problems.h>
+#include <crevasse/crack_tip/front_field.h>
 #include <crevasse/crack_tip/interaction_integral.h>
 #include <crevasse/crack_tip/kernel_rules.h>
 #include <crevasse/crack_tip/lip_integral.h>
@@ -17,9 +19,11 @@ namespace Crevasse
      * the plane, as strain without stress has one. */
     struct PlaneCompliance
     {
-      explicit PlaneCompliance(const VoigtMatrix<2> &K)
-        : of_stress(inverse<2>(in_plane<2>(K)))
+      PlaneCompliance(const VoigtMatrix<2> &K, const bool has_hoops)
+        : of_stress(inverse<2>(has_hoops ? K : in_plane<2>(K)))
       {
+        if (has_hoops)
+          return;
         VoigtVector<2> column;
         for (const unsigned int c : {0, 1, 3})
           column[c] = K[c][2];
@@ -35,6 +39,26 @@ namespace Crevasse
       VoigtMatrix<2> of_stress;
       VoigtVector<2> of_third;
     };
+
+
+
+    /** A front that is a circle about the axis. */
+    FrontFrame
+    frame_at(const CrackTip &tip, const Point<2> &point)
+    {
+      const Point<2> local = tip.local(point);
+      FrontFrame     frame;
+      frame.X = local[0];
+      frame.Y = local[1];
+      for (const unsigned int d : {0, 1})
+        {
+          frame.ahead[d]  = tip.ahead[d];
+          frame.inward[d] = tip.inward[d];
+        }
+      frame.tangent   = cross_product_3d(frame.ahead, frame.inward);
+      frame.curvature = tip.ahead[0] / tip.position[0];
+      return frame;
+    }
 
 
 
@@ -76,14 +100,43 @@ namespace Crevasse
     , points(points)
     , region(region)
     , mode(mode)
+    , kappa_of_ring(squares.kappa_of_ring)
     , body_force(components_in_volume(loads))
     , of_contact_forces(
         mode == CrackMode::opening
           ? lip_integral(body, region.tip, weight_of(region, squares.size))
           : std::vector<double>())
   {
+    if (kappa_of_ring > 0.)
+      for (double &factor : of_contact_forces)
+        factor /= region.tip.position[0];
     integrate_over_cells(squares);
     balance();
+  }
+
+
+
+  AuxiliaryField
+  InteractionIntegral::field_at(const Point<2>     &point,
+                                const SquareWeight &weight) const
+  {
+    if (kappa_of_ring == 0.)
+      return AuxiliaryField(region.tip, mode, point, weight);
+    const double      nu = (3. - kappa_of_ring) / 4.;
+    const FrontFields fields{mode, false, {1., nu}, weight};
+    const FrontField  of_front = fields.at(frame_at(region.tip, point)).first;
+    const double      share    = 1. / region.tip.position[0];
+    const double      of_kappa = (kappa_of_ring + 1.) / 4. * share;
+    AuxiliaryField    field;
+    for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
+      {
+        field.of_stress[0][c] = of_kappa * of_front.of_stress[c];
+        field.of_strain[c] =
+          share / fields.elasticity.modulus(mode) * of_front.of_strain[c];
+      }
+    for (const unsigned int d : {0, 1})
+      field.of_force[0][d] = of_kappa * of_front.of_force[d];
+    return field;
   }
 
 
@@ -99,7 +152,7 @@ namespace Crevasse
                          const Point<2> &point,
                          const double    share) {
       const auto field_of = [&](const SquareWeight &weight) {
-        return AuxiliaryField(region.tip, mode, point, weight);
+        return field_at(point, weight);
       };
       kernel.field.add(share, field_of(whole));
       for (const auto &[weight, factor] : of_creep)
@@ -159,6 +212,12 @@ namespace Crevasse
     for (unsigned int c = 0; c < QuadratureField<2>::n_components; ++c)
       sum[c] = Utilities::MPI::sum(sum[c], communicator);
     area = Utilities::MPI::sum(area, communicator);
+    if (kappa_of_ring > 0.)
+      {
+        // u₁ = x₁ strains hoops as well, and u₁ = x₂ is not uniform.
+        sum[0] = sum[2] = 0.5 * (sum[0] + sum[2]);
+        sum[3]          = 0.;
+      }
     for (Kernel &kernel : kernels)
       if (is_at_tip(kernel))
         kernel.field.of_strain -= points.weight[kernel.point] / area * sum;
@@ -186,6 +245,11 @@ namespace Crevasse
     const std::vector<double> &contact_forces,
     const double               kappa) const
   {
+    if (kappa_of_ring > 0. && std::abs(kappa - kappa_of_ring) > 1e-8)
+      throw SceneError(
+        "[Crack tip] Stress intensity = true: with [Material] Plane state = "
+        "axisymmetric Poisson's ratio at the crack tip must not vary in time. "
+        "Set Stress intensity = false.");
     double sum = 0.;
     for (const Kernel &kernel : kernels)
       {
@@ -227,11 +291,12 @@ namespace Crevasse
                                     const PlaneElasticity  &at_tip,
                                     const bool              creeps) const
   {
-    using Field = QuadratureField<2>;
-    const auto laws =
-      transform(*material.stiffness,
-                body.points.n_local_points,
-                [](const VoigtMatrix<2> &K) { return PlaneCompliance(K); });
+    using Field                  = QuadratureField<2>;
+    const auto        laws       = transform(*material.stiffness,
+                                body.points.n_local_points,
+                                [this](const VoigtMatrix<2> &K) {
+                                  return PlaneCompliance(K, kappa_of_ring > 0.);
+                                });
     const double      k          = material.stiffness_factor;
     const std::size_t n_branches = creeps ? material.fractions.size() : 0;
 
@@ -241,7 +306,9 @@ namespace Crevasse
         const std::size_t      offset = kernel.point * Field::n_components;
         const VoigtVector<2>   s      = Field::get(sample.state.stress, offset);
         const PlaneCompliance &law    = laws[kernel.point];
-        VoigtVector<2> strain = (law.of_stress * s - at_tip.strain(s)) / k;
+        const VoigtVector<2>   of_tip =
+          kappa_of_ring > 0. ? at_tip.strain_with_hoops(s) : at_tip.strain(s);
+        VoigtVector<2> strain = (law.of_stress * s - of_tip) / k;
         if (material.thermal_strain != nullptr)
           strain += law.free_strain((*material.thermal_strain)[kernel.point]);
         sum += kernel.field.of_strain * strain;

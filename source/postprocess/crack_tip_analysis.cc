@@ -149,7 +149,11 @@ namespace Crevasse
                                 intensity.region,
                                 mode,
                                 scene.loads,
-                                {size, size, false})
+                                {size,
+                                 size,
+                                 false,
+                                 body.space.roles.has_axis ? viscous.kappa()
+                                                           : 0.})
               .of_uniform_body(stress, flow->contact_forces, viscous.kappa());
           c_star += K * K / viscous.modulus();
         }

@@ -45,7 +45,7 @@ namespace Crevasse
     if (no_integral.empty())
       for (const CrackMode mode : modes())
         integrals.push_back(make_integrals(mode));
-    if (tip.two_lips)
+    if (tip.two_lips || body.space.roles.has_axis)
       return;
     fit_radius = choose_fit_radius();
     fits.emplace(
@@ -103,12 +103,15 @@ namespace Crevasse
     using Method                     = StressIntensityMethod;
     const Method      wish           = scene.crack_tip.method;
     const std::string setting        = "[Crack tip] Method = " + name_of(wish);
-    const bool        must_integrate = // the fit knows one lip
-      wish == Method::interaction_integral || region.tip.two_lips;
+    const bool        must_integrate = // the fit knows one lip, in the plane
+      wish == Method::interaction_integral || region.tip.two_lips ||
+      body.space.roles.has_axis;
     if (wish == Method::williams_fit && region.tip.two_lips)
       throw SceneError(setting +
                        ": is for cracks with one lip, on a plane of "
                        "symmetry. Set it to automatic.");
+    if (body.space.roles.has_axis)
+      require_ring();
     if (wish == Method::williams_fit)
       return setting;
     for (const double t :
@@ -135,6 +138,27 @@ namespace Crevasse
           return why;
         }
     return "";
+  }
+
+
+
+  void
+  StressIntensity::require_ring() const
+  {
+    const CrackTip   &tip = region.tip;
+    const std::string where =
+      "[Material] Plane state = axisymmetric, [Crack "
+      "tip] Stress intensity = true: the crack at " +
+      Text::from_point(tip.position);
+    if (tip.two_lips)
+      throw SceneError(where +
+                       " has two lips. K of a ring is known to this program "
+                       "for half models with the crack on y = const. Set "
+                       "Stress intensity = false.");
+    if (std::abs(tip.ahead[1]) > 1e-8)
+      throw SceneError(where +
+                       " is not in a plane across the axis. Set Stress "
+                       "intensity = false.");
   }
 
 
@@ -176,7 +200,10 @@ namespace Crevasse
                                  scene.loads,
                                  {size,
                                   creep_square(size, cells),
-                                  uniform.creep == 0.});
+                                  uniform.creep == 0.,
+                                  body.space.roles.has_axis
+                                    ? first_elasticity.kappa()
+                                    : 0.});
     };
     return {over_square(square, 2),
             over_square(std::max(region.aligned_radius(0.5 * square),
@@ -233,6 +260,13 @@ namespace Crevasse
     const double  open   = open_length_of(sample.state);
     if (stays_closed(open))
       return {0., 0., 0.};
+    if (!fits)
+      {
+        const auto [K, error] = integrate(0, t, sample, material, at_tip);
+        return {K,
+                integrals[0].second.value(t, sample, material, at_tip),
+                error};
+      }
     const WilliamsFit &fit       = fits->within(open);
     const double       of_stress = fit.value(stress, g);
     if (integrals.empty())

@@ -43,6 +43,12 @@ namespace Crevasse
    * weight; around a tip where the creep varies, the error of doing so is
    * linear in the size a of this square, and 2 K_I(a) − K_I(2a) is taken.
    *
+   * Of a body of revolution the crack front is a circle, and the fields are
+   * those of FrontFields there: τ is in equilibrium on rings, and all that they
+   * lack to a solution is in N, with the hoops. Integrals are those of a
+   * radian, divided by the radius of the front. N then depends on κ in another
+   * way, so that there is one κ.
+   *
    * The weight q is SquareWeight in the square |X| ≤ R, 0 ≤ Y ≤ R, or
    * |Y| ≤ R. In cells
    * of the usual rule N and τ are projected to the polynomials through its
@@ -60,6 +66,8 @@ namespace Crevasse
       double creep;
       /** Whether creep varies within it. */
       bool extrapolates;
+      /** In a body of revolution that of the tip, else 0. */
+      double kappa_of_ring = 0.;
     };
 
     /** Collective. All arguments must outlive this object. */
@@ -107,6 +115,9 @@ namespace Crevasse
     void
     integrate_over_cells(const Squares &squares);
 
+    AuxiliaryField
+    field_at(const dealii::Point<2> &point, const SquareWeight &weight) const;
+
     /** A uniform strain contributes nothing, to rounding: the rules in the
      * cells at the tip are not exact. */
     void
@@ -127,6 +138,7 @@ namespace Crevasse
     const PointGeometry                             &points;
     const TipRegion                                 &region;
     const CrackMode                                  mode;
+    const double                                     kappa_of_ring;
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::vector<Kernel>                              kernels;
     bool                has_creep = false; ///< whether viscous strain enters

@@ -82,6 +82,19 @@ namespace Crevasse
       return e;
     }
 
+    /** The same of a stress in all directions, and its strain in the third one;
+     * not in plane stress. */
+    VoigtVector<2>
+    strain_with_hoops(const VoigtVector<2> &s) const
+    {
+      const double   nu = (3. - kappa()) / 4., trace = s[0] + s[1] + s[2];
+      VoigtVector<2> e;
+      for (unsigned int d = 0; d < 3; ++d)
+        e[d] = (s[d] - nu / (1. + nu) * trace) / (2. * shear_modulus);
+      e[3] = s[3] / shear_modulus;
+      return e;
+    }
+
   private:
     double lambda;
   };

@@ -21,7 +21,8 @@ namespace Crevasse
   class StressIntensity
   {
   public:
-    /** All 0 where nothing creeps and the node next to the tip is closed. */
+    /** All 0 where nothing creeps and the node next to the tip is closed. In
+     * bodies of revolution of_stress is K over the smaller square. */
     struct Estimate
     {
       double intensity, of_stress;
@@ -142,6 +143,10 @@ namespace Crevasse
     std::string
     find_no_integral(const StepList &steps) const;
 
+    /** Of a body of revolution: @throw SceneError if K is not known. */
+    void
+    require_ring() const;
+
     double
     choose_square() const;
 
@@ -179,11 +184,13 @@ namespace Crevasse
 
     /** Whether more than forces on the boundary and creep makes stress: else it
      * is Williams' series where the body is uniform, and viscous strain is
-     * compatible there. */
+     * compatible there. On rings that holds close to the tip only. */
     bool
     is_disturbed() const
     {
-      return Effects::first_on(body.effects.free_strains) != nullptr ||
+      return (body.space.roles.has_axis &&
+              scene.material.viscosity == ViscosityType::isotropic) ||
+             Effects::first_on(body.effects.free_strains) != nullptr ||
              Effects::first_on(body.effects.volume_forces) != nullptr;
     }
 
@@ -196,7 +203,7 @@ namespace Crevasse
     const double              square;      ///< of the integral
     std::vector<Integrals>    integrals;   ///< of each of modes(), or none
     double                    fit_radius = 0.;
-    std::optional<NestedFits> fits; ///< with one lip
+    std::optional<NestedFits> fits; ///< with one lip in the plane
   };
 } // namespace Crevasse
 
