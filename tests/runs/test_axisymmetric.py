@@ -1,4 +1,4 @@
-"""Bodies of revolution: Lame's tube, SSNA104 as in the plane, a sphere's strain,
+"""Bodies of revolution: Lame's tube, SSNA104 as in the plane,
 the penny-shaped crack, multigrid, ranks, and what is refused."""
 
 import math
@@ -76,5 +76,105 @@ def test_creeping_tube():
                     f"SSNA104: {column}")
 
 
-for test in (test_lame, test_creeping_tube):
+PENNY = """
+subsection Geometry
+  set Shape = centre crack
+  set Width = 20
+  set Height = 20
+  set Crack length = 1
+  set Subdivisions = 40, 40
+end
+subsection Material
+  set Plane state = axisymmetric
+  set Viscosity = none
+end
+subsection Loads
+  set Traction = 0; 1e-3
+end
+subsection Discretisation
+  set Degree = 2
+end
+subsection Refinement
+  set Strategy = tip
+  set Target unknowns = 20000
+end
+subsection Time integration
+  set Steps per period = 20
+end
+subsection Periodic state
+  set Maximum periods = 1
+  set Tolerance = 0
+end
+subsection Crack tip
+  set Stress intensity = true
+end
+subsection Output
+  set Fields = none
+end
+"""
+
+
+def intensities(name, settings=()):
+    return run(PENNY, name, settings).table("crack_tip.csv")["K_I"]
+
+
+def test_penny():
+    """Sneddon's K; the cylinder of 20 radii adds some 1e-4."""
+    exact = 2e-3 / math.sqrt(math.pi)
+    for settings in ((), ("Material/Poisson ratio=0",), (
+            "Material/Viscosity=relaxation time", "Material/Relaxation time=0.3")):
+        check_below(max(abs(K / exact - 1) for K in intensities("penny", settings)),
+                    5e-4, f"K of the penny-shaped crack {settings}")
+
+
+def test_release_rate():
+    """A crack from the surface: G of one radian is the change of the energy."""
+    runs = [run(PENNY, "outer", [
+        "Geometry/Shape=edge crack", "Geometry/Width=10", "Geometry/Height=10",
+        f"Geometry/Crack length={length}", "Geometry/Subdivisions=100, 100",
+        "Refinement/Strategy=none"]).table("crack_tip.csv")
+            for length in (4.9, 5, 5.1)]
+    energies = [table["strain_energy"][-1] for table in runs]
+    G = 2 * (energies[2] - energies[0]) / 0.2 / 5
+    check_below(abs(runs[1]["energy_release_rate"][-1] / G - 1), 1e-3,
+                "G and the change of the energy")
+
+
+def test_two_ways():
+    """Multigrid and a factor, with the lip closed and open, on a body that touches
+    its axis."""
+    for load in ("0.01; -1", "0; 1"):
+        for more in (["Discretisation/Degree=2"], ["Discretisation/Degree=1"], [
+                "Discretisation/Degree=1", "Discretisation/Volumetric strain=mean",
+                "Material/Poisson ratio=0.49"]):
+            u, p = zip(*((table["u_2"][-1], table["pressure"][-1]) for table in (
+                run(PENNY, "ways", [
+                    "Geometry/Subdivisions=20, 20", "Geometry/Refinements=1",
+                    f"Loads/Traction={load}", f"Linear solver/Type={solver}",
+                    "Contact/Solver=active set", "Refinement/Strategy=none",
+                    "Crack tip/Stress intensity=false",
+                    "Output/Probes=axis: 0, 0; top: 20, 20", *more]).table(
+                        f"probe_{probe}.csv")
+                for solver, probe in (("cholesky", "axis"), ("gmg", "axis")))))
+            check_below(abs(u[0] - u[1]), 1e-7, f"{load} {more}: gmg, opening")
+            check_below(abs(p[0] - p[1]), 1e-7, f"{load} {more}: gmg, pressure")
+            check(p[0] > 0.5 if "-" in load else u[0] > 0.1, "closed or open")
+
+
+def test_refused():
+    for settings, word in (
+            (["Discretisation/Singular functions=1"], "Singular functions"),
+            (["Crack tip/Method=williams fit"], "williams fit"),
+            (["Material/Viscosity=isotropic",
+              "Material/Viscous Poisson ratio=0.45"], "Stress intensity")):
+        status, _, error = execute("penny.prm", "--output", "results/refused",
+                                   *overrides(settings))
+        check(status != 0 and word in error, f"{settings}: {error}")
+    status, _, error = execute("lame.prm", "--output", "results/refused", *overrides(
+        [write_rings("left.msh", 4, 2, (-1., 1.)), *RING]))
+    check(status != 0 and "must not be negative" in error, error)
+
+
+for test in (test_lame, test_creeping_tube, test_penny, test_release_rate,
+             test_two_ways, test_refused):
     test()
