@@ -64,13 +64,21 @@ namespace Crevasse
                        "Method",
                        "williams fit is not for [Material] Plane state = "
                        "axisymmetric; use automatic");
+      const MaterialParameters &material = scene.material;
+      const bool                is_proportional =
+        material.viscosity != ViscosityType::matrix &&
+        (material.viscosity != ViscosityType::isotropic ||
+         material.viscous_poisson_ratio.text() ==
+           material.poisson_ratio.text());
       crack_tip.demand(!scene.crack_tip.stress_intensity ||
-                         (scene.material.stiffness_matrix.text().empty() &&
-                          scene.material.viscosity != ViscosityType::matrix),
+                         (material.stiffness_matrix.text().empty() &&
+                          is_proportional),
                        "Stress intensity",
-                       "is for isotropic bodies with [Material] Plane state = "
-                       "axisymmetric: leave Stiffness matrix and Viscosity "
-                       "matrix out");
+                       "is with [Material] Plane state = axisymmetric for "
+                       "isotropic bodies that creep with the same Poisson's "
+                       "ratio: leave Stiffness matrix and Viscosity matrix "
+                       "out, and set Viscous Poisson ratio to Poisson ratio, "
+                       "or Viscosity = relaxation time or chain");
     }
 
 
