@@ -176,43 +176,6 @@ namespace Crevasse
 
   template <int dim>
   void
-  Space<dim>::hold_axis()
-  {
-    const auto                          &fe = finite_element;
-    FEValues<dim>                        support(mapping,
-                          fe,
-                          Quadrature<dim>(fe.get_unit_support_points()),
-                          update_quadrature_points);
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    collectively(communicator(), [&]() {
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (!cell->is_artificial())
-          {
-            const double rounding = 1e-8 * cell->diameter();
-            support.reinit(cell);
-            cell->get_dof_indices(dofs);
-            for (unsigned int i = 0; i < dofs.size(); ++i)
-              {
-                const Point<dim> &point = support.quadrature_point(i);
-                if (point[0] < -rounding)
-                  throw SceneError(
-                    "[Material] Plane state = axisymmetric: x is the radius "
-                    "and must not be negative, but the mesh has the node " +
-                    Text::from_point(point) +
-                    ". Move the mesh, so that the axis is at x = 0.");
-                if (fe.system_to_component_index(i).first == 0 &&
-                    point[0] < rounding &&
-                    !supports_and_hanging.is_constrained(dofs[i]))
-                  supports_and_hanging.add_line(dofs[i]);
-              }
-          }
-    });
-  }
-
-
-
-  template <int dim>
-  void
   Space<dim>::make_constraints(const bool lips_closed)
   {
     constraints.reinit(locally_relevant_unknowns);
