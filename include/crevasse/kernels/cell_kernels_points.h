@@ -96,16 +96,14 @@ namespace Crevasse
         const BatchGeometry &of_batch = cells.geometries[batch];
         const Stored *const  values   = reinterpret_cast<const Stored *>(
           cells.geometry_values + of_batch.start);
-        if constexpr (!rings)
-          if (of_batch.shape == Shape::brick)
-            {
-              f(Geometry<true>{values, 0});
-              return;
-            }
-        f(Geometry<false>{values,
-                          of_batch.shape == Shape::other
-                            ? Geometry<false>::n_values
-                            : 0});
+        // (Rings are no bricks.)
+        if (of_batch.shape == Shape::brick)
+          f(Geometry<true>{values, 0});
+        else
+          f(Geometry<false>{values,
+                            of_batch.shape == Shape::other
+                              ? Geometry<false>::n_values
+                              : 0});
       }
 
       /** The mean over the cells of a third of the trace of what is given at
