@@ -124,21 +124,20 @@ namespace Crevasse
     if constexpr (dim == 2)
       {
         // As Mousavi and Sukumar (Comput. Mech. 45, 2010) for 1/√r.
-        constexpr unsigned int n    = 5;
-        constexpr double       beta = 2., near_size = 3.5;
-        quadratures.push_back(QGauss<dim>(n));
+        constexpr double beta = 2., near_size = 3.5;
+        quadratures.push_back(QGauss<dim>(5));
         for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
           quadratures.push_back(
-            QSplit<dim>(QDuffy(n, beta),
+            QSplit<dim>(QDuffy(5, beta),
                         GeometryInfo<dim>::unit_cell_vertex(v)));
 
         rule_of_cell.assign(triangulation->n_active_cells(), 0);
         for (const auto &cell : triangulation->active_cell_iterators())
           for (const SingularFunction &function : shapes->functions)
             {
-              const Point<dim> &tip  = function.tip.position;
-              const double      size = cell->diameter() / std::sqrt(2.);
-              auto             &rule = rule_of_cell[cell->active_cell_index()];
+              const auto  &tip  = function.tip.position;
+              const double size = cell->diameter() / std::sqrt(2.);
+              auto        &rule = rule_of_cell[cell->active_cell_index()];
               if (rule == 0 && cell->center().distance(tip) < near_size * size)
                 rule = 1;
               for (const unsigned int v : cell->vertex_indices())
@@ -165,8 +164,7 @@ namespace Crevasse
     if (!roles.symmetry.empty())
       VectorTools::compute_no_normal_flux_constraints(
         dof_handler, 0, roles.symmetry, all, mapping);
-    if (roles.has_axis)
-      hold_axis();
+    hold_axis();
     for (const FixedPoint<dim> &fixed_point : supports)
       constrain(fixed_point);
     all.close();

@@ -14,6 +14,8 @@ namespace Crevasse
   void
   Space<dim>::hold_axis()
   {
+    if (!roles.has_axis)
+      return;
     const auto                          &fe = finite_element;
     FEValues<dim>                        support(mapping,
                           fe,

@@ -3,7 +3,7 @@
 
 #include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/problems.h>
-#include <crevasse/discretisation/crack_tip.h>
+#include <crevasse/grid/crack_tip.h>
 #include <crevasse/model/refinement.h>
 
 #include <deal.II/distributed/cell_data_transfer.templates.h>

@@ -4,7 +4,7 @@
 #ifndef crevasse_crack_tip_auxiliary_field_h
 #define crevasse_crack_tip_auxiliary_field_h
 
-#include <crevasse/discretisation/crack_tip.h>
+#include <crevasse/grid/crack_tip.h>
 #include <crevasse/material/voigt.h>
 
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef crevasse_crack_tip_front_curve_h
 #define crevasse_crack_tip_front_curve_h
 
-#include <crevasse/discretisation/crack_tip.h>
+#include <crevasse/grid/crack_tip.h>
 
 namespace Crevasse
 {

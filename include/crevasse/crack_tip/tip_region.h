@@ -4,9 +4,9 @@
 #ifndef crevasse_crack_tip_tip_region_h
 #define crevasse_crack_tip_tip_region_h
 
-#include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
+#include <crevasse/grid/crack_tip.h>
 
 
 namespace Crevasse

@@ -4,7 +4,7 @@
 #ifndef crevasse_discretisation_polar_field_h
 #define crevasse_discretisation_polar_field_h
 
-#include <crevasse/discretisation/crack_tip.h>
+#include <crevasse/grid/crack_tip.h>
 
 #include <array>
 

@@ -4,8 +4,8 @@
 #ifndef crevasse_discretisation_singular_shapes_h
 #define crevasse_discretisation_singular_shapes_h
 
-#include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/polar_field.h>
+#include <crevasse/grid/crack_tip.h>
 #include <crevasse/material/plane_elasticity.h>
 
 #include <deal.II/dofs/dof_handler.h>

@@ -4,8 +4,8 @@
 #ifndef crevasse_model_refinement_h
 #define crevasse_model_refinement_h
 
-#include <crevasse/discretisation/crack_tip.h>
 #include <crevasse/discretisation/space.h>
+#include <crevasse/grid/crack_tip.h>
 #include <crevasse/parameters/parameters.h>
 
 #include <deal.II/lac/vector.h>

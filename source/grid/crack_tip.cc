@@ -3,7 +3,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/discretisation/crack_tip.h>
+#include <crevasse/grid/crack_tip.h>
 
 #include <algorithm>
 #include <limits>

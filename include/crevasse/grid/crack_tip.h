@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_discretisation_crack_tip_h
-#define crevasse_discretisation_crack_tip_h
+#ifndef crevasse_grid_crack_tip_h
+#define crevasse_grid_crack_tip_h
 
 #include <crevasse/parameters/boundary_roles.h>
 

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/format.h>
+#include <crevasse/base/problems.h>
+#include <crevasse/base/state_archive.h>
+#include <crevasse/time/adaptive_steps.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Crevasse
+{
+  namespace
+  {
+    class AdaptiveSteps : public StepControl
+    {
+    public:
+      /** @param fixed_instants where steps end in any case.
+       * @param nodes at which the method evaluates. */
+      AdaptiveSteps(const TimeIntegrationParameters &parameters,
+                    const double                     largest_step,
+                    const std::vector<double>       &fixed_instants,
+                    const std::vector<double>       &nodes,
+                    const double                     stability_limit)
+        : StepControl(stability_limit)
+        , parameters(parameters)
+        , largest_step(largest_step)
+        , fixed_instants(fixed_instants)
+        , looks_at_end(std::find(nodes.begin(), nodes.end(), 1.) != nodes.end())
+        // Not a fraction of the period, at which a load may have its zeros.
+        , proposed(0.381966 * largest_step)
+      {
+      }
+
+      void
+      begin_period(StepList &steps) override
+      {
+        constexpr unsigned int most_searches = 3;
+        // Steps are found anew if so many of them would do.
+        constexpr double too_many = 0.5;
+        is_free                   = n_found == 0 ||
+                  (n_found < most_searches && needed < too_many * taken);
+        if (is_free)
+          {
+            steps.reset(fixed_instants);
+            ++n_found;
+          }
+        needed = 0.;
+        taken  = 0;
+      }
+
+      /** Takes what a step that has looked at its end has found there. */
+      void
+      start(const PeriodStep &step) override
+      {
+        const double t = step.steps.instant(step.k);
+        if (step.k > 0 &&
+            std::abs(known_end - t) <= 1e-12 * step.steps.period() &&
+            !step.steps.jumps_at(t))
+          step.rate = end_rate;
+        else
+          StepControl::start(step);
+        known_end = -1.;
+      }
+
+      /** @throw NumericalError if the tolerance takes too many steps. */
+      void
+      advance(const PeriodStep &period_step) override
+      {
+        auto &[integrator, f, steps, k, r, rate] = period_step;
+        // The steps of a list are halved, so that its lengths stay few.
+        const bool   has_matrix = integrator.properties.has_matrix_of_step;
+        const bool   halves     = !is_free || has_matrix;
+        const double t = steps.instant(k), left = steps.step(k);
+        // Where the stress grows within the step the limit falls.
+        const double longest = 0.9 * longest_stable(period_step);
+        double       length  = first_trial(t, left, has_matrix);
+        while (length > longest)
+          length = halves ? 0.5 * length : longest;
+        bool   was_rejected = false;
+        double step_error;
+        error.reinit(r, true);
+        saved = r;
+        while (true)
+          {
+            error = 0.;
+            const TimeStep step{f, t, length, rate, r, &error};
+            integrator.advance(step);
+            step_error = relative_error(f, r);
+            if (step_error <= 1. && !looks_at_end)
+              step_error =
+                std::max(step_error, relative_error_of_end(integrator, step));
+            if (step_error <= 1.)
+              break;
+            if (length * most_steps < steps.period())
+              {
+                std::ostringstream message;
+                message
+                  << "the tolerance takes more than " << most_steps
+                  << " steps a period: from t = " << t << " on a step of "
+                  << length << " still has " << step_error
+                  << " times the error that is allowed. Choose a larger [Time "
+                     "integration] Relative tolerance; if a load or a material "
+                     "jumps at an instant, name it in Steps, so that a step "
+                     "ends there.";
+                throw NumericalError(message.str());
+              }
+            ++rejected;
+            was_rejected = true;
+            r            = saved;
+            if (known_end >= 0.)
+              {
+                // The method has started from the end already.
+                integrator.restart();
+                integrator.start(f, t, r, end_rate);
+                known_end = -1.;
+              }
+            const double factor =
+              std::isfinite(step_error) ? safety / std::sqrt(step_error) : 0.1;
+            length *= halves ? 0.5 : std::clamp(factor, 0.1, 0.8);
+          }
+        propose(length, step_error, was_rejected);
+        needed += std::max({std::sqrt(step_error) / safety,
+                            length / largest_step,
+                            length / longest});
+        ++accepted;
+        ++taken;
+        if (left - length > 1e-12 * steps.period())
+          steps.divide(k, t + length);
+      }
+
+      bool
+      repeats_steps() const override
+      {
+        return false;
+      }
+
+      IntegratorStatistics
+      statistics() const override
+      {
+        return {{"accepted_steps", accepted},
+                {"rejected_steps", rejected},
+                {"steps_of_last_period", taken},
+                {"searches_for_steps", n_found}};
+      }
+
+      void
+      serialize(StateArchive &archive) override
+      {
+        archive.section("adaptive steps");
+        archive.common(is_free);
+        archive.common(n_found);
+        archive.common(proposed);
+        archive.common(last_error);
+        archive.common(needed);
+        archive.common(taken);
+        archive.common(accepted);
+        archive.common(rejected);
+        archive.common(known_end);
+        archive.at_points(end_rate);
+      }
+
+    private:
+      static constexpr double       safety = 0.9;
+      static constexpr unsigned int most_steps =
+        TimeIntegrationParameters::most_steps;
+
+      /** The length of the first trial from t on, at most what is left. */
+      double
+      first_trial(const double t,
+                  const double left,
+                  const bool   has_matrix) const
+      {
+        if (!is_free)
+          return left;
+        const double longest = std::min(proposed, largest_step);
+        if (has_matrix)
+          return std::min(left, dyadic_step(t, longest));
+        // Two steps of the same length instead of one and a short rest.
+        return left <= longest ? left : std::min(longest, 0.5 * left);
+      }
+
+      /** The largest 2⁻ⁿ of the interval between fixed instants around t that
+       * ends on a multiple of itself and is not longer than @p longest. */
+      double
+      dyadic_step(const double t, const double longest) const
+      {
+        const std::vector<double> &fixed = fixed_instants;
+        const double rounding = 1e-12 * (fixed.back() - fixed.front());
+        const auto   after =
+          std::upper_bound(fixed.begin(), fixed.end() - 1, t + rounding);
+        const double begin  = *(after - 1);
+        double       length = *after - begin;
+        const auto   fits   = [&]() {
+          const double parts = (t - begin) / length;
+          return length <= longest * (1. + 1e-12) &&
+                 std::abs(parts - std::round(parts)) * length <= rounding;
+        };
+        while (!fits())
+          length *= 0.5;
+        return length;
+      }
+
+      /** The error of a trial relative to the tolerance. */
+      double
+      relative_error(const RateEquation &f, const Vector &r)
+      {
+        // The error of the embedded method of order 1 is larger than that of
+        // the method that goes on, of order 2, which falls in proportion to it.
+        // With this part of it the error of a period comes close to the
+        // tolerance (tests/runs/test_adaptive.py), and stays below.
+        constexpr double part_of_estimate = 0.125;
+        if (!scale.partitioners_are_compatible(*r.get_partitioner()) ||
+            scale.size() == 0)
+          f.strain_per_stress(r, scale);
+        double largest = 0.;
+        for (unsigned int i = 0; i < error.locally_owned_size(); ++i)
+          {
+            const double stress =
+              std::abs(error.local_element(i)) / scale.local_element(i);
+            largest =
+              std::max(largest,
+                       std::isfinite(stress) ? stress : no_stability_limit);
+          }
+        largest =
+          dealii::Utilities::MPI::max(largest, r.get_mpi_communicator());
+        const double allowed =
+          parameters.relative_tolerance * f.stress_scale() +
+          parameters.absolute_tolerance;
+        return largest == 0. ? 0. : part_of_estimate * largest / allowed;
+      }
+
+      /** The same, if no stage of a method has looked at the end of the step,
+       * of the difference to the trapezoidal rule: a jump behind the last stage
+       * is seen by that alone. */
+      double
+      relative_error_of_end(Integrator &integrator, const TimeStep &step)
+      {
+        end_rate.reinit(step.r, true);
+        known_end = step.t + step.length;
+        integrator.start(step.f, known_end, step.r, end_rate);
+        error = step.r;
+        error -= saved;
+        error.add(-0.5 * step.length, step.rate, -0.5 * step.length, end_rate);
+        return relative_error(step.f, step.r);
+      }
+
+      /** The controller's next step. */
+      void
+      propose(const double length,
+              const double step_error,
+              const bool   was_rejected)
+      {
+        // The error of the embedded method is of the order 2 in the step.
+        const double now    = std::max(step_error, 1e-8);
+        double       factor = safety * std::pow(now, -0.35) * //
+                        std::pow(last_error, 0.2);
+        factor     = std::clamp(factor, 0.2, was_rejected ? 1. : 4.);
+        proposed   = std::min(length * factor, largest_step);
+        last_error = now;
+      }
+
+      const TimeIntegrationParameters parameters;
+      const double                    largest_step;
+      const std::vector<double>       fixed_instants;
+      const bool                      looks_at_end;
+
+      bool         is_free = true; ///< steps are being found
+      unsigned int n_found = 0;    ///< how often they were
+      double       proposed;
+      double       last_error = 1.;
+
+      // Of this period.
+      double       needed = 0.; ///< the number of steps that would have done
+      unsigned int taken  = 0;
+
+      std::size_t accepted = 0, rejected = 0;
+
+      Vector scale; ///< strain per stress
+      Vector error, saved;
+
+      // What is known of the end of the last step.
+      double known_end = -1.; ///< negative: nothing
+      Vector end_rate;
+    };
+  } // namespace
+
+
+
+  std::unique_ptr<StepControl>
+  make_adaptive_steps(const TimeIntegrationParameters &parameters,
+                      const double                     largest_step,
+                      const StepList                  &steps,
+                      const IntegratorProperties      &integrator,
+                      const double                     stability_limit)
+  {
+    return std::make_unique<AdaptiveSteps>(parameters,
+                                           largest_step,
+                                           steps.fixed_instants(),
+                                           integrator.quadrature.nodes,
+                                           stability_limit);
+  }
+} // namespace Crevasse
