@@ -30,7 +30,7 @@ namespace Crevasse
   {
   public:
     /** @param exponent n; 1: what relaxes is linear. */
-    explicit Contraction(const double exponent)
+    explicit Contraction(const double exponent = 1.)
       : exponent(exponent)
     {
     }
