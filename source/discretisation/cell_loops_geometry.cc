@@ -97,7 +97,8 @@ namespace Crevasse
                     no_functions,
                     rule,
                     update_inverse_jacobians | update_jacobians |
-                      update_quadrature_points)
+                      (space.roles.has_axis ? update_quadrature_points
+                                            : update_default))
         , n_lanes(n_lanes)
         , unit(unit)
         , volume_unit(std::pow(unit, space.measure_dimension()))

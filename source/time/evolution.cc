@@ -126,7 +126,7 @@ namespace Crevasse
     const double              k        = material.stiffness_factor;
     const double              factor   = k / material.viscosity_factor;
     const Stopwatch           watch("strain sweeps");
-    fastest = 0.;
+    fastest = material.creep_power == nullptr ? -1. : 0.;
     strain_operator.for_each_strain(
       last.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {
@@ -318,6 +318,8 @@ namespace Crevasse
   double
   Evolution<dim>::relaxation_rate() const
   {
+    if (fastest < 0.)
+      return 0.; // without a word to other ranks
     return dealii::Utilities::MPI::max(fastest,
                                        last.stress.get_mpi_communicator());
   }

@@ -40,7 +40,9 @@ namespace Crevasse
                polynomials.dof_handler.get_fe(),
                dealii::QGauss<dim>(space.finite_element.degree + 1),
                dealii::update_gradients | dealii::update_quadrature_points |
-                 dealii::update_JxW_values | dealii::update_values)
+                 dealii::update_JxW_values |
+                 (space.roles.has_axis ? dealii::update_values
+                                       : dealii::update_default))
       , faces(space.mapping,
               polynomials.dof_handler.get_fe(),
               space.face_quadrature(),

@@ -211,8 +211,9 @@ namespace Crevasse
     std::vector<double> stiffness_norms; ///< |kK| of each point
     std::vector<double> fractions;       ///< wᵢ
 
-    /** Of this rank's points in the last evaluation: see relaxation_rate(). */
-    double fastest = 0.;
+    /** Of this rank's points in the last evaluation: see relaxation_rate();
+     * negative: the stress has no say. */
+    double fastest = -1.;
 
     State  last;
     Vector loading;
