@@ -5,7 +5,7 @@ import math
 import pathlib
 
 import tubes
-from crevasse_run import check, check_below, execute, overrides, run
+from crevasse_run import check, check_below, execute, overrides, run, run_on
 
 
 def write_rings(name, n_r, n_y, radii=(1., 2.), height=0.5):
@@ -161,6 +161,14 @@ def test_two_ways():
             check(p[0] > 0.5 if "-" in load else u[0] > 0.1, "closed or open")
 
 
+def test_ranks():
+    """The penny-shaped crack, open, on two processes."""
+    alone = intensities("penny")
+    shared = run_on(2, "penny.prm", "shared").table("crack_tip.csv")["K_I"]
+    check_below(max(abs(a - b) for a, b in zip(shared, alone, strict=True))
+                / max(map(abs, alone)), 1e-8, "K on two processes")
+
+
 def test_refused():
     for settings, word in (
             (["Discretisation/Singular functions=1"], "Singular functions"),
@@ -176,5 +184,5 @@ def test_refused():
 
 
 for test in (test_lame, test_creeping_tube, test_penny, test_release_rate,
-             test_two_ways, test_refused):
+             test_two_ways, test_ranks, test_refused):
     test()
