@@ -55,8 +55,8 @@ namespace Crevasse
                          scene.material.viscosity != ViscosityType::power_law,
                        "Stress intensity",
                        "must be false with [Material] Viscosity = power law: "
-                       "where the stress of a tip creeps by a power of itself "
-                       "K does not tell the stress");
+                       "K does not describe the stress at a tip where creep is "
+                       "a power of the stress");
       if (!scene.is_axisymmetric())
         return;
       crack_tip.demand(scene.crack_tip.method !=
@@ -74,8 +74,8 @@ namespace Crevasse
                          (material.stiffness_matrix.text().empty() &&
                           is_proportional),
                        "Stress intensity",
-                       "is with [Material] Plane state = axisymmetric for "
-                       "isotropic bodies that creep with the same Poisson's "
+                       "needs, with [Material] Plane state = axisymmetric, an "
+                       "isotropic body that creeps with its elastic Poisson's "
                        "ratio: leave Stiffness matrix and Viscosity matrix "
                        "out, and set Viscous Poisson ratio to Poisson ratio, "
                        "or Viscosity = relaxation time or chain");
