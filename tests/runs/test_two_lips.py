@@ -264,10 +264,13 @@ end
 
 def compare_contact(one, other, bound, what):
     mine, theirs = (results.table("contact.csv") for results in (one, other))
+    rounding = 1e-10  # of loads of about 10: the lip never closes
     for column in ("force", "largest_pressure"):
-        if largest(theirs[column]) > 0.:
+        if largest(theirs[column]) > rounding:
             check_below(difference(mine[column], theirs[column]), bound,
                         f"{what}: {column}")
+        else:
+            check_below(largest(mine[column]), rounding, f"{what}: {column}, open")
 
 
 def test_random_scenes():
