@@ -10,7 +10,7 @@
 
 #include <crevasse/contact/condensed_active_set.h>
 #include <crevasse/linear/cholesky.h>
-#include <crevasse/periodic/anderson_acceleration.h>
+#include <crevasse/time/anderson_acceleration.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>

@@ -253,23 +253,27 @@ namespace Crevasse
 
 
   template <int dim>
-  std::shared_ptr<const PointValues<CreepPower>>
+  std::shared_ptr<const PointValues<CreepPower<dim>>>
   MaterialField<dim>::evaluate_creep_power(const MaterialState<dim> &state,
                                            const double              t) const
   {
-    const auto rates =
-      combine(*state.fluidity[0],
-              *state.stiffness,
+    const auto modes =
+      transform(*state.stiffness, n_points, [](const VoigtMatrix<dim> &K) {
+        return RelaxationModes<dim>(isotropic_compliance<dim>(1., 0.5), K);
+      });
+    const auto laws = combine(*evaluate(law.creep_exponent, t),
+                              modes,
+                              n_points,
+                              [](const double n, const auto &modes) {
+                                return CreepPower<dim>{n, 1., modes};
+                              });
+    return std::make_shared<const PointValues<CreepPower<dim>>>(
+      combine(laws,
+              *state.fluidity[0],
               n_points,
-              [](const VoigtMatrix<dim> &H, const VoigtMatrix<dim> &K) {
-                return relaxation_rates<dim>(H, K).largest;
-              });
-    return std::make_shared<const PointValues<CreepPower>>(
-      combine(*evaluate(law.creep_exponent, t),
-              rates,
-              n_points,
-              [](const double n, const double rate) {
-                return CreepPower{n, n * rate};
+              [](CreepPower<dim> power, const VoigtMatrix<dim> &fluidity) {
+                power.coefficient = fluidity[0][0];
+                return power;
               }));
   }
 
@@ -341,6 +345,8 @@ namespace Crevasse
         bytes += state.fluidity[i]->memory_consumption();
     if (thermal_strain_varies)
       bytes += state.thermal_strain->memory_consumption();
+    if (state.creep_power != nullptr && constant.creep_power == nullptr)
+      bytes += state.creep_power->memory_consumption();
     return bytes;
   }
 

@@ -76,7 +76,7 @@ namespace Crevasse
             const MaterialState<dim> state = at(t);
             collectively(communicator, [&]() { now = extreme_rates(state); });
             if (state.creep_power != nullptr)
-              for (const CreepPower &power : state.creep_power->distinct())
+              for (const CreepPower<dim> &power : state.creep_power->distinct())
                 creep_exponent = std::max(creep_exponent, power.exponent);
             now.least = Utilities::MPI::min(now.least, communicator);
           }

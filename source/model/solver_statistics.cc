@@ -18,7 +18,8 @@ namespace Crevasse
                     {"linear_solves", &SolverStatistics::linear_solves},
                     {"linear_iterations", &SolverStatistics::linear_iterations},
                     {"vi_solves", &SolverStatistics::vi_solves},
-                    {"vi_iterations", &SolverStatistics::vi_iterations}};
+                    {"vi_iterations", &SolverStatistics::vi_iterations},
+                    {"implicit_stages", &SolverStatistics::implicit_stages}};
   } // namespace
 
 

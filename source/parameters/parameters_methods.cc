@@ -182,6 +182,13 @@ namespace Crevasse
                       absolute_tolerance,
                       "The same in units of stress; both are added.",
                       not_negative);
+    prm.add_parameter(
+      "Newton tolerance",
+      newton_tolerance,
+      "Where creep by a power law is implicit: largest residual "
+      "of equilibrium, relative to the largest nodal force of "
+      "the loads.",
+      fraction);
     prm.add_parameter("Order",
                       order,
                       "Order of the schemes \"arkode explicit\" and \"arkode "

@@ -149,12 +149,14 @@ namespace Crevasse
                 "compares at steps that are known in advance: with [Time "
                 "integration] Step control = adaptive it must be none");
       Checker(TimeIntegrationParameters::section, problems)
-        .demand(scene.material.viscosity != ViscosityType::power_law ||
-                  !traits(scene.time_integration.scheme).keeps_matrices,
-                "Scheme",
-                "has implicit stages, whose equations are not linear with "
-                "[Material] Viscosity = power law; use euler, heun, rk4 or "
-                "arkode explicit");
+        .demand(
+          scene.material.viscosity != ViscosityType::power_law ||
+            (scene.time_integration.scheme != Scheme::predictor_corrector &&
+             scene.time_integration.scheme != Scheme::exponential),
+          "Scheme",
+          "works with the relaxation of a linear material, which "
+          "[Material] Viscosity = power law is not; use another one, such "
+          "as heun, or sdirk2 for long steps");
       Checker(PeriodicStateParameters::section, problems)
         .demand(periodic.secular_split != SecularSplitType::off ||
                   (periodic.method != PeriodicMethodType::anderson &&

@@ -106,6 +106,9 @@ namespace Crevasse
         traits(scene.time_integration.scheme).keeps_matrices;
       return {
         {"Boundary/Gap", !has_contact, no_contact},
+        {"Time integration/Newton tolerance",
+         !implicit || scene.material.viscosity != ViscosityType::power_law,
+         "no stage of creep by a power law is implicit"},
         {"Contact/Solver, Relaxation factor", !has_contact, no_contact},
         {"Time integration/Locate contact events", !has_contact, no_contact},
         {"Contact/Relaxation factor", !solver.relaxes, of_solver},

@@ -11,10 +11,12 @@ namespace Crevasse
   Evolution<dim>::Evolution(const StrainOperator<dim>  &strain_operator,
                             const QuadratureField<dim> &points,
                             const ExternalLoads<dim>   &loads,
-                            InstantProvider<dim>       &instants)
+                            InstantProvider<dim>       &instants,
+                            const double                newton_tolerance)
     : strain_operator(strain_operator)
     , loads(loads)
     , instants(instants)
+    , creep_stage(strain_operator, loads, instants, newton_tolerance)
   {
     strain_operator.initialize(last.displacement);
     strain_operator.initialize(loading);
@@ -145,10 +147,10 @@ namespace Crevasse
               factor * ((*material.fluidity[i])[point] * stress);
             if (material.creep_power != nullptr)
               {
-                const CreepPower &law      = (*material.creep_power)[point];
-                const double      multiple = law.factor<dim>(k * stress);
+                const CreepPower<dim> &law = (*material.creep_power)[point];
+                const double           multiple = law.factor(k * stress);
                 branch_rate *= multiple;
-                fastest = std::max(fastest, factor * multiple * law.rate);
+                fastest = std::max(fastest, factor * multiple * law.rate());
               }
             if (flow != nullptr)
               branch_rate -= Field::get(flow->strain_rate, place);
@@ -181,8 +183,10 @@ namespace Crevasse
                                 const double  c,
                                 Vector       &rate)
   {
-    const Stopwatch               evaluation("rate evaluations");
-    const double                  t       = instant_of(time);
+    const Stopwatch evaluation("rate evaluations");
+    const double    t = instant_of(time);
+    if (instants.material_at(t).creep_power != nullptr)
+      return implicit_power_law(t, known, c, rate);
     const ImplicitInstant<dim>    instant = instants.implicit_at(t, c);
     const AlgorithmicModuli<dim> &moduli  = instant.moduli;
     const double                  k       = instant.material.stiffness_factor;
@@ -201,6 +205,30 @@ namespace Crevasse
     watch.reset();
     solve(*instant.contact_solver, k);
     implicit_rates(instant, known, c, rate);
+  }
+
+
+
+  template <int dim>
+  void
+  Evolution<dim>::implicit_power_law(const double  t,
+                                     const Vector &known,
+                                     const double  c,
+                                     Vector       &rate)
+  {
+    using Field = QuadratureField<dim>;
+    last_solver = &creep_stage.solve(t, known, c, last, loading);
+    const MaterialState<dim> &material = instants.material_at(t);
+    constexpr unsigned int    n        = Field::n_components;
+    for (std::size_t point = 0; point * n < rate.locally_owned_size(); ++point)
+      {
+        const VoigtVector<dim> stress = Field::get(last.stress, point * n);
+        Field::set(rate,
+                   point * n,
+                   (*material.creep_power)[point].factor(stress) /
+                     material.viscosity_factor *
+                     ((*material.fluidity[0])[point] * stress));
+      }
   }
 
 

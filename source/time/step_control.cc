@@ -91,7 +91,7 @@ namespace Crevasse
       << longest << " where the stress relaxes as fast as here. Use at least "
       << std::ceil(step.steps.period() / longest)
       << " steps: [Time integration] Steps per period; or Step control = "
-         "adaptive.");
+         "adaptive, or Scheme = sdirk2, which is stable with any step.");
   }
 
 

@@ -60,6 +60,10 @@ CASES = {
         "Material/Creep coefficient=1e-11",
         "Time integration/Step control=adaptive",
         "Time integration/Relative tolerance=1e-3"],
+    "power law, implicit": periods(5) + [
+        "Material/Viscosity=power law", "Material/Creep exponent=5",
+        "Material/Creep coefficient=1e-11", "Time integration/Scheme=sdirk2",
+        "Time integration/Steps per period=8"],
     "two lips": REDISTRIBUTES + periods(6) + cracked_square(),
     "readapted": REDISTRIBUTES + periods(6) + [
         "Refinement/Strategy=adaptive", "Refinement/Cycles=2",

@@ -2,15 +2,20 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 // Orders, stability bounds and events of the integrators on ordinary
-// differential equations and on one with contact.
+// differential equations and on one with contact; implicit steps of creep.
 
 #include <crevasse_tests/tests.h>
 
+void
+implicit_creep();
 void
 time_schemes();
 
 int
 main(int argc, char **argv)
 {
-  return run_tests(argc, argv, {{"time_schemes", time_schemes}});
+  return run_tests(argc,
+                   argv,
+                   {{"implicit_creep", implicit_creep},
+                    {"time_schemes", time_schemes}});
 }

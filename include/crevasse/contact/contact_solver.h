@@ -53,6 +53,21 @@ namespace Crevasse
       load = largest_nodal_force;
     }
 
+    /** The largest entry of a residual of the problem that was solved last, of
+     * k A, relative to its forces: see Scales. */
+    double
+    relative_to_forces(const Vector &residual, const double k) const
+    {
+      return residual.linfty_norm() / (k * scales.force());
+    }
+
+    /** Counts an error of forces, such as that, in the certificate. */
+    void
+    count_error(const double relative_residual)
+    {
+      maxima.residual = std::max(maxima.residual, relative_residual);
+    }
+
     /** Which of the locally owned bounds bear more than rounding in the last
      * solution; empty before there is one. */
     std::vector<bool>

@@ -26,7 +26,7 @@ namespace Crevasse
     std::vector<double>                          fractions;   ///< wᵢ
     double                                       spring = 1.; ///< 1 − Σ wᵢ
     std::vector<std::shared_ptr<const Matrices>> fluidity;    ///< Hᵢ
-    std::shared_ptr<const PointValues<CreepPower>>
+    std::shared_ptr<const PointValues<CreepPower<dim>>>
       creep_power; ///< null: the fluidity does not depend on the stress
     std::shared_ptr<const Vectors>
       thermal_strain; ///< f, such as χθ; null: none
@@ -202,7 +202,7 @@ namespace Crevasse
     evaluate_thermal_strain(const double t) const;
 
     /** Of the stiffness and fluidity of this state. */
-    std::shared_ptr<const PointValues<CreepPower>>
+    std::shared_ptr<const PointValues<CreepPower<dim>>>
     evaluate_creep_power(const MaterialState<dim> &state, const double t) const;
 
     RelaxationRates

@@ -7,6 +7,7 @@
 #include <crevasse/discretisation/algorithmic_moduli.h>
 #include <crevasse/model/contact_system.h>
 #include <crevasse/model/instant_cache.h>
+#include <crevasse/model/kept_tangents.h>
 #include <crevasse/model/linear_choice.h>
 #include <crevasse/time/instant_provider.h>
 #include <crevasse/time/step_list.h>
@@ -48,11 +49,23 @@ namespace Crevasse
       return {material, system_at(t).contact_solver()};
     }
 
+    const MaterialState<dim> &
+    material_at(const double t) override;
+
     ImplicitInstant<dim>
     implicit_at(const double t, const double c) override;
 
     ImplicitInstant<dim>
     implicit_material_at(const double t, const double c) override;
+
+    Tangent<dim>
+    tangent_at(const double t, const double c, const Vector &stress) override;
+
+    Tangent<dim>
+    renew_tangent(const double t, const double c, const Vector &stress) override
+    {
+      return use(t, tangents.renew(t, c, stress));
+    }
 
     const RelaxationFunctions<dim> &
     relaxation_at(const double t, const double c) override;
@@ -99,13 +112,19 @@ namespace Crevasse
     std::shared_ptr<ContactSystem<dim>>
     make_system(const typename MaterialState<dim>::Matrices &stiffness) const;
 
-    const MaterialState<dim> &
-    material_at(const double t);
+    /** Of such a tangent, whose system is the last one now. */
+    Tangent<dim>
+    use(const double t, const typename KeptTangents<dim>::Kept &kept);
 
     /** What a system was asked for. */
     struct Request
     {
-      bool   is_implicit;
+      enum Kind
+      {
+        of_stiffness,
+        of_implicit_stage,
+        of_tangent
+      } kind;
       double t, c;
     };
 
@@ -133,7 +152,7 @@ namespace Crevasse
     std::shared_ptr<ContactSystem<dim>> last_system;
     SolverStatistics                    of_the_past;
     std::vector<Request> requests; ///< of the systems in the cache, as made
-    Request              last_request{false, 0., 0.};
+    Request              last_request{Request::of_stiffness, 0., 0.};
 
     // What belongs to instants. A system is not dropped for a material.
     InstantMemory                          memory;
@@ -141,6 +160,7 @@ namespace Crevasse
     InstantCache<AlgorithmicModuli<dim>>   moduli;
     InstantCache<RelaxationFunctions<dim>> relaxation;
     InstantCache<ContactSystem<dim>>       systems; ///< of K, or of moduli
+    KeptTangents<dim>                      tangents;
 
     std::shared_ptr<const RelaxationFunctions<dim>> last_relaxation;
   };

@@ -19,6 +19,7 @@ namespace Crevasse
     std::size_t linear_iterations = 0;
     std::size_t vi_solves         = 0; ///< with bounds
     std::size_t vi_iterations     = 0;
+    std::size_t implicit_stages   = 0; ///< of a power law
 
     std::size_t certified    = 0; ///< solves with a certificate
     std::size_t undetermined = 0; ///< ContactSolver::n_undetermined()

@@ -260,8 +260,10 @@ namespace Crevasse
     /** Instants within [0, Period] of the step control "list". */
     std::vector<double> steps;
     /** Of the stress: relative to the largest elastic one, and in its units. */
-    double       relative_tolerance    = 1e-4;
-    double       absolute_tolerance    = 0.;
+    double relative_tolerance = 1e-4;
+    double absolute_tolerance = 0.;
+    /** Of the stages of implicit schemes where creep follows a power law. */
+    double       newton_tolerance      = 1e-7;
     unsigned int order                 = 4; ///< of ARKODE's methods
     bool         locate_contact_events = false;
     /** Whether steps beyond the limit of the scheme are refused. */

@@ -5,9 +5,9 @@
 #define crevasse_periodic_anderson_h
 
 #include <crevasse/parameters/parameters.h>
-#include <crevasse/periodic/anderson_acceleration.h>
 #include <crevasse/periodic/observed_periods.h>
 #include <crevasse/periodic/viscous_coordinates.h>
+#include <crevasse/time/anderson_acceleration.h>
 
 namespace Crevasse
 {

@@ -48,7 +48,8 @@ namespace Crevasse
       , evolution(setup.body.strain_operator,
                   setup.body.points,
                   setup.body.loads,
-                  systems)
+                  systems,
+                  setup.scene.time_integration.newton_tolerance)
       , start{setup.periodic_choice, setup.secular_split, {}, {}, {}}
     {
       systems.add(state.solvers);

@@ -5,6 +5,7 @@
 #define crevasse_time_evolution_h
 
 #include <crevasse/discretisation/external_loads.h>
+#include <crevasse/time/creep_stage.h>
 #include <crevasse/time/inelastic_strain.h>
 #include <crevasse/time/instant_provider.h>
 #include <crevasse/time/rate_equation.h>
@@ -31,11 +32,14 @@ namespace Crevasse
   class Evolution : public RateEquation
   {
   public:
-    /** All arguments must outlive this object. */
+    /** All arguments must outlive this object.
+     *
+     * @param newton_tolerance see CreepStage. */
     Evolution(const StrainOperator<dim>  &strain_operator,
               const QuadratureField<dim> &points,
               const ExternalLoads<dim>   &loads,
-              InstantProvider<dim>       &instants);
+              InstantProvider<dim>       &instants,
+              const double                newton_tolerance = 0.);
 
     /** Splits off a secular flow, which must outlive this object: q and r are
      * periodic then. */
@@ -142,6 +146,7 @@ namespace Crevasse
       last.serialize(archive);
       archive.nodal(loading);
       archive.maximum(fastest);
+      creep_stage.serialize(archive);
     }
 
   private:
@@ -198,6 +203,13 @@ namespace Crevasse
                    const double                c,
                    Vector                     &rate);
 
+    /** The same of creep by a power law. */
+    void
+    implicit_power_law(const double  t,
+                       const Vector &known,
+                       const double  c,
+                       Vector       &rate);
+
     /** Stress and rate of one Maxwell body that is the same everywhere. */
     void
     plain_rate(const MaterialState<dim> &material,
@@ -217,6 +229,8 @@ namespace Crevasse
 
     State  last;
     Vector loading;
+
+    CreepStage<dim> creep_stage;
   };
 } // namespace Crevasse
 

@@ -28,6 +28,16 @@ namespace Crevasse
     ContactSolver *contact_solver;
   };
 
+  /** What Newton's method works with where creep by a power law is implicit. */
+  template <int dim>
+  struct Tangent
+  {
+    /** ds/de without its factor k: that of some stress, see
+     * CreepPower::relaxed_stiffness(). */
+    const PointValues<VoigtMatrix<dim>> *moduli;
+    ContactSolver                       *contact_solver; ///< of these moduli
+  };
+
   /** Provides these for any instant of the period. They last until the next
    * call. */
   template <int dim>
@@ -39,6 +49,9 @@ namespace Crevasse
     virtual Instant<dim>
     at(const double t) = 0;
 
+    virtual const MaterialState<dim> &
+    material_at(const double t) = 0;
+
     /** For r = r̂ + c ṙ. */
     virtual ImplicitInstant<dim>
     implicit_at(const double t, const double c) = 0;
@@ -46,6 +59,15 @@ namespace Crevasse
     /** The same without contact solver. */
     virtual ImplicitInstant<dim>
     implicit_material_at(const double t, const double c) = 0;
+
+    /** The tangent that was made last, by renew_tangent() with these arguments
+     * if there is none. */
+    virtual Tangent<dim>
+    tangent_at(const double t, const double c, const Vector &stress) = 0;
+
+    /** Makes the moduli of this stress, for r = r̂ + c ṙ. */
+    virtual Tangent<dim>
+    renew_tangent(const double t, const double c, const Vector &stress) = 0;
 
     /** How the material relaxes over a time c, as at @p t. */
     virtual const RelaxationFunctions<dim> &

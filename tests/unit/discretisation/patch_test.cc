@@ -74,6 +74,12 @@ namespace
       return {material, contact_solver};
     }
 
+    const MaterialState<dim> &
+    material_at(const double) override
+    {
+      return material;
+    }
+
     ImplicitInstant<dim>
     implicit_at(const double, const double) override
     {
@@ -82,6 +88,18 @@ namespace
 
     ImplicitInstant<dim>
     implicit_material_at(const double, const double) override
+    {
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
+
+    Tangent<dim>
+    tangent_at(const double, const double, const Vector &) override
+    {
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
+
+    Tangent<dim>
+    renew_tangent(const double, const double, const Vector &) override
     {
       AssertThrow(false, dealii::ExcNotImplemented());
     }

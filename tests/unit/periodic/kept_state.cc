@@ -4,8 +4,8 @@
 // Iterations that are kept and resumed go on as if they had never been left:
 // Anderson's acceleration with its history, and the ratio of changes.
 
-#include <crevasse/periodic/anderson_acceleration.h>
 #include <crevasse/periodic/contraction.h>
+#include <crevasse/time/anderson_acceleration.h>
 
 #include <cmath>
 #include <crevasse_tests/memory_archive.h>

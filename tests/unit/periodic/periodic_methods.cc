@@ -4,8 +4,8 @@
 // Methods for fixed points: Anderson's acceleration on maps whose fixed point
 // is known, and the distance to the limit that changes of a sequence tell.
 
-#include <crevasse/periodic/anderson_acceleration.h>
 #include <crevasse/periodic/contraction.h>
+#include <crevasse/time/anderson_acceleration.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/state_archive.h>
-#include <crevasse/periodic/anderson_acceleration.h>
+#include <crevasse/time/anderson_acceleration.h>
 
 #include <algorithm>
 #include <cmath>

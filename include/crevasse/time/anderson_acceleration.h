@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_periodic_anderson_acceleration_h
-#define crevasse_periodic_anderson_acceleration_h
+#ifndef crevasse_time_anderson_acceleration_h
+#define crevasse_time_anderson_acceleration_h
 
 #include <crevasse/time/rate_equation.h>
 
@@ -38,10 +38,10 @@ namespace Crevasse
    * differences it is G(x).
    *
    * A residual that is the same from point to point is a drift, which
-   * combinations explain in part at most. It is followed by 1, 2, 4, … residuals at once, as
-   * far as that is possible (projective integration: Gear and Kevrekidis, SIAM
-   * J. Sci. Comput. 24, 2003), and from where it ends by half of that the next
-   * time.
+   * combinations explain in part at most. It is followed by 1, 2, 4, …
+   * residuals at once, as far as that is possible (projective integration: Gear
+   * and Kevrekidis, SIAM J. Sci. Comput. 24, 2003), and from where it ends by
+   * half of that the next time.
    */
   class AndersonAcceleration
   {
