@@ -4,6 +4,7 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/harmonic_balance/fourier_problem.h>
+#include <crevasse/model/largest_load.h>
 #include <crevasse/model/secular_problem.h>
 #include <crevasse/periodic/periodic_choice.h>
 
@@ -69,6 +70,19 @@ namespace Crevasse
 
 
     template <int dim>
+    bool
+    has_mean_load(const Body<dim> &body, const StepList &steps)
+    {
+      constexpr double rounding = 1e-10;
+      Vector           mean;
+      body.strain_operator.initialize(mean);
+      body.loads.mean([](const double) { return 1.; }, steps.period(), mean);
+      return mean.linfty_norm() > rounding * largest_load(body, steps);
+    }
+
+
+
+    template <int dim>
     PeriodicChoice
     choose(const Scene     &scene,
            const Body<dim> &body,
@@ -102,6 +116,14 @@ namespace Crevasse
                          ": whether there is a periodic viscous strain is not "
                          "known, for " +
                          flow + ". Use Method = march.");
+      if (choice.method == Method::anderson && body.law.is_power_law() &&
+          has_mean_load(body, steps))
+        throw SceneError(
+          choice.why +
+          ": under a mean load a body that creeps by a power "
+          "law flows on from period to period, so that no "
+          "viscous strain is periodic. Use Method = march, which "
+          "looks at the stress.");
       return choice;
     }
   } // namespace
