@@ -40,18 +40,21 @@ namespace Crevasse
 
     const VoigtVector<dim> &l       = modes.rates;
     const VoigtVector<dim>  elastic = k * (strain * modes.directions);
-    const double largest = equivalent_stress<dim>(modes.directions * elastic);
-    if (largest == 0.)
+    double                  square  = 0.; // of s_eq
+    for (unsigned int i = 0; i < size; ++i)
+      square += l[i] * elastic[i] * elastic[i];
+    if (square == 0.)
       return modes.directions * elastic;
     // In x = ln m. Newton's steps stay between those of the least and the
     // largest slope, and so does the zero.
     VoigtVector<dim> y;
-    double           above = (exponent - 1.) * std::log(largest);
+    double           above = 0.5 * (exponent - 1.) * std::log(square);
     double below = -std::numeric_limits<double>::infinity(), x = above;
     for (unsigned int k = 0; k < most; ++k)
       {
         const double relaxation = kappa * coefficient * std::exp(x);
-        double       square = 0., slope = 0.;
+        double       slope      = 0.;
+        square                  = 0.;
         for (unsigned int i = 0; i < size; ++i)
           {
             const double left = 1. / (1. + relaxation * l[i]);
