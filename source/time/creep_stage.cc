@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/collectively.h>
 #include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/time/anderson_acceleration.h>
@@ -88,18 +89,31 @@ namespace Crevasse
     const auto     &moduli = *stage.tangent.moduli;
     const double    k      = stage.state.stiffness_factor;
     const Stopwatch watch("strain sweeps");
+    // One rank alone may have the point of an error: the sweep communicates.
+    std::optional<NumericalError> not_found;
     excess.reinit(stage.state.stress, true);
     strain_operator.for_each_strain(
       stage.state.displacement,
       [&](const std::size_t offset, const VoigtVector<dim> &strain) {
-        const std::size_t      point = offset / Field::n_components;
-        const VoigtVector<dim> stress =
-          law[point].relaxed_stress(strain - stage.known(offset),
-                                    k,
-                                    stage.kappa);
-        Field::set(stage.state.stress, offset, stress);
-        Field::set(excess, offset, k * (moduli[point] * strain) - stress);
+        const std::size_t point = offset / Field::n_components;
+        try
+          {
+            const VoigtVector<dim> stress =
+              law[point].relaxed_stress(strain - stage.known(offset),
+                                        k,
+                                        stage.kappa);
+            Field::set(stage.state.stress, offset, stress);
+            Field::set(excess, offset, k * (moduli[point] * strain) - stress);
+          }
+        catch (const NumericalError &error)
+          {
+            not_found = error;
+          }
       });
+    collectively(forces.get_mpi_communicator(), [&not_found]() {
+      if (not_found)
+        throw *not_found;
+    });
     right_hand_side = forces;
     strain_operator.add_transpose(right_hand_side,
                                   [this](const std::size_t offset) {
