@@ -4,7 +4,6 @@
 #ifndef crevasse_postprocess_crack_tip_table_h
 #define crevasse_postprocess_crack_tip_table_h
 
-#include <crevasse/base/csv_table.h>
 #include <crevasse/base/format.h>
 #include <crevasse/postprocess/tip_uncertainty.h>
 
@@ -20,7 +19,7 @@ namespace Crevasse
    * if that is larger; where integral and fit differ by more, up to four times
    * this. It is no bound.
    */
-  class CrackTipTable : public Observer
+  class CrackTipTable : public TipTable
   {
   public:
     /** The numbers of a step. */
@@ -29,25 +28,7 @@ namespace Crevasse
       double of_singular_function, release_rate, energy;
     };
 
-    /** References must outlive this object. Collective.
-     *
-     * @param error_squares elastic_error_squares()
-     * @param flow none: none was found.
-     * @param table with the columns(). */
-    CrackTipTable(const CrackTipAnalysis           &analysis,
-                  const dealii::Vector<float>      &error_squares,
-                  const StepList                   &steps,
-                  const std::optional<SecularFlow> &flow,
-                  CsvTable                        &&table,
-                  Log                              &log)
-      : analysis(analysis)
-      , steps(steps)
-      , flow(flow)
-      , log(log)
-      , table(std::move(table))
-      , relative_error(relative_energy_error(analysis, error_squares))
-    {
-    }
+    using TipTable::TipTable;
 
     static std::vector<std::string>
     columns(const CrackTipAnalysis &analysis)
@@ -113,6 +94,8 @@ namespace Crevasse
       tip["why"]                 = analysis.intensity.why_no_integral();
       tip["position"]            = {analysis.intensity.region.tip.position[0],
                                     analysis.intensity.region.tip.position[1]};
+      tip["direction"]           = {analysis.intensity.region.tip.ahead[0],
+                                    analysis.intensity.region.tip.ahead[1]};
       tip["radius"]              = analysis.intensity.radius();
       tip["K_I"]                 = {{"largest", history.largest()},
                                     {"smallest", history.least()}};
@@ -166,14 +149,8 @@ namespace Crevasse
       return values;
     }
 
-    const CrackTipAnalysis           &analysis;
-    const StepList                   &steps;
-    const std::optional<SecularFlow> &flow;
-    Log                              &log;
-    CsvTable                          table;
-    const double                      relative_error; ///< of the elastic energy
-    TipHistory                        history;        ///< of the last period
-    std::vector<Values>               of_last_period;
+    TipHistory          history; ///< of the last period
+    std::vector<Values> of_last_period;
   };
 } // namespace Crevasse
 

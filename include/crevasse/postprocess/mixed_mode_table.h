@@ -4,7 +4,6 @@
 #ifndef crevasse_postprocess_mixed_mode_table_h
 #define crevasse_postprocess_mixed_mode_table_h
 
-#include <crevasse/base/csv_table.h>
 #include <crevasse/base/format.h>
 #include <crevasse/crack_tip/growth_direction.h>
 #include <crevasse/postprocess/tip_uncertainty.h>
@@ -19,28 +18,10 @@ namespace Crevasse
    * times the relative error of the elastic energy around the tip, if that is
    * larger. They are no bounds.
    */
-  class MixedModeTable : public Observer
+  class MixedModeTable : public TipTable
   {
   public:
-    /** References must outlive this object. Collective.
-     *
-     * @param error_squares elastic_error_squares()
-     * @param flow none: none was found.
-     * @param table with the columns(). */
-    MixedModeTable(const CrackTipAnalysis           &analysis,
-                   const dealii::Vector<float>      &error_squares,
-                   const StepList                   &steps,
-                   const std::optional<SecularFlow> &flow,
-                   CsvTable                        &&table,
-                   Log                              &log)
-      : analysis(analysis)
-      , steps(steps)
-      , flow(flow)
-      , log(log)
-      , table(std::move(table))
-      , relative_error(relative_energy_error(analysis, error_squares))
-    {
-    }
+    using TipTable::TipTable;
 
     static std::vector<std::string>
     columns(const CrackTipAnalysis &analysis)
@@ -246,14 +227,8 @@ namespace Crevasse
         log);
     }
 
-    const CrackTipAnalysis           &analysis;
-    const StepList                   &steps;
-    const std::optional<SecularFlow> &flow;
-    Log                              &log;
-    CsvTable                          table;
-    const double                      relative_error; ///< of the elastic energy
-    std::vector<double>               instants;       ///< of the last period
-    std::vector<Values>               of_last_period;
+    std::vector<double> instants; ///< of the last period
+    std::vector<Values> of_last_period;
   };
 } // namespace Crevasse
 

@@ -4,6 +4,7 @@
 #ifndef crevasse_postprocess_tip_uncertainty_h
 #define crevasse_postprocess_tip_uncertainty_h
 
+#include <crevasse/base/csv_table.h>
 #include <crevasse/base/log.h>
 #include <crevasse/base/summary.h>
 #include <crevasse/discretisation/stress_estimator.h>
@@ -92,6 +93,41 @@ namespace Crevasse
     summary["warnings"].push_back(warning);
     log.line("  warning: " + warning);
   }
+
+
+
+  /** What tables of K at a tip work with. */
+  class TipTable : public Observer
+  {
+  public:
+    /** References must outlive this object. Collective.
+     *
+     * @param error_squares elastic_error_squares()
+     * @param flow none: none was found.
+     * @param table with the columns(). */
+    TipTable(const CrackTipAnalysis           &analysis,
+             const dealii::Vector<float>      &error_squares,
+             const StepList                   &steps,
+             const std::optional<SecularFlow> &flow,
+             CsvTable                        &&table,
+             Log                              &log)
+      : analysis(analysis)
+      , steps(steps)
+      , flow(flow)
+      , log(log)
+      , table(std::move(table))
+      , relative_error(relative_energy_error(analysis, error_squares))
+    {
+    }
+
+  protected:
+    const CrackTipAnalysis           &analysis;
+    const StepList                   &steps;
+    const std::optional<SecularFlow> &flow;
+    Log                              &log;
+    CsvTable                          table;
+    const double                      relative_error; ///< of the elastic energy
+  };
 } // namespace Crevasse
 
 #endif
