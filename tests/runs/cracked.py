@@ -5,6 +5,18 @@ import itertools
 import math
 import pathlib
 
+# The built-in plate, half of it, that relaxes within a tenth of a period.
+PLATE = """
+subsection Material
+  set Young modulus   = 13000
+  set Poisson ratio   = 0.2
+  set Relaxation time = 60
+end
+subsection Loads
+  set Period = 600
+end
+"""
+
 # Physical groups.
 LEFT, RIGHT, BOTTOM, TOP, FRONT, BACK, CRACK = 1, 2, 3, 4, 5, 6, 7
 
@@ -75,6 +87,11 @@ def write_block(path, axes, is_crack, place=lambda point: point,
                 continue
             elements.append((1 if dim == 2 else 3, group, element(index, free)))
 
+    return write_gmsh(path, nodes, elements)
+
+
+def write_gmsh(path, nodes, elements):
+    """Nodes are places; elements Gmsh's type, group, and nodes from 1 on."""
     lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(nodes))]
     lines += [f"{i + 1} " + " ".join(repr(x) for x in (*point, 0.)[:3])
               for i, point in enumerate(nodes)]
@@ -84,6 +101,45 @@ def write_block(path, axes, is_crack, place=lambda point: point,
     lines += ["$EndElements", ""]
     pathlib.Path(path).write_text("\n".join(lines))
     return path
+
+
+def write_rings(path, per_side, ratio, smallest):
+    """The half square |x| < 1/2, 0 < y < 1/2, with the crack on y = 0 < x, in rings
+    about its tip of which each is larger than the last by a ratio, 4 per_side cells
+    a ring, around a half square of equal cells."""
+    n = 2 * per_side
+    n_rings = math.ceil(math.log(0.5 / smallest) / math.log(ratio))
+    radii = [0.5 * (smallest / 0.5) ** (1 - i / n_rings) for i in range(n_rings + 1)]
+    around = ([(per_side, i) for i in range(per_side)]
+              + [(per_side - i, per_side) for i in range(n)]
+              + [(-per_side, per_side - i) for i in range(per_side + 1)])
+    inside = {(i, j): 1 + k for k, (j, i) in enumerate(itertools.product(
+        range(per_side), range(-per_side + 1, per_side)))}
+    nodes = [(i * smallest / per_side, j * smallest / per_side) for i, j in inside]
+    first = len(nodes) + 1
+    nodes += [(r * i / per_side, r * j / per_side) for r in radii for i, j in around]
+
+    def ring(i, k):
+        return first + i * len(around) + k
+
+    def core(i, j):
+        return inside.get((i, j)) or ring(0, around.index((i, j)))
+
+    elements = []
+    for i, j in itertools.product(range(-per_side, per_side), range(per_side)):
+        elements.append((3, 1, [core(i, j), core(i + 1, j), core(i + 1, j + 1),
+                                core(i, j + 1)]))
+        if j == 0:
+            elements.append((1, CRACK if i >= 0 else BOTTOM, [core(i, 0), core(i + 1, 0)]))
+    for i, k in itertools.product(range(n_rings), range(2 * n)):
+        elements.append((3, 1, [ring(i, k), ring(i + 1, k), ring(i + 1, k + 1),
+                                ring(i, k + 1)]))
+    for i in range(n_rings):
+        elements.append((1, CRACK, [ring(i, 0), ring(i + 1, 0)]))
+        elements.append((1, BOTTOM, [ring(i, 2 * n), ring(i + 1, 2 * n)]))
+    elements += [(1, TOP, [ring(n_rings, k), ring(n_rings, k + 1)])
+                 for k in range(per_side, 3 * per_side)]
+    return write_gmsh(path, nodes, elements)
 
 
 def at_edge(middle, normal):

@@ -7,6 +7,24 @@ from crevasse_run import SOURCE
 
 PENNY = SOURCE / "prm/penny_crack.prm"
 
+ONE_STEP = """
+subsection Discretisation
+  set Degree = 2
+end
+subsection Time integration
+  set Steps per period = 1
+end
+subsection Periodic state
+  set Maximum periods = 1
+end
+subsection Crack tip
+  set Stress intensity = true
+end
+subsection Output
+  set Fields = none
+end
+"""
+
 
 def front(results):
     """The rows of the last instant as dictionaries."""

@@ -7,7 +7,7 @@ import re
 
 from crevasse_run import (check, check_below, check_close, execute, full, overrides,
                           run, run_on)
-from fronts import PENNY, front, penny_mesh
+from fronts import ONE_STEP, PENNY, front, penny_mesh
 
 PLATE = """\
 set Dimension = 3
@@ -28,22 +28,7 @@ subsection Loads
   set Period   = 600
   set Traction = 0; 10; 0
 end
-subsection Discretisation
-  set Degree = 2
-end
-subsection Time integration
-  set Steps per period = 1
-end
-subsection Periodic state
-  set Maximum periods = 1
-end
-subsection Crack tip
-  set Stress intensity = true
-end
-subsection Output
-  set Fields = none
-end
-"""
+""" + ONE_STEP
 PLANE = PLATE.replace("Dimension = 3", "Dimension = 2").replace(
     "8, 4, 3", "8, 4").replace("0; 10; 0", "0; 10").replace(
     "2, 5, 6", "automatic").replace(

@@ -4,20 +4,14 @@ effects itself."""
 
 import re
 
+from cracked import PLATE
 from crevasse_run import check, check_below, execute, overrides, probe_difference, run
 
-SCENE = """
+SCENE = PLATE + """
 subsection Geometry
-  set Shape        = edge crack
   set Subdivisions = 6, 4
 end
-subsection Material
-  set Young modulus   = 13000
-  set Poisson ratio   = 0.2
-  set Relaxation time = 60
-end
 subsection Loads
-  set Period   = 600
   set Traction = 0; 10*sin(2*pi*t/600)
 end
 subsection Periodic state

@@ -7,20 +7,14 @@ import math
 import meshio
 import numpy
 
+from cracked import PLATE
 from crevasse_run import check, check_below, run
 
-SCENE = """\
+SCENE = PLATE + """
 subsection Geometry
-  set Shape        = edge crack
   set Subdivisions = 8, 4
 end
-subsection Material
-  set Young modulus   = 13000
-  set Poisson ratio   = 0.2
-  set Relaxation time = 60
-end
 subsection Loads
-  set Period   = 600
   set Traction = 0; 10
 end
 subsection Time integration

@@ -9,7 +9,7 @@ import pathlib
 
 from cracked import BACK, BOTTOM, CRACK, FRONT, LEFT, RIGHT, TOP, steps, write_block
 from crevasse_run import check, check_below, check_close, execute, run, run_on, tier
-from fronts import PENNY, front, penny_mesh
+from fronts import ONE_STEP, PENNY, front, penny_mesh
 
 from crevasse import report as make_report
 
@@ -40,22 +40,7 @@ subsection Loads
   set Period   = 1
   set Traction = {6}
 end
-subsection Discretisation
-  set Degree = 2
-end
-subsection Time integration
-  set Steps per period = 1
-end
-subsection Periodic state
-  set Maximum periods = 1
-end
-subsection Crack tip
-  set Stress intensity = true
-end
-subsection Output
-  set Fields = none
-end
-"""
+""" + ONE_STEP
 
 
 def at_sides(axis):

@@ -5,21 +5,13 @@ not flow: zero mean loads under a stiffness that varies."""
 
 import math
 
+from cracked import PLATE
 from crevasse_run import (FULL, SOURCE, check, check_below, execute, full,
                           overrides, run, tier)
 
-SCENE = """
+SCENE = PLATE + """
 subsection Geometry
-  set Shape        = edge crack
   set Subdivisions = 8, 4
-end
-subsection Material
-  set Young modulus   = 13000
-  set Poisson ratio   = 0.2
-  set Relaxation time = 60
-end
-subsection Loads
-  set Period = 600
 end
 subsection Contact
   set Tolerance = 1e-14
