@@ -32,11 +32,17 @@ namespace Crevasse
       if (needs_c_star(law))
         return history.c_star ? speed(*history.c_star) * history.period()
                               : std::numeric_limits<double>::quiet_NaN();
+      std::vector<double> driver = law.creep_parameter == CreepParameter::C_of_t
+                                     ? history.creep_integral
+                                     : history.intensity;
+      for (std::size_t k = driver.size() - 1; k > 0; --k)
+        if (std::isnan(driver[k - 1]))
+          driver[k - 1] = driver[k];
       double length = 0.;
-      for (std::size_t k = 1; k < history.instants.size(); ++k)
-        length += 0.5 * (history.instants[k] - history.instants[k - 1]) *
-                  (speed(std::max(history.intensity[k - 1], 0.)) +
-                   speed(std::max(history.intensity[k], 0.)));
+      for (std::size_t k = 1; k < driver.size(); ++k)
+        length +=
+          0.5 * (history.instants[k] - history.instants[k - 1]) *
+          (speed(std::max(driver[k - 1], 0.)) + speed(std::max(driver[k], 0.)));
       return length;
     }
   } // namespace
@@ -67,10 +73,34 @@ namespace Crevasse
     if (parts.has_paris_part && parts.has_creep_part)
       text += ", and ";
     if (parts.has_creep_part)
-      text += "da/dt = " + Text::from_number(law.creep_factor) +
-              (needs_c_star(law) ? " C*^" : " K_I^") +
-              Text::from_number(law.creep_exponent);
+      text += "da/dt = " + Text::from_number(law.creep_factor) + " " +
+              (law.creep_parameter == CreepParameter::stress_intensity
+                 ? "K_I"
+                 : (needs_c_star(law) ? "C*" : "C(t)")) +
+              "^" + Text::from_number(law.creep_exponent);
     return text;
+  }
+
+
+
+  void
+  summarise_growth(const CrackTipParameters &law,
+                   const TipHistory         &history,
+                   const std::string        &title,
+                   Summary                  &tip,
+                   Log                      &log)
+  {
+    if (law.growth_law == GrowthLawType::none)
+      return;
+    const std::string text   = describe_growth_law(law);
+    const double      growth = growth_of_period(law, history);
+    tip["growth_law"]        = text;
+    tip["da_dN"]             = growth; // null if it is not finite
+    if (!std::isfinite(growth))
+      tip["no_da_dN"] = "the law gives no finite growth";
+    tip["da_dt"] = growth / history.period();
+    log.line(title + "grows by " + Text::from_number(growth) + " a period (" +
+             text + ")");
   }
 
 

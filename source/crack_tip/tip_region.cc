@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/tip_region.h>
@@ -80,8 +81,7 @@ namespace Crevasse
     find_boundaries(space);
     if (end < cell_radius * (1. - rounding))
       throw SceneError(
-        Text::parameter(CrackTipParameters::section, "Stress intensity") +
-        " = true: the cells at the crack tip " +
+        "[Crack tip]: the cells at the crack tip " +
         Text::from_point(tip.position) + " reach to " +
         Text::from_number(cell_radius) +
         " around it, but another boundary begins at " + Text::from_number(end) +
@@ -119,6 +119,23 @@ namespace Crevasse
         radius = std::min(radius, reach(points.cell[p]).first);
     radius = Utilities::MPI::min(radius, communicator);
     return {own, radius < cell_radius * (1. - rounding) ? 0. : radius};
+  }
+
+
+
+  double
+  TipRegion::square(const double wish, const double most) const
+  {
+    if (wish > most * (1. + rounding) ||
+        (wish > 0. && wish < cell_radius * (1. - rounding)))
+      throw SceneError(Text::format(
+        "[Crack tip] Radius = %g: must be at most %g, where another boundary "
+        "or another material begins, and at least %g, where the cells at the "
+        "tip end; or 0.",
+        wish,
+        most,
+        cell_radius));
+    return aligned_radius(wish > 0. ? wish : most);
   }
 
 

@@ -305,9 +305,16 @@ namespace Crevasse
   CrackTipParameters::check(Problems &problems) const
   {
     const Checker checker(section, problems);
-    checker.demand(growth_law == GrowthLawType::none || stress_intensity,
+    const auto   &law          = traits(growth_law);
+    const bool    is_of_C_of_t = law.has_creep_part && //
+                              creep_parameter == CreepParameter::C_of_t;
+    checker.demand(growth_law == GrowthLawType::none || stress_intensity ||
+                     (is_of_C_of_t && !law.has_paris_part),
                    "Crack growth law",
                    "needs Stress intensity = true");
+    checker.demand(!is_of_C_of_t || creep_integral,
+                   "Creep growth parameter",
+                   "C(t) needs Creep integral = true");
     checker.demand(!traits(growth_law).has_paris_part ||
                      Ranges::positive.contains(paris_factor),
                    "Paris factor",

@@ -255,6 +255,14 @@ namespace Crevasse
                       "cracks with two lips; in space crack_front.csv K_I "
                       "along the front in the last period, with two lips also "
                       "K_II and K_III.");
+    prm.add_parameter(
+      "Creep integral",
+      creep_integral,
+      "Whether creep_integral.csv has the integral C(t) of each "
+      "step, with Viscosity = power law in the plane, or "
+      "creep_integral_1.csv, creep_integral_2.csv, ... those of "
+      "each tip of cracks with two lips. In steady creep it is "
+      "C*.");
     add_selection("Method", method, prm);
     prm.add_parameter(
       "Radius",

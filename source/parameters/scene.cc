@@ -56,7 +56,16 @@ namespace Crevasse
                        "Stress intensity",
                        "must be false with [Material] Viscosity = power law: "
                        "K does not describe the stress at a tip where creep is "
-                       "a power of the stress");
+                       "a power of the stress. Set Creep integral = true");
+      crack_tip.demand(
+        !scene.crack_tip.creep_integral ||
+          (is_plane && !scene.is_axisymmetric() &&
+           scene.material.viscosity == ViscosityType::power_law &&
+           scene.discretisation.singular_functions == 0),
+        "Creep integral",
+        "is for [Material] Viscosity = power law in plane stress "
+        "or strain, with [Discretisation] Singular functions = "
+        "0");
       if (!scene.is_axisymmetric())
         return;
       crack_tip.demand(scene.crack_tip.method !=

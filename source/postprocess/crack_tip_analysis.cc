@@ -218,15 +218,6 @@ namespace Crevasse
         no_c_star.empty() ? "the flow was not found" : no_c_star;
     if (history.c_star && *history.c_star > 0.)
       log.line(title + "C* = " + Text::from_number(*history.c_star));
-    if (growth_law.empty())
-      return;
-    const double growth = growth_of_period(scene.crack_tip, history);
-    tip["growth_law"]   = growth_law;
-    tip["da_dN"]        = growth; // null if it is not finite
-    if (!std::isfinite(growth))
-      tip["no_da_dN"] = "the law gives no finite growth";
-    tip["da_dt"] = growth / history.period();
-    log.line(title + "grows by " + Text::from_number(growth) + " a period (" +
-             growth_law + ")");
+    Crevasse::summarise_growth(scene.crack_tip, history, title, tip, log);
   }
 } // namespace Crevasse

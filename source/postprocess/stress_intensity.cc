@@ -4,8 +4,6 @@
 #include <crevasse/base/problems.h>
 #include <crevasse/postprocess/stress_intensity.h>
 
-#include <sstream>
-
 namespace Crevasse
 {
   using namespace dealii;
@@ -166,23 +164,10 @@ namespace Crevasse
   double
   StressIntensity::choose_square() const
   {
-    const double wish = scene.crack_tip.radius, most = largest_radius();
-    if (wish == 0.)
-      return region.aligned_radius(uniform.creep > 0. ? uniform.creep : most);
-    constexpr double rounding = 1e-10;
-    if (wish > most * (1. + rounding) ||
-        wish < region.cell_radius * (1. - rounding))
-      {
-        std::ostringstream message;
-        message << "[Crack tip] Radius = " << wish << ": must be at most "
-                << most
-                << ", where another boundary or another stiffness begins, and "
-                   "at least "
-                << region.cell_radius
-                << ", where the cells at the tip end; or 0.";
-        throw SceneError(message.str());
-      }
-    return region.aligned_radius(wish);
+    const double wish = scene.crack_tip.radius;
+    return region.square(wish,
+                         wish == 0. && uniform.creep > 0. ? uniform.creep
+                                                          : largest_radius());
   }
 
 

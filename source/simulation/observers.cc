@@ -4,6 +4,7 @@
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/crack_front_table.h>
 #include <crevasse/postprocess/crack_tip_table.h>
+#include <crevasse/postprocess/creep_integral_table.h>
 #include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/mixed_mode_table.h>
 #include <crevasse/postprocess/probe_tables.h>
@@ -337,6 +338,21 @@ namespace Crevasse
                 work.start.flow,
                 tables.table("crack_tip.csv", CrackTipTable::columns(*tip)),
                 log));
+        }
+    if constexpr (dim == 2)
+      for (unsigned int i = 0; i < setup.creep_integrals.size(); ++i)
+        {
+          const CreepIntegral &integral = *setup.creep_integrals[i];
+          const std::string    number =
+            integral.region.tip.two_lips ? "_" + std::to_string(i + 1) : "";
+          add(std::make_unique<CreepIntegralTable>(
+            setup.scene,
+            integral,
+            work.steps,
+            work.start.choice.periods_are_iterates(),
+            tables.table("creep_integral" + number + ".csv",
+                         {"t", "C_t", "C_t_error"}),
+            log));
         }
     if (setup.crack_front != nullptr)
       add(std::make_unique<CrackFrontTable>(

@@ -365,6 +365,12 @@ namespace Crevasse
       log.line("  contact solver: " + setup.solvers.contact.describe());
     for (const auto &tip : setup.crack_tips)
       log.line(tip->describe());
+    for (const auto &integral : setup.creep_integrals)
+      log.line(
+        "  crack tip: " + Text::from_point(integral->region.tip.position) +
+        Text::format(", C(t) over squares that reach to %g and half of "
+                     "it",
+                     integral->radius()));
     if (setup.crack_front != nullptr)
       log.line(setup.crack_front->describe());
     for (const auto &probe : setup.probes)

@@ -4,6 +4,8 @@
 #ifndef crevasse_crack_tip_growth_law_h
 #define crevasse_crack_tip_growth_law_h
 
+#include <crevasse/base/log.h>
+#include <crevasse/base/summary.h>
 #include <crevasse/parameters/parameters.h>
 
 #include <algorithm>
@@ -13,9 +15,10 @@ namespace Crevasse
   /** What the tip of a crack has seen in the last period. */
   struct TipHistory
   {
-    std::vector<double>   instants;  ///< from 0 to the period
-    std::vector<double>   intensity; ///< K_I at these
-    std::optional<double> c_star;    ///< C* of the steady flow, if it is known
+    std::vector<double>   instants;       ///< from 0 to the period
+    std::vector<double>   intensity;      ///< K_I at these
+    std::vector<double>   creep_integral; ///< C(t) at these; nan: not known
+    std::optional<double> c_star; ///< C* of the steady flow, if it is known
 
     double
     period() const
@@ -43,11 +46,12 @@ namespace Crevasse
    * - da/dN = C (ΔK − ΔK_th)^m above the threshold (Paris, Erdogan, J. Basic
    *   Eng. 85, 1963; with a threshold: Donahue et al., Int. J. Fract. Mech. 8,
    *   1972), ΔK = K_max − K_min;
-   * - da/dt = D C*^φ over the whole period, or D K_I(t)^φ by the trapezoidal
-   *   rule over the steps.
+   * - da/dt = D C*^φ over the whole period, or D K_I(t)^φ or D C(t)^φ by the
+   *   trapezoidal rule over the steps. Where C(t) is not known yet, as after a
+   *   jump, it is taken to be what it is next.
    *
    * nan if the history lacks what the law needs. A crack that is pressed
-   * together has K_I = 0.
+   * together has K_I = 0, and one that is pushed shut C(t) = 0.
    */
   double
   growth_of_period(const CrackTipParameters &law, const TipHistory &history);
@@ -55,6 +59,15 @@ namespace Crevasse
   /** For the log and the summary; empty without a law. */
   std::string
   describe_growth_law(const CrackTipParameters &law);
+
+  /** What the law makes of a history, if there is one: for the summary of the
+   * tip and the log. @param title of the line. */
+  void
+  summarise_growth(const CrackTipParameters &law,
+                   const TipHistory         &history,
+                   const std::string        &title,
+                   Summary                  &tip,
+                   Log                      &log);
 
   /** Whether it is driven by C*. */
   bool

@@ -62,6 +62,13 @@ namespace Crevasse
     uniform(const PointGeometry               &points,
             const PointValues<VoigtMatrix<2>> &matrices) const;
 
+    /** The aligned_radius() of what the scene wants for squares.
+     * @param wish its [Crack tip] Radius.
+     * @param most where something ends.
+     * @throw SceneError if the wish is more, or within the cells at the tip. */
+    double
+    square(const double wish, const double most) const;
+
     /** Of the cells that have the tip as a vertex. */
     double cell_radius = 0.;
 

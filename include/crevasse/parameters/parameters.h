@@ -301,6 +301,7 @@ namespace Crevasse
     static constexpr const char *section = "Crack tip";
 
     bool                  stress_intensity = false;
+    bool                  creep_integral   = false;
     StressIntensityMethod method           = StressIntensityMethod::automatic;
     /** Half the side of the square around the tip that the integral extends
      * over, or twice the radius of the smaller disc of the fit; 0: automatic.

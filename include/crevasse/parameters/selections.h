@@ -206,6 +206,7 @@ namespace Crevasse
   enum class CreepParameter
   {
     C_star,
+    C_of_t,
     stress_intensity
   };
 
@@ -214,10 +215,11 @@ namespace Crevasse
   {
     static constexpr NamedValue<CreepParameter> rows[] = {
       {CreepParameter::C_star, "C star"},
+      {CreepParameter::C_of_t, "C(t)"},
       {CreepParameter::stress_intensity, "stress intensity"}};
     static constexpr const char *meaning =
-      "What drives the creep law: the integral C* of the secular flow, or K_I "
-      "at each instant of the period.";
+      "What drives the creep law: the integral C* of the secular flow, or the "
+      "Creep integral C(t) or K_I at each instant of the period.";
   };
 
   enum class FieldFormat

@@ -4,6 +4,7 @@
 #ifndef crevasse_simulation_run_setup_h
 #define crevasse_simulation_run_setup_h
 
+#include <crevasse/crack_tip/creep_integral.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/linear_choice.h>
 #include <crevasse/periodic/periodic_choice.h>
@@ -64,6 +65,9 @@ namespace Crevasse
       if constexpr (dim == 2)
         if (scene.crack_tip.stress_intensity)
           crack_tips = analyse_crack_tips(scene, body, secular_split, steps);
+      if constexpr (dim == 2)
+        if (scene.crack_tip.creep_integral)
+          creep_integrals = make_creep_integrals(scene, body, recovery);
       if constexpr (dim == 3)
         if (scene.crack_tip.stress_intensity)
           crack_front =
@@ -126,6 +130,7 @@ namespace Crevasse
     SecularSplit                            secular_split;
     SolverChoice                            solvers;
     std::vector<std::unique_ptr<const CrackTipAnalysis>> crack_tips;
+    std::vector<std::unique_ptr<const CreepIntegral>>    creep_integrals;
     std::unique_ptr<const CrackFrontAnalysis>
                                crack_front;  ///< in space, or null
     std::optional<LoadFactors> load_factors; ///< to compare by

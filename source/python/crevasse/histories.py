@@ -77,6 +77,11 @@ def mixed_mode_charts(run, name):
                 "Energy release rate")
 
 
+def creep_integral_charts(run, name):
+    yield chart(run, run.tables[name], ["C_t"], "C(t) (stress × length / time)",
+                "Creep integral C(t)")
+
+
 def load_work_charts(run):
     yield chart(run, run.tables["load_work.csv"], ["load_work"], "force × length",
                 "Work ∫ loads · u")
@@ -137,7 +142,7 @@ def symbol(column):
              "K_I_singular": "K_I of the singular function",
              "equivalent_intensity": "equivalent K",
              "energy_release_rate": "G", "growth_angle": "angle",
-             "closed_nodes": "closed nodes", "load_work": "work"}
+             "C_t": "C(t)", "closed_nodes": "closed nodes", "load_work": "work"}
     kind, _, index = column.partition("_")
     if not index.isdigit():
         return words.get(column, column)

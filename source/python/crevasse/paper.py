@@ -11,7 +11,7 @@ import io
 import numpy
 from matplotlib import pyplot
 
-from crevasse import field_figures, front_figure, probe_figures
+from crevasse import field_figures, front_figure, probe_figures, tip_figure
 from crevasse.fields import Fields
 from crevasse.plotting import round_number, write_png
 from crevasse.results import ResultsError, number
@@ -25,6 +25,7 @@ TITLES = {
     "figure5_principal_stresses": "Figure 5: principal stresses",
     "figure6_deviator_invariant":
         "Figure 6: second invariant of the deviator",
+    "tip": "Stress ahead of the crack tip",
     "front": "Stress intensity along the crack front in the last period"}
 
 
@@ -127,6 +128,9 @@ def draw_instant(run, figures, missing):
     for drawing in field_figures.draw_fields(run, fields, t,
                                              magnification(fields)):
         yield encode(*drawing)
+    ahead = tip_figure.stress_ahead(run, fields, t)
+    if ahead is not None:
+        yield encode("tip", ahead)
 
 
 def wanted_instant(run):

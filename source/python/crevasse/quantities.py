@@ -15,13 +15,15 @@ TABLES = {"contact": ("force", "largest_pressure", "closed_nodes"),
           "crack_tip_N": ("K_I", "K_II", "K_I_error", "K_II_error",
                           "energy_release_rate", "growth_angle",
                           "equivalent_intensity", "T_stress", "growth_angle_G",
-                          "K_I_singular", "K_II_singular")}
+                          "K_I_singular", "K_II_singular"),
+          "creep_integral": ("C_t", "C_t_error"),
+          "creep_integral_N": ("C_t", "C_t_error")}
 SAME_INSTANT = 1e-9  # of the period
 
 
 def kind(table):
     """crack_tip_N is the table of each tip between two lips."""
-    return re.sub(r"^crack_tip_[1-9]\d*$", "crack_tip_N", table)
+    return re.sub(r"^(crack_tip|creep_integral)_[1-9]\d*$", r"\1_N", table)
 
 
 def has_two_lips(scene):

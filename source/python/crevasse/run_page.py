@@ -86,6 +86,11 @@ def history_groups(run):
             number = name[len("crack_tip_"):-len(".csv")]
             groups.append({"heading": f"Crack tip {number}", "charts":
                            list(histories.mixed_mode_charts(run, name))})
+    for name in run.tables:
+        if name.startswith("creep_integral"):
+            number = name[len("creep_integral"):-len(".csv")].replace("_", " ")
+            groups.append({"heading": f"Creep at crack tip{number}", "charts":
+                           list(histories.creep_integral_charts(run, name))})
     if "load_work.csv" in run.tables:
         groups.append({"heading": "Loads", "charts":
                        list(histories.load_work_charts(run))})

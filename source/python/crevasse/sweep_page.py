@@ -25,6 +25,7 @@ FINDINGS = {
     "largest K_I": ("crack_tip", "K_I", "largest"),
     "smallest K_I": ("crack_tip", "K_I", "smallest"),
     "C*": ("crack_tip", "C_star"),
+    "largest C(t)": ("creep_integrals", 0, "largest"),
     "da/dN": ("crack_tip", "da_dN")}
 
 
@@ -187,7 +188,10 @@ def find(directory, rows, damages):
         for name, keys in FINDINGS.items():
             value = summary
             for key in keys:
-                value = value.get(key) if isinstance(value, dict) else None
+                try:
+                    value = value[key]
+                except (KeyError, IndexError, TypeError):
+                    value = None
             if isinstance(value, (int, float)) and math.isfinite(value):
                 found[name][row["point"]] = value
     return {name: points for name, points in found.items()

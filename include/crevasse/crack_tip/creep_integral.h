@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_crack_tip_creep_integral_h
+#define crevasse_crack_tip_creep_integral_h
+
+#include <crevasse/crack_tip/auxiliary_field.h>
+#include <crevasse/crack_tip/tip_region.h>
+#include <crevasse/discretisation/stress_recovery.h>
+#include <crevasse/model/body.h>
+
+namespace Crevasse
+{
+  /**
+   * C(t), which measures how fast the surroundings of a crack tip creep where
+   * they do so by a power n of the stress (Bassani, McClintock, Int. J. Solids
+   * Struct. 17, 1981):
+   *
+   *     C = lim ∫_Γ (W n₁ − σᵢⱼ nⱼ u̇ᵢ,₁) ds,     W = n/(n+1) σ:ε̇ᶜ,
+   *
+   * over curves Γ that shrink to the tip, X₁ along the crack. In steady creep
+   * it is C*. With a weight q that is 1 at the tip, P = σᵢⱼ u̇ᵢ,₁ − W δ₁ⱼ and
+   * P·n = 0 on the lips, pressed together or not, it is
+   *
+   *     C = ∫ P·∇q dA + ∫ q div P dA,
+   *     div P = σ:(ε̇ − ε̇ᶜ),₁ − b·u̇,₁ − ∂W/∂X₁ at the same ε̇ᶜ,
+   *
+   * and does not depend on the domain: all that is strain but no creep, that of
+   * temperature too, is in the second integral, and moduli and the law may vary
+   * (for the domain: Li, Shih, Needleman, Eng. Fract. Mech. 21, 1985). What is
+   * differentiated is recovered at nodes first: see StressRecovery. The weight
+   * is SquareWeight; a body on one side of the crack counts twice.
+   */
+  class CreepIntegral
+  {
+  public:
+    /** C over the larger square and over one of half its size. */
+    using Values = std::array<double, 2>;
+
+    /** Collective. Arguments must outlive this object.
+     * @throw SceneError if the cells at the tip have different materials, or
+     * [Crack tip] Radius does not fit them. */
+    CreepIntegral(const Scene                                &scene,
+                  const Body<2>                              &body,
+                  const CrackTip                             &tip,
+                  const StressRecovery<2>                    &recovery,
+                  const std::shared_ptr<const PointGeometry> &geometry);
+
+    CreepIntegral(const CreepIntegral &) = delete;
+
+    /** Collective. @param t within the period. @param velocity u̇, in the form
+     * of displacements. */
+    Values
+    evaluate(const double  t,
+             const Vector &stress,
+             const Vector &velocity) const;
+
+    double
+    radius() const
+    {
+      return weights[0].radius;
+    }
+
+    const Body<2>  &body;
+    const TipRegion region;
+
+  private:
+    /** Whether a cell of this rank is in the larger square in part. */
+    template <typename Cell>
+    bool
+    is_within(const Cell &cell) const
+    {
+      return region.reach(cell->active_cell_index()).first < radius();
+    }
+
+    /** ∂/∂X₁ of a recovered field at all points there. Collective. */
+    std::vector<VoigtVector<2>>
+    slopes(const Vector &field) const;
+
+    const StressRecovery<2>                         &recovery;
+    const std::shared_ptr<const PointGeometry>       points;
+    std::vector<std::pair<unsigned int, Expression>> body_force;
+    std::array<SquareWeight, 2>                      weights;
+  };
+
+  /** One at each crack tip. Collective. @throw SceneError */
+  std::vector<std::unique_ptr<const CreepIntegral>>
+  make_creep_integrals(const Scene             &scene,
+                       const Body<2>           &body,
+                       const StressRecovery<2> &recovery);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_postprocess_creep_integral_table_h
+#define crevasse_postprocess_creep_integral_table_h
+
+#include <crevasse/base/csv_table.h>
+#include <crevasse/base/format.h>
+#include <crevasse/crack_tip/creep_integral.h>
+#include <crevasse/crack_tip/growth_law.h>
+#include <crevasse/time/observer.h>
+#include <crevasse/time/step_list.h>
+
+namespace Crevasse
+{
+  /**
+   * creep_integral.csv: C(t) at each accepted step, and its error as two
+   * squares and two differences in time show it.
+   *
+   * The velocity is the difference of second order over the last two steps;
+   * there is no row before two steps are done after a jump. Where that of first
+   * order differs by a part δ from it, its own error is of the order of δ².
+   */
+  class CreepIntegralTable : public Observer
+  {
+  public:
+    /** References must outlive this object. Collective.
+     *
+     * @param periods_are_iterates so that the state jumps between them.
+     * @param table with the columns t, C_t, C_t_error. */
+    CreepIntegralTable(const Scene         &scene,
+                       const CreepIntegral &integral,
+                       const StepList      &steps,
+                       const bool           periods_are_iterates,
+                       CsvTable           &&table,
+                       Log                 &log)
+      : law(scene.crack_tip)
+      , integral(integral)
+      , steps(steps)
+      , periods_are_iterates(periods_are_iterates)
+      , log(log)
+      , table(std::move(table))
+    {
+      for (Vector &displacement : before)
+        integral.body.strain_operator.initialize(displacement);
+    }
+
+    void
+    observe(const Sample &sample) override
+    {
+      if (sample.step == 0)
+        {
+          history.instants.clear();
+          history.creep_integral.clear();
+          errors.clear();
+        }
+      if ((sample.step == 0 && periods_are_iterates) ||
+          steps.jumps_at(sample.instant))
+        n_before = 0;
+      const auto [value, error] =
+        n_before < 2 ? std::array<double, 2>{{not_known, not_known}}
+                     : evaluate(sample);
+      history.instants.push_back(sample.instant);
+      history.creep_integral.push_back(value);
+      errors.push_back(error);
+      if (!std::isnan(value))
+        table.add_row({sample.time, value, error});
+
+      std::swap(before[0], before[1]);
+      times[1]  = times[0];
+      before[0] = sample.state.displacement;
+      times[0]  = sample.time;
+      n_before  = std::min(n_before + 1, 2u);
+    }
+
+    void
+    serialize(StateArchive &archive) override
+    {
+      archive.section("creep integral");
+      archive.common(history.instants);
+      archive.common(history.creep_integral);
+      archive.common(errors);
+      archive.common(n_before);
+      for (const unsigned int k : {0, 1})
+        {
+          archive.nodal(before[k]);
+          archive.common(times[k]);
+        }
+    }
+
+    /** Adds to "creep_integrals" in the summary and prints a few lines. */
+    void
+    summarise(Summary &summary) override
+    {
+      const std::vector<double> &C    = history.creep_integral;
+      const auto                 less = [](const double a, const double b) {
+        return a < b || (std::isnan(a) && !std::isnan(b));
+      };
+      const auto largest = std::max_element(C.begin(), C.end(), less);
+      if (largest == C.end() || std::isnan(*largest))
+        return;
+      const CrackTip   &place = integral.region.tip;
+      const std::string title =
+        "  crack tip " + Text::from_point(place.position) + ": ";
+      Summary tip{{"position", {place.position[0], place.position[1]}},
+                  {"direction", {place.ahead[0], place.ahead[1]}},
+                  {"radius", integral.radius()},
+                  {"largest", *largest},
+                  {"error_of_largest", errors[largest - C.begin()]},
+                  {"last", C.back()},
+                  {"error_of_last", errors.back()}};
+      log.line(
+        Text::format("%sC(t) at most %.6g in the last period, %.6g at "
+                     "its end, estimated errors %.1e and %.1e",
+                     title.c_str(),
+                     *largest,
+                     C.back(),
+                     errors[largest - C.begin()],
+                     errors.back()));
+      summarise_growth(law, history, title, tip, log);
+      summary["creep_integrals"].push_back(tip);
+    }
+
+  private:
+    /** C(t) and its error. */
+    std::array<double, 2>
+    evaluate(const Sample &sample) const
+    {
+      const double h = sample.time - times[0], h_before = times[0] - times[1];
+      const auto   over_squares = [&](const std::array<double, 3> &weights) {
+        Vector velocity = sample.state.displacement;
+        velocity *= weights[0];
+        for (const unsigned int k : {0, 1})
+          velocity.add(weights[k + 1], before[k]);
+        return integral.evaluate(steps.within_period(sample.instant),
+                                 sample.state.stress,
+                                 velocity);
+      };
+      const double sum   = h + h_before;
+      const auto   value = over_squares(
+        {{1. / h + 1. / sum, -1. / h - 1. / h_before, h / (h_before * sum)}});
+      const double change = over_squares({{1. / h, -1. / h, 0.}})[0] - value[0];
+      constexpr double factor = 3.; // of δ², for powers of time
+      return {
+        {value[0],
+         std::max(std::abs(value[1] - value[0]),
+                  std::min(std::abs(change),
+                           factor * change * change / std::abs(value[0])))}};
+    }
+
+    static constexpr double not_known =
+      std::numeric_limits<double>::quiet_NaN();
+
+    const CrackTipParameters &law;
+    const CreepIntegral      &integral;
+    const StepList           &steps;
+    const bool                periods_are_iterates;
+    Log                      &log;
+    CsvTable                  table;
+    TipHistory                history; ///< of the last period
+    std::vector<double>       errors;
+    unsigned int              n_before = 0;
+    std::array<Vector, 2>     before; ///< displacements, the last one first
+    std::array<double, 2>     times{};
+  };
+} // namespace Crevasse
+
+#endif

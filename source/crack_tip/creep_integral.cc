@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
+#include <crevasse/crack_tip/creep_integral.h>
+#include <crevasse/discretisation/cell_values.h>
+
+#include <set>
+
+
+namespace Crevasse
+{
+  using namespace dealii;
+
+  namespace
+  {
+    using Field = QuadratureField<2>;
+
+    /** ε̇ᶜ by the law of a point, and W, both at any stress. */
+    struct CreepLaw
+    {
+      CreepLaw(const MaterialState<2> &material, const std::size_t point)
+        : power((*material.creep_power)[point])
+        , fluidity((*material.fluidity[0])[point])
+        , viscosity_factor(material.viscosity_factor)
+      {
+      }
+
+      VoigtVector<2>
+      rate(const VoigtVector<2> &stress) const
+      {
+        return power.factor(stress) / viscosity_factor * (fluidity * stress);
+      }
+
+      double
+      potential(const VoigtVector<2> &stress) const
+      {
+        return power.exponent / (power.exponent + 1.) * (stress * rate(stress));
+      }
+
+      /** ∂W/∂X₁ at the same rate, as ln A and n vary: then ln s changes by
+       * −(ln A),₁/n − ln s n,₁/n. */
+      double
+      slope(const VoigtVector<2> &stress, const VoigtVector<2> &of_law) const
+      {
+        const double W = potential(stress), n = power.exponent;
+        if (W == 0. || (of_law[0] == 0. && of_law[1] == 0.))
+          return 0.;
+        const double ln_s = std::log(equivalent_stress<2>(stress));
+        return W / n * (of_law[1] * (1. / (n + 1.) - ln_s) - of_law[0]);
+      }
+
+      const CreepPower<2>  &power;
+      const VoigtMatrix<2> &fluidity;
+      const double          viscosity_factor;
+    };
+
+
+
+    /** ε̇ − ε̇ᶜ at all points. */
+    Vector
+    other_strain_rate(const Body<2>          &body,
+                      const MaterialState<2> &material,
+                      const Vector           &stress,
+                      const Vector           &velocity)
+    {
+      Vector rate;
+      body.points.initialize(rate);
+      body.strain_operator.for_each_strain(
+        velocity, [&](const std::size_t offset, const VoigtVector<2> &strain) {
+          const CreepLaw law(material, offset / Field::n_components);
+          Field::set(rate,
+                     offset,
+                     strain - law.rate(Field::get(stress, offset)));
+        });
+      return rate;
+    }
+
+
+
+    /** What the law is like: ln A and n. */
+    Vector
+    describe_law(const Body<2> &body, const MaterialState<2> &material)
+    {
+      Vector law;
+      body.points.initialize(law);
+      for (std::size_t p = 0; p < body.points.n_local_points; ++p)
+        {
+          const CreepPower<2> &power = (*material.creep_power)[p];
+          VoigtVector<2>       values;
+          values[0] = std::log(power.coefficient);
+          values[1] = power.exponent;
+          Field::set(law, p * Field::n_components, values);
+        }
+      return law;
+    }
+
+
+
+    /** Where another material begins than that of the cells at the tip, or
+     * another boundary; 0 if these have several. */
+    double
+    end_of_material(const TipRegion         &region,
+                    const Space<2>          &space,
+                    const StressRecovery<2> &recovery)
+    {
+      std::set<unsigned int> at_tip;
+      for (const auto &cell : owned_cells(space.mesh()))
+        if (region.reach(cell->active_cell_index()).first == 0.)
+          at_tip.insert(recovery.material_of(cell));
+      for (const auto &of_rank :
+           Utilities::MPI::all_gather(space.communicator(), at_tip))
+        at_tip.insert(of_rank.begin(), of_rank.end());
+      double end = region.largest_radius();
+      for (const auto &cell : owned_cells(space.mesh()))
+        if (at_tip.count(recovery.material_of(cell)) == 0)
+          end = std::min(end, region.reach(cell->active_cell_index()).first);
+      return at_tip.size() > 1 ? 0.
+                               : Utilities::MPI::min(end, space.communicator());
+    }
+
+
+
+    /** q and ∇q at a point of the mesh. */
+    std::pair<double, Tensor<1, 2>>
+    weight_at(const SquareWeight &weight,
+              const CrackTip     &tip,
+              const Point<2>     &point)
+    {
+      const Point<2>     local = tip.local(point);
+      const auto         f     = weight.factor(local[0]);
+      const auto         g     = weight.factor(local[1]);
+      const Tensor<1, 2> slope({f[1] * g[0], f[0] * g[1]});
+      return {f[0] * g[0], tip.global(slope)};
+    }
+  } // namespace
+
+
+
+  CreepIntegral::CreepIntegral(
+    const Scene                                &scene,
+    const Body<2>                              &body,
+    const CrackTip                             &tip,
+    const StressRecovery<2>                    &recovery,
+    const std::shared_ptr<const PointGeometry> &geometry)
+    : body(body)
+    , region(body.space, tip)
+    , recovery(recovery)
+    , points(geometry)
+    , body_force(components_in_volume(scene.loads))
+  {
+    const double material_ends = end_of_material(region, body.space, recovery);
+    if (material_ends == 0.)
+      throw SceneError(
+        "[Crack tip] Creep integral = true: the cells at the "
+        "crack tip " +
+        Text::from_point(tip.position) +
+        " have different materials, so that the integral "
+        "depends on the curve. Set it to false.");
+    const double size = region.square(scene.crack_tip.radius, material_ends);
+    double       next = size;
+    for (SquareWeight &weight : weights)
+      {
+        weight = {next, region.cuts_cells(next) ? 3 : 2};
+        next = std::max(region.aligned_radius(0.5 * size), region.cell_radius);
+      }
+  }
+
+
+
+  std::vector<VoigtVector<2>>
+  CreepIntegral::slopes(const Vector &field) const
+  {
+    const Space<2>             &space = body.space;
+    const FiniteElement<2>     &nodes = recovery.dof_handler.get_fe();
+    std::vector<VoigtVector<2>> slopes(points->location.size());
+    FEValues<2>                 shapes(space.mapping,
+                       nodes,
+                       space.quadratures[0],
+                       update_gradients);
+    recovery.recover(
+      field,
+      [&](const auto &cell, const unsigned int i, const VoigtVector<2> &value) {
+        if (!is_within(cell))
+          return;
+        if (i == 0)
+          shapes.reinit(cell);
+        const std::size_t first = body.points.first_point(cell);
+        for (const unsigned int q : shapes.quadrature_point_indices())
+          slopes[first + q] +=
+            shapes.shape_grad(i, q) * region.tip.ahead * value;
+      });
+    return slopes;
+  }
+
+
+
+  CreepIntegral::Values
+  CreepIntegral::evaluate(const double  t,
+                          const Vector &stress,
+                          const Vector &velocity) const
+  {
+    const Space<2>        &space    = body.space;
+    const CrackTip        &tip      = region.tip;
+    const MaterialState<2> material = body.material.at(t);
+    const auto             of_rates =
+      slopes(other_strain_rate(body, material, stress, velocity));
+    const auto   of_law = material.creep_power->is_uniform()
+                            ? std::vector<VoigtVector<2>>(of_rates.size())
+                            : slopes(describe_law(body, material));
+    const Vector nodal  = space.nodal_values(velocity);
+
+    CellValues<2>             cell_values(space, update_gradients);
+    std::vector<Tensor<2, 2>> gradients(space.quadratures[0].size());
+    Values                    sums{};
+    for (const auto &cell : owned_cells(space.dof_handler))
+      {
+        if (!is_within(cell))
+          continue;
+        const FEValues<2> &values = cell_values.reinit(cell);
+        values[FEValuesExtractors::Vector(0)].get_function_gradients(nodal,
+                                                                     gradients);
+        const std::size_t first = body.points.first_point(cell);
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            const std::size_t    p = first + q;
+            const VoigtVector<2> s =
+              Field::get(stress, p * Field::n_components);
+            const CreepLaw     law(material, p);
+            const double       W     = law.potential(s);
+            const Tensor<1, 2> along = gradients[q] * tip.ahead; // u̇,₁
+            const Tensor<1, 2> flux({s[0] * along[0] + s[3] * along[1],
+                                     s[3] * along[0] + s[1] * along[1]});
+            double divergence = s * of_rates[p] - law.slope(s, of_law[p]);
+            for (const auto &[d, force] : body_force)
+              divergence -= force.value(points->location[p], t) * along[d];
+            for (const unsigned int k : {0, 1})
+              {
+                const auto [weight, gradient] =
+                  weight_at(weights[k], tip, points->location[p]);
+                sums[k] +=
+                  points->weight[p] *
+                  (gradient * (flux - W * tip.ahead) + weight * divergence);
+              }
+          }
+      }
+    for (double &sum : sums)
+      sum = (tip.two_lips ? 1. : 2.) *
+            Utilities::MPI::sum(sum, space.communicator());
+    return sums;
+  }
+
+
+
+  std::vector<std::unique_ptr<const CreepIntegral>>
+  make_creep_integrals(const Scene             &scene,
+                       const Body<2>           &body,
+                       const StressRecovery<2> &recovery)
+  {
+    const auto geometry =
+      std::make_shared<const PointGeometry>(body.space, body.points);
+    std::vector<std::unique_ptr<const CreepIntegral>> all;
+    for (const CrackTip &tip : crack_tips(body.space.mesh(),
+                                          body.space.roles,
+                                          "[Crack tip] Creep integral = true"))
+      all.push_back(std::make_unique<const CreepIntegral>(
+        scene, body, tip, recovery, geometry));
+    return all;
+  }
+} // namespace Crevasse

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""A figure of the stress across the crack plane ahead of each tip, over the distance
+in logarithms, with the singular stress of K_I or of C(t) there."""
+
+import math
+
+from matplotlib import pyplot
+import numpy
+
+from crevasse.plotting import BLUE, INK, VERMILION
+from crevasse.results import number
+
+# The exponent, I_n and the hoop stress ahead of the singular field of Hutchinson,
+# Rice and Rosengren, J. Mech. Phys. Solids 16, 1968: its boundary value problem
+# solved; two or three digits are in Shih's tables (Brown University, 1983).
+SINGULAR = {"plane strain": ((1, 6.2832, 1.1547), (2, 5.9388, 1.6758),
+                             (3, 5.5073, 1.9407), (5, 5.0235, 2.2171),
+                             (10, 4.5399, 2.4969), (20, 4.2148, 2.6841),
+                             (50, 3.9512, 2.8296)),
+            "plane stress": ((1, 4.7124, 0.8660), (2, 4.2227, 1.0536),
+                             (3, 3.8550, 1.1061), (5, 3.4076, 1.1349),
+                             (10, 2.9788, 1.1473), (20, 2.7418, 1.1512),
+                             (50, 2.5919, 1.1533))}
+
+
+def tips_of(run):
+    """(what summary.json has of a tip, its table)."""
+    tables = [("crack_tips", "crack_tip"), ("creep_integrals", "creep_integral")]
+    tips = [(run.summary["crack_tip"], "crack_tip.csv")] if "crack_tip" in \
+        run.summary else []
+    for key, name in tables:
+        for k, tip in enumerate(run.summary.get(key, ()), 1):
+            table = f"{name}_{k}.csv"
+            tips.append((tip, table if table in run.tables else f"{name}.csv"))
+    return [(tip, table) for tip, table in tips if table in run.tables
+            and len(tip.get("position", ())) == len(tip.get("direction", ())) == 2]
+
+
+def stress_ahead(run, fields, t):
+    """None if no tip has a singular stress that opens it at an instant."""
+    drawn = []
+    for tip, table in tips_of(run):
+        r, stress = line_ahead(fields, tip)
+        name, singular = singular_stress(run, run.tables[table], t)
+        if singular is not None and (stress > 0).sum() > 2:
+            drawn.append((tip, r, stress, name, singular))
+    if not drawn:
+        return None
+    figure, panels = pyplot.subplots(1, len(drawn), figsize=(5.4 * len(drawn), 4),
+                                     squeeze=False, layout="constrained")
+    for axes, (tip, r, stress, name, singular) in zip(panels[0], drawn):
+        pulls = stress > 0
+        axes.loglog(r[pulls], stress[pulls], ".", color=BLUE, label="at nodes")
+        axes.loglog(r, singular(r), color=VERMILION, linewidth=1, label=name)
+        place = ", ".join(f"{x:.4g}" for x in tip["position"])
+        axes.set(xlabel="distance from the tip (length)",
+                 ylabel="stress across the crack plane",
+                 title=f"ahead of ({place})" if len(drawn) > 1 else "")
+        axes.tick_params(which="both", color=INK)
+        axes.legend()
+    figure.supxlabel(f"$t$ = {t:g}", fontsize=9)
+    return figure
+
+
+def line_ahead(fields, tip):
+    """Distances of the nodes straight ahead, and the stress across the line."""
+    a, b = tip["direction"]
+    x, y = (fields.points[:, :2] - tip["position"]).T
+    along, across = a * x + b * y, a * y - b * x
+    size = numpy.ptp(fields.points, axis=0).max()
+    on = numpy.flatnonzero((abs(across) < 1e-6 * size) & (along > 1e-6 * size))
+    on = on[along[on].argsort()]
+    s_11, s_22, s_12 = (fields[f"stress_{name}"][on] for name in ("11", "22", "12"))
+    return along[on], b * b * s_11 + a * a * s_22 - 2 * a * b * s_12
+
+
+def singular_stress(run, table, t):
+    """Its name, and the function of the distance; None where nothing opens."""
+    column = "C_t" if "C_t" in table else "K_I"
+    value = numpy.interp(t, table["t"], table[column])
+    if not value > 0:
+        return "", None
+    if column == "K_I":
+        return (f"K$_I$/√(2πr), K$_I$ = {value:.4g}",
+                lambda r: value / numpy.sqrt(2 * math.pi * r))
+    n, A = (number(run.parameter(f"Material/Creep {name}"))
+            for name in ("exponent", "coefficient"))
+    if n is None or A is None or not A > 0:
+        return "", None
+    exponents, integrals, hoops = zip(*SINGULAR[run.parameter("Material/Plane state")])
+    I, hoop = (numpy.interp(-1 / n, [-1 / m for m in exponents], values)
+               for values in (integrals, hoops))
+    return (f"(C/(A I$_n$ r))$^{{1/(n+1)}}$ σ$_n$, C(t) = {value:.4g}",
+            lambda r: hoop * (value / (A * I * r)) ** (1 / (n + 1)))
