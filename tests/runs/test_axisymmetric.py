@@ -36,14 +36,18 @@ RING = ["Material/Plane state=axisymmetric", "Boundary/Symmetry=1, 2",
 
 def test_lame():
     """Displacements of quadratic elements at nodes, and stress at the points."""
-    exact_u = (1 + 0.3) * ((1 - 0.6) / 3 * 2 + 4 / 3 / 2)  # E = 1, at r = 2
-    errors, of_stress = [], []
+    def exact_u(r):  # E = 1
+        return (1 + 0.3) * ((1 - 0.6) / 3 * r + 4 / 3 / r)
+    errors, between_nodes, of_stress = [], [], []
     for n in (4, 8, 16, 128):
         results = run(tubes.TUBE, "lame", [
             write_rings("rings.msh", n, 2), *RING,
-            "Output/Probes=outside: 2, 0.25; inside: 1, 0.25; middle: 1.5, 0.25"])
-        u = results.table("probe_outside.csv")["u_1"][-1]
-        errors.append(abs(u / exact_u - 1))
+            "Output/Probes=outside: 2, 0.25; inside: 1, 0.25; "
+            f"between: {1 + 0.25 / n}, 0.25"])
+        for name, r, kept in (("outside", 2, errors),
+                              ("between", 1 + 0.25 / n, between_nodes)):
+            u = results.table(f"probe_{name}.csv")["u_1"][-1]
+            kept.append(abs(u / exact_u(r) - 1))
         inside = results.table("probe_inside.csv")
         radial, hoop = tubes.lame(1, 0, 1, 2, 1)
         of_stress.append(max(abs(inside["s_11"][-1] - radial),
@@ -51,6 +55,9 @@ def test_lame():
         print(n, errors[-1], of_stress[-1])
     for a, b in zip(errors[:2], errors[1:3]):
         check(3.7 < math.log2(a / b) < 4.3, f"order {math.log2(a / b)} of u")
+    order = math.log2(between_nodes[1] / between_nodes[2])
+    print("order of u between nodes", order)
+    check(2.7 < order < 3.3, "order 3 of u between nodes")
     for a, b in zip(of_stress[:2], of_stress[1:3]):
         check(math.log2(a / b) > 1.7, f"order {math.log2(a / b)} of s at the edge")
     check_below(errors[-1], 1e-8, "Lame: u outside")
