@@ -3,8 +3,14 @@ of neighbouring crack lengths, the singular stress at the tip, and what must not
 change it."""
 
 from cracked import BOTTOM, CRACK, TOP, square, square_scene, write_rings
+import numpy
 from crevasse_run import (check, check_below, check_close, execute, overrides, run,
                           run_on, tier)
+from singular_field import SingularField
+
+from crevasse import run_page, tip_figure
+from crevasse.fields import Fields
+from crevasse.run import Run
 
 E, A = 1000., 2e-3
 
@@ -195,6 +201,35 @@ def test_two_lips():
                     / largest, bound, what)
 
 
+def test_singular_field():
+    """The table of the report, at its exponents and between them."""
+    for state, rows in tip_figure.SINGULAR.items():
+        for n in tier((2.5, 10), (1, 1.4, 2, 2.5, 3, 4, 5, 7, 10, 15, 20, 50)):
+            shown = tip_figure.singular_field(state, n)
+            exact = SingularField(n, state == "plane stress").quantities()
+            check_below(max(abs(a / b - 1) for a, b in zip(shown, exact, strict=True)),
+                        2e-4 if n in [row[0] for row in rows] else 1e-2,
+                        f"singular field, {state}, n = {n}")
+
+
+def test_picture():
+    """The stress ahead of the tip beside its singular field, in steady creep."""
+    results = run(SCENE, "picture", [
+        "Output/Fields=vtu", "Refinement/Cycles=9",
+        "Discretisation/Degree=1", "Discretisation/Volumetric strain=mean"])
+    seen = Run(results.directory)
+    tip, table = tip_figure.tips_of(seen)[0]
+    r, stress = tip_figure.line_ahead(Fields(seen.choose_instant(4.)[1]), tip)
+    _, singular = tip_figure.singular_stress(seen, seen.tables[table], 4.)
+    near = (1e-3 < r) & (r < 1e-2)
+    check_below(numpy.abs(stress[near] / singular(r[near]) - 1).max(), 0.1,
+                "stress ahead of the tip in the report")
+    page, _, damages = run_page.page(results.directory)
+    for words in ("Stress ahead of the crack tip", "Creep at the crack",
+                  "Creep integral C(t)"):
+        check(words in page and not damages, f"{words} in the report: {damages}")
+
+
 def test_growth():
     """da/dt = D C(t)^phi over a period in which the crack opens and is pressed
     together."""
@@ -243,5 +278,7 @@ if __name__ == "__main__":
     test_after_a_step_load()
     test_what_varies()
     test_two_lips()
+    test_singular_field()
+    test_picture()
     test_growth()
     test_refusals()

@@ -15,14 +15,18 @@ from crevasse.results import number
 # The exponent, I_n and the hoop stress ahead of the singular field of Hutchinson,
 # Rice and Rosengren, J. Mech. Phys. Solids 16, 1968: its boundary value problem
 # solved; two or three digits are in Shih's tables (Brown University, 1983).
-SINGULAR = {"plane strain": ((1, 6.2832, 1.1547), (2, 5.9388, 1.6758),
-                             (3, 5.5073, 1.9407), (5, 5.0235, 2.2171),
-                             (10, 4.5399, 2.4969), (20, 4.2148, 2.6841),
+SINGULAR = {"plane strain": ((1, 6.2832, 1.1547), (1.2, 6.2641, 1.2936),
+                             (1.5, 6.1764, 1.4646), (2, 5.9388, 1.6758),
+                             (3, 5.5075, 1.9407), (4, 5.2213, 2.1041),
+                             (5, 5.0235, 2.2171), (7, 4.7656, 2.3658),
+                             (10, 4.5399, 2.4969), (20, 4.2151, 2.6841),
                              (50, 3.9512, 2.8296)),
-            "plane stress": ((1, 4.7124, 0.8660), (2, 4.2227, 1.0536),
-                             (3, 3.8550, 1.1061), (5, 3.4076, 1.1349),
-                             (10, 2.9788, 1.1473), (20, 2.7418, 1.1512),
-                             (50, 2.5919, 1.1533))}
+            "plane stress": ((1, 4.7124, 0.8660), (1.2, 4.6063, 0.9283),
+                             (1.5, 4.4522, 0.9920), (2, 4.2227, 1.0536),
+                             (3, 3.8550, 1.1061), (4, 3.5931, 1.1258),
+                             (5, 3.4077, 1.1349), (7, 3.1711, 1.1429),
+                             (10, 2.9790, 1.1473), (20, 2.7419, 1.1512),
+                             (50, 2.5922, 1.1533))}
 
 
 def tips_of(run):
@@ -89,8 +93,13 @@ def singular_stress(run, table, t):
             for name in ("exponent", "coefficient"))
     if n is None or A is None or not A > 0:
         return "", None
-    exponents, integrals, hoops = zip(*SINGULAR[run.parameter("Material/Plane state")])
-    I, hoop = (numpy.interp(-1 / n, [-1 / m for m in exponents], values)
-               for values in (integrals, hoops))
+    I, hoop = singular_field(run.parameter("Material/Plane state"), n)
     return (f"(C/(A I$_n$ r))$^{{1/(n+1)}}$ σ$_n$, C(t) = {value:.4g}",
             lambda r: hoop * (value / (A * I * r)) ** (1 / (n + 1)))
+
+
+def singular_field(state, n):
+    """I_n and the hoop stress, between the rows of the table."""
+    exponents, *columns = zip(*SINGULAR[state])
+    return [numpy.interp(-1 / n, [-1 / m for m in exponents], values)
+            for values in columns]
