@@ -614,7 +614,7 @@ REFUSED = [
     ("force at the tip", ["Loads/Traction=1; 10"], "push the body along"),
     ("radius", ["Crack tip/Radius=0.6"], "must be at most 0.5"),
     ("two materials", ["Crack tip/Radius=0.5", "Material/Young modulus="
-                       "if(y < 0.25, 13000, 26000)"], "another stiffness begins"),
+                       "if(y < 0.25, 13000, 26000)"], "another material begins"),
     ("small radius", ["Crack tip/Radius=0.01"], "at least 0.07"),
     ("integral", CREEPS + ["Crack tip/Method=interaction integral",
                            "Material/Relaxation time=if(x < 0.5, 60, 40)",

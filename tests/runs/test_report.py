@@ -126,7 +126,7 @@ def whole_run():
     page, said = report(results.directory)
     check(said == "", f"a converged run: {said}")
     check_self_contained(page)
-    check_pictures(page, 6)
+    check_pictures(page, 7)
     summary = results.summary
     check_says(page, "A <b>plate</b> & more", "the stress is periodic after 3 periods",
                "Edge crack of length 0.5", "viscous modulus 780000*if(x<0.3,0.2,1)",
