@@ -76,7 +76,7 @@ def potential(results, n):
 
 
 def test_energies_of_crack_lengths():
-    for n, state in tier([(3, "strain"), (5, "stress")],
+    for n, state in tier([(3, "strain")],
                          [(n, state) for n in (3, 5)
                           for state in ("strain", "stress")]):
         settings = [*law(n), f"Material/Plane state=plane {state}"]
@@ -160,13 +160,14 @@ def test_what_varies():
     """Body force, temperature and a law that varies do not make it depend on the
     square."""
     scene = rings(4, 1.3, 1e-3)
-    for name, settings in {
-            "force": ["Loads/Body force=0; 2"],
-            "heated": ["Material/Thermal expansion=1e-3",
-                       "Loads/Temperature=(x^2 + y)*t"],
-            "graded": [f"Material/Creep coefficient={A}*exp(3*x)",
-                       "Material/Young modulus=1000*(1 + 0.9*x)"],
-            "exponents": ["Material/Creep exponent=3 + x"]}.items():
+    cases = {"force": ["Loads/Body force=0; 2"],
+             "heated": ["Material/Thermal expansion=1e-3",
+                        "Loads/Temperature=(x^2 + y)*t"],
+             "graded": [f"Material/Creep coefficient={A}*exp(3*x)",
+                        "Material/Young modulus=1000*(1 + 0.9*x)"],
+             "exponents": ["Material/Creep exponent=3 + x"]}
+    for name, settings in tier({"all at once": sum(cases.values(), [])},
+                               cases).items():
         large, small = (
             C_of(run(scene, name, [
                 *settings, "Refinement/Strategy=none",
