@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/creep_integral.h>
@@ -159,11 +160,21 @@ namespace Crevasse
         " have different materials, so that the integral "
         "depends on the curve. Set it to false.");
     const double size = region.square(scene.crack_tip.radius, material_ends);
-    double       next = size;
+    constexpr double rounding = 1e-10;
+    if (size < 2. * region.cell_radius * (1. - rounding))
+      throw SceneError(Text::format(
+        "[Crack tip] Creep integral = true: the cells at the crack tip reach "
+        "to "
+        "%g, and the square of the integral to %g, which must be twice as far. "
+        "Make these cells smaller ([Refinement] Strategy = tip), or change "
+        "Radius.",
+        region.cell_radius,
+        size));
+    double next = size;
     for (SquareWeight &weight : weights)
       {
         weight = {next, region.cuts_cells(next) ? 3 : 2};
-        next = std::max(region.aligned_radius(0.5 * size), region.cell_radius);
+        next   = region.aligned_radius(0.5 * size);
       }
   }
 

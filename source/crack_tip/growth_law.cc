@@ -32,17 +32,27 @@ namespace Crevasse
       if (needs_c_star(law))
         return history.c_star ? speed(*history.c_star) * history.period()
                               : std::numeric_limits<double>::quiet_NaN();
-      std::vector<double> driver = law.creep_parameter == CreepParameter::C_of_t
-                                     ? history.creep_integral
-                                     : history.intensity;
-      for (std::size_t k = driver.size() - 1; k > 0; --k)
-        if (std::isnan(driver[k - 1]))
-          driver[k - 1] = driver[k];
-      double length = 0.;
+      const std::vector<double> &driver =
+        law.creep_parameter == CreepParameter::C_of_t ? history.creep_integral
+                                                      : history.intensity;
+      const auto known  = [](const double value) { return !std::isnan(value); };
+      double     length = 0.;
       for (std::size_t k = 1; k < driver.size(); ++k)
-        length +=
-          0.5 * (history.instants[k] - history.instants[k - 1]) *
-          (speed(std::max(driver[k - 1], 0.)) + speed(std::max(driver[k], 0.)));
+        {
+          // Before a jump the last value goes on, behind it the next one.
+          double begin = driver[k - 1], end = driver[k];
+          if (!known(begin) && !known(end))
+            if (const auto next =
+                  std::find_if(driver.begin() + k, driver.end(), known);
+                next != driver.end())
+              end = *next;
+          if (!known(begin))
+            begin = end;
+          if (!known(end))
+            end = begin;
+          length += 0.5 * (history.instants[k] - history.instants[k - 1]) *
+                    (speed(std::max(begin, 0.)) + speed(std::max(end, 0.)));
+        }
       return length;
     }
   } // namespace

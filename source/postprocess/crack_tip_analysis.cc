@@ -34,7 +34,7 @@ namespace Crevasse
       throw SceneError(
         "[Crack tip] Creep growth parameter = C star: there is no C*, for " +
         no_c_star + ". Set it to stress intensity.");
-    require_no_force_at_tip(steps);
+    require_no_force_at_tip(scene, body, intensity.region, steps);
   }
 
 
@@ -71,17 +71,20 @@ namespace Crevasse
 
 
   void
-  CrackTipAnalysis::require_no_force_at_tip(const StepList &steps) const
+  require_no_force_at_tip(const Scene     &scene,
+                          const Body<2>   &body,
+                          const TipRegion &region,
+                          const StepList  &steps)
   {
-    const CrackTip &tip     = intensity.region.tip;
+    const CrackTip &tip     = region.tip;
     bool            is_held = false;
     for (const FixedPoint<2> &fixed : fixed_points<2>(scene))
       for (unsigned int d = 0; d < 2; ++d)
         is_held =
-          is_held || (fixed.components[d] &&
-                      (tip.two_lips || std::abs(tip.ahead[d]) > 1e-10) &&
-                      fixed.point.distance(tip.position) <
-                        1e-6 * intensity.region.cell_radius);
+          is_held ||
+          (fixed.components[d] &&
+           (tip.two_lips || std::abs(tip.ahead[d]) > 1e-10) &&
+           fixed.point.distance(tip.position) < 1e-6 * region.cell_radius);
     if (!is_held)
       return;
     // What pushes across the crack, the plane of symmetry bears; without it
@@ -106,8 +109,7 @@ namespace Crevasse
           force = Utilities::MPI::sum(force, body.space.communicator());
           if (std::abs(force) > negligible * loads.l1_norm())
             throw SceneError(
-              "[Crack tip] Stress intensity = true: at t = " +
-              Text::from_number(t) + " the loads " +
+              "[Crack tip]: at t = " + Text::from_number(t) + " the loads " +
               (tip.two_lips ? "are not in equilibrium"
                             : "push the body along the crack") +
               ", with the resultant " + Text::from_number(force) +

@@ -250,11 +250,34 @@ def test_growth():
           "C(t) where the crack is pressed together")
 
 
+def test_jumps():
+    """Of the load where the period ends, and within it: no row is a difference
+    across them, and growth goes on beside them."""
+    for load, first in (("0; 1 + t/4", [0.2, 4.2]),
+                        ("0; if(t < 2, 1, 1.5)", [0.2, 4.2, 2.2, 6.2])):
+        results = run(SCENE, "jumps", [
+            f"Loads/Traction={load}", "Time integration/Step control=uniform",
+            "Periodic state/Maximum periods=2", "Crack tip/Crack growth law=creep",
+            "Crack tip/Creep growth parameter=C(t)", "Crack tip/Creep factor=1"])
+        table = results.table("creep_integral.csv")
+        t = table["t"]
+        begins = [t[0]] + [b for a, b in zip(t, t[1:]) if b - a > 0.15]
+        check(len(begins) == len(first) and max(
+            abs(a - b) for a, b in zip(begins, sorted(first), strict=True)) < 1e-9,
+              f"{load}: rows begin at {begins}")
+        tip = results.summary["creep_integrals"][0]
+        whole = (t[-1] - 4) * sum(table["C_t"][-20:]) / 20
+        check(min(table["C_t"]) > 0 and 0.2 * whole < tip["da_dN"] < 5 * whole
+              and tip["last"] == table["C_t"][-1], f"{load}: {tip}")
+
+
 REFUSED = [
     ("maxwell", ["Material/Viscosity=relaxation time"], "Viscosity = power law"),
     ("singular", ["Discretisation/Singular functions=1"], "Singular functions = 0"),
     ("round", ["Material/Plane state=axisymmetric"], "in plane stress or strain"),
     ("radius", ["Crack tip/Radius=0.6"], "must be at most 0.5"),
+    ("cells", ["Crack tip/Radius=0.004"], "must be twice as far"),
+    ("force at the tip", ["Loads/Traction=1; 1"], "which the support at the crack"),
     ("without", ["Crack tip/Creep integral=false", "Crack tip/Crack growth law=creep",
                  "Crack tip/Creep factor=1",
                  "Crack tip/Creep growth parameter=C(t)"],
@@ -282,4 +305,5 @@ if __name__ == "__main__":
     test_singular_field()
     test_picture()
     test_growth()
+    test_jumps()
     test_refusals()

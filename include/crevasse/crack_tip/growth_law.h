@@ -48,7 +48,7 @@ namespace Crevasse
    *   1972), ΔK = K_max − K_min;
    * - da/dt = D C*^φ over the whole period, or D K_I(t)^φ or D C(t)^φ by the
    *   trapezoidal rule over the steps. Where C(t) is not known yet, as after a
-   *   jump, it is taken to be what it is next.
+   *   jump, it is taken to be what it is next; before one, what it was last.
    *
    * nan if the history lacks what the law needs. A crack that is pressed
    * together has K_I = 0, and one that is pushed shut C(t) = 0.

@@ -61,10 +61,6 @@ namespace Crevasse
     std::string no_c_star; ///< why; empty: it is known
 
   private:
-    /** @throw SceneError if a point support at the tip has to bear loads. */
-    void
-    require_no_force_at_tip(const StepList &steps) const;
-
     /** What hinders C* from being known; empty: nothing. Finds the square of
      * the viscosity. */
     std::string
@@ -74,6 +70,13 @@ namespace Crevasse
     std::optional<TipRegion::Uniform> viscous_region; ///< likewise
     const bool                        mean_load_vanishes;
   };
+
+  /** @throw SceneError if a point support at the tip has to bear loads. */
+  void
+  require_no_force_at_tip(const Scene     &scene,
+                          const Body<2>   &body,
+                          const TipRegion &region,
+                          const StepList  &steps);
 
   /** Of the one tip of a half model, or of each tip with two lips. Collective.
    * Arguments must outlive what is returned. @throw SceneError */

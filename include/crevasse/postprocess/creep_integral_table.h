@@ -54,7 +54,8 @@ namespace Crevasse
           history.creep_integral.clear();
           errors.clear();
         }
-      if ((sample.step == 0 && periods_are_iterates) ||
+      if ((sample.step == 0 &&
+           (periods_are_iterates || steps.jumps_at(steps.period()))) ||
           steps.jumps_at(sample.instant))
         n_before = 0;
       const auto [value, error] =
@@ -66,7 +67,7 @@ namespace Crevasse
       if (!std::isnan(value))
         table.add_row({sample.time, value, error});
 
-      std::swap(before[0], before[1]);
+      before[0].swap(before[1]);
       times[1]  = times[0];
       before[0] = sample.state.displacement;
       times[0]  = sample.time;
@@ -99,6 +100,9 @@ namespace Crevasse
       const auto largest = std::max_element(C.begin(), C.end(), less);
       if (largest == C.end() || std::isnan(*largest))
         return;
+      std::size_t last = C.size() - 1;
+      while (std::isnan(C[last])) // a jump
+        --last;
       const CrackTip   &place = integral.region.tip;
       const std::string title =
         "  crack tip " + Text::from_point(place.position) + ": ";
@@ -107,16 +111,16 @@ namespace Crevasse
                   {"radius", integral.radius()},
                   {"largest", *largest},
                   {"error_of_largest", errors[largest - C.begin()]},
-                  {"last", C.back()},
-                  {"error_of_last", errors.back()}};
+                  {"last", C[last]},
+                  {"error_of_last", errors[last]}};
       log.line(
         Text::format("%sC(t) at most %.6g in the last period, %.6g at "
                      "its end, estimated errors %.1e and %.1e",
                      title.c_str(),
                      *largest,
-                     C.back(),
+                     C[last],
                      errors[largest - C.begin()],
-                     errors.back()));
+                     errors[last]));
       summarise_growth(law, history, title, tip, log);
       summary["creep_integrals"].push_back(tip);
     }

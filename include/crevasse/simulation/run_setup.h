@@ -67,7 +67,11 @@ namespace Crevasse
           crack_tips = analyse_crack_tips(scene, body, secular_split, steps);
       if constexpr (dim == 2)
         if (scene.crack_tip.creep_integral)
-          creep_integrals = make_creep_integrals(scene, body, recovery);
+          {
+            creep_integrals = make_creep_integrals(scene, body, recovery);
+            for (const auto &integral : creep_integrals)
+              require_no_force_at_tip(scene, body, integral->region, steps);
+          }
       if constexpr (dim == 3)
         if (scene.crack_tip.stress_intensity)
           crack_front =

@@ -10,6 +10,7 @@ from matplotlib import pyplot
 import numpy
 
 from crevasse.plotting import BLUE, INK, VERMILION
+from crevasse.quantities import SAME_INSTANT
 from crevasse.results import number
 
 # The exponent, I_n and the hoop stress ahead of the singular field of Hutchinson,
@@ -83,15 +84,17 @@ def line_ahead(fields, tip):
 def singular_stress(run, table, t):
     """Its name, and the function of the distance; None where nothing opens."""
     column = "C_t" if "C_t" in table else "K_I"
-    value = numpy.interp(t, table["t"], table[column])
-    if not value > 0:
+    row = abs(table["t"] - t).argmin()
+    value = table[column][row]
+    if abs(table["t"][row] - t) > SAME_INSTANT * run.period or not value > 0:
         return "", None
     if column == "K_I":
         return (f"K$_I$/√(2πr), K$_I$ = {value:.4g}",
                 lambda r: value / numpy.sqrt(2 * math.pi * r))
     n, A = (number(run.parameter(f"Material/Creep {name}"))
             for name in ("exponent", "coefficient"))
-    if n is None or A is None or not A > 0:
+    ages = run.parameter("Material/Viscosity time factor") not in ("", "1")
+    if n is None or A is None or not A > 0 or ages:
         return "", None
     I, hoop = singular_field(run.parameter("Material/Plane state"), n)
     return (f"(C/(A I$_n$ r))$^{{1/(n+1)}}$ σ$_n$, C(t) = {value:.4g}",
