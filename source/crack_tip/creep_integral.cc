@@ -18,44 +18,29 @@ namespace Crevasse
   {
     using Field = QuadratureField<2>;
 
-    /** ε̇ᶜ by the law of a point, and W, both at any stress. */
-    struct CreepLaw
+    double
+    potential(const double          n,
+              const VoigtVector<2> &stress,
+              const VoigtVector<2> &creep_rate)
     {
-      CreepLaw(const MaterialState<2> &material, const std::size_t point)
-        : power((*material.creep_power)[point])
-        , fluidity((*material.fluidity[0])[point])
-        , viscosity_factor(material.viscosity_factor)
-      {
-      }
+      return n / (n + 1.) * (stress * creep_rate);
+    }
 
-      VoigtVector<2>
-      rate(const VoigtVector<2> &stress) const
-      {
-        return power.factor(stress) / viscosity_factor * (fluidity * stress);
-      }
 
-      double
-      potential(const VoigtVector<2> &stress) const
-      {
-        return power.exponent / (power.exponent + 1.) * (stress * rate(stress));
-      }
 
-      /** ∂W/∂X₁ at the same rate, as ln A and n vary: then ln s changes by
-       * −(ln A),₁/n − ln s n,₁/n. */
-      double
-      slope(const VoigtVector<2> &stress, const VoigtVector<2> &of_law) const
-      {
-        const double W = potential(stress), n = power.exponent;
-        if (W == 0. || (of_law[0] == 0. && of_law[1] == 0.))
-          return 0.;
-        const double ln_s = std::log(equivalent_stress<2>(stress));
-        return W / n * (of_law[1] * (1. / (n + 1.) - ln_s) - of_law[0]);
-      }
-
-      const CreepPower<2>  &power;
-      const VoigtMatrix<2> &fluidity;
-      const double          viscosity_factor;
-    };
+    /** ∂W/∂X₁ at the same ε̇ᶜ, as ln A and n vary: then ln s changes by
+     * −(ln A),₁/n − ln s n,₁/n. */
+    double
+    slope_of_potential(const double          W,
+                       const double          n,
+                       const VoigtVector<2> &stress,
+                       const VoigtVector<2> &of_law)
+    {
+      if (W == 0. || (of_law[0] == 0. && of_law[1] == 0.))
+        return 0.;
+      const double ln_s = std::log(equivalent_stress<2>(stress));
+      return W / n * (of_law[1] * (1. / (n + 1.) - ln_s) - of_law[0]);
+    }
 
 
 
@@ -70,10 +55,10 @@ namespace Crevasse
       body.points.initialize(rate);
       body.strain_operator.for_each_strain(
         velocity, [&](const std::size_t offset, const VoigtVector<2> &strain) {
-          const CreepLaw law(material, offset / Field::n_components);
           Field::set(rate,
                      offset,
-                     strain - law.rate(Field::get(stress, offset)));
+                     strain - material.creep_rate(offset / Field::n_components,
+                                                  Field::get(stress, offset)));
         });
       return rate;
     }
@@ -139,16 +124,14 @@ namespace Crevasse
 
 
 
-  CreepIntegral::CreepIntegral(
-    const Scene                                &scene,
-    const Body<2>                              &body,
-    const CrackTip                             &tip,
-    const StressRecovery<2>                    &recovery,
-    const std::shared_ptr<const PointGeometry> &geometry)
+  CreepIntegral::CreepIntegral(const Scene             &scene,
+                               const Body<2>           &body,
+                               const CrackTip          &tip,
+                               const StressRecovery<2> &recovery)
     : body(body)
     , region(body.space, tip)
     , recovery(recovery)
-    , points(geometry)
+    , points(body.space, body.points)
     , body_force(components_in_volume(scene.loads))
   {
     const double material_ends = end_of_material(region, body.space, recovery);
@@ -173,7 +156,7 @@ namespace Crevasse
     double next = size;
     for (SquareWeight &weight : weights)
       {
-        weight = {next, region.cuts_cells(next) ? 3 : 2};
+        weight = region.weight(next);
         next   = region.aligned_radius(0.5 * size);
       }
   }
@@ -185,7 +168,7 @@ namespace Crevasse
   {
     const Space<2>             &space = body.space;
     const FiniteElement<2>     &nodes = recovery.dof_handler.get_fe();
-    std::vector<VoigtVector<2>> slopes(points->location.size());
+    std::vector<VoigtVector<2>> slopes(points.location.size());
     FEValues<2>                 shapes(space.mapping,
                        nodes,
                        space.quadratures[0],
@@ -238,20 +221,21 @@ namespace Crevasse
             const std::size_t    p = first + q;
             const VoigtVector<2> s =
               Field::get(stress, p * Field::n_components);
-            const CreepLaw     law(material, p);
-            const double       W     = law.potential(s);
+            const double       n = (*material.creep_power)[p].exponent;
+            const double       W = potential(n, s, material.creep_rate(p, s));
             const Tensor<1, 2> along = gradients[q] * tip.ahead; // u̇,₁
             const Tensor<1, 2> flux({s[0] * along[0] + s[3] * along[1],
                                      s[3] * along[0] + s[1] * along[1]});
-            double divergence = s * of_rates[p] - law.slope(s, of_law[p]);
+            double             divergence =
+              s * of_rates[p] - slope_of_potential(W, n, s, of_law[p]);
             for (const auto &[d, force] : body_force)
-              divergence -= force.value(points->location[p], t) * along[d];
+              divergence -= force.value(points.location[p], t) * along[d];
             for (const unsigned int k : {0, 1})
               {
                 const auto [weight, gradient] =
-                  weight_at(weights[k], tip, points->location[p]);
+                  weight_at(weights[k], tip, points.location[p]);
                 sums[k] +=
-                  points->weight[p] *
+                  points.weight[p] *
                   (gradient * (flux - W * tip.ahead) + weight * divergence);
               }
           }
@@ -260,23 +244,5 @@ namespace Crevasse
       sum = (tip.two_lips ? 1. : 2.) *
             Utilities::MPI::sum(sum, space.communicator());
     return sums;
-  }
-
-
-
-  std::vector<std::unique_ptr<const CreepIntegral>>
-  make_creep_integrals(const Scene             &scene,
-                       const Body<2>           &body,
-                       const StressRecovery<2> &recovery)
-  {
-    const auto geometry =
-      std::make_shared<const PointGeometry>(body.space, body.points);
-    std::vector<std::unique_ptr<const CreepIntegral>> all;
-    for (const CrackTip &tip : crack_tips(body.space.mesh(),
-                                          body.space.roles,
-                                          "[Crack tip] Creep integral = true"))
-      all.push_back(std::make_unique<const CreepIntegral>(
-        scene, body, tip, recovery, geometry));
-    return all;
   }
 } // namespace Crevasse

@@ -62,14 +62,6 @@ namespace Crevasse
 
 
 
-    SquareWeight
-    weight_of(const TipRegion &region, const double size)
-    {
-      return {size, region.cuts_cells(size) ? 3 : 2};
-    }
-
-
-
     /** Of the squares whose τ viscous strain is multiplied by, each with its
      * factor. */
     std::vector<std::pair<SquareWeight, double>>
@@ -80,11 +72,10 @@ namespace Crevasse
       if (a >= squares.size)
         return {};
       if (!squares.extrapolates)
-        return {{weight_of(region, squares.size), 1.},
-                {weight_of(region, a), -1.}};
-      return {{weight_of(region, squares.size), 1.},
-              {weight_of(region, a), -2.},
-              {weight_of(region, 2. * a), 1.}};
+        return {{region.weight(squares.size), 1.}, {region.weight(a), -1.}};
+      return {{region.weight(squares.size), 1.},
+              {region.weight(a), -2.},
+              {region.weight(2. * a), 1.}};
     }
   } // namespace
 
@@ -104,7 +95,7 @@ namespace Crevasse
     , body_force(components_in_volume(loads))
     , of_contact_forces(
         mode == CrackMode::opening
-          ? lip_integral(body, region.tip, weight_of(region, squares.size))
+          ? lip_integral(body, region.tip, region.weight(squares.size))
           : std::vector<double>())
   {
     if (kappa_of_ring > 0.)
@@ -147,7 +138,7 @@ namespace Crevasse
     const std::vector<std::pair<SquareWeight, double>> of_creep =
       weights_of_creep(region, squares);
     has_creep                = !of_creep.empty();
-    const SquareWeight whole = weight_of(region, squares.size);
+    const SquareWeight whole = region.weight(squares.size);
     const auto         add   = [&](Kernel         &kernel,
                          const Point<2> &point,
                          const double    share) {

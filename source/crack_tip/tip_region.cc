@@ -196,15 +196,15 @@ namespace Crevasse
 
 
 
-  bool
-  TipRegion::cuts_cells(const double size) const
+  SquareWeight
+  TipRegion::weight(const double size) const
   {
     const bool on_rank =
       std::any_of(cells.begin(), cells.end(), [size](const Interval &cell) {
         return cell.first < size * (1. - rounding) &&
                size * (1. + rounding) < cell.second;
       });
-    return Utilities::MPI::max(on_rank ? 1 : 0, communicator) == 1;
+    return {size, Utilities::MPI::max(on_rank ? 3 : 2, communicator)};
   }
 
 

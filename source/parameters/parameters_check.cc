@@ -309,17 +309,18 @@ namespace Crevasse
     const bool    is_of_C_of_t = law.has_creep_part && //
                               creep_parameter == CreepParameter::C_of_t;
     checker.demand(growth_law == GrowthLawType::none || stress_intensity ||
-                     (is_of_C_of_t && !law.has_paris_part),
+                     is_of_C_of_t,
                    "Crack growth law",
                    "needs Stress intensity = true");
-    checker.demand(!is_of_C_of_t || creep_integral,
+    checker.demand(!is_of_C_of_t || (creep_integral && !law.has_paris_part),
                    "Creep growth parameter",
-                   "C(t) needs Creep integral = true");
-    checker.demand(!traits(growth_law).has_paris_part ||
+                   "C(t) needs Creep integral = true and Crack growth law = "
+                   "creep");
+    checker.demand(!law.has_paris_part ||
                      Ranges::positive.contains(paris_factor),
                    "Paris factor",
                    Ranges::positive.text());
-    checker.demand(!traits(growth_law).has_creep_part ||
+    checker.demand(!law.has_creep_part ||
                      Ranges::positive.contains(creep_factor),
                    "Creep factor",
                    Ranges::positive.text());

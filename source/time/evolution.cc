@@ -221,14 +221,10 @@ namespace Crevasse
     const MaterialState<dim> &material = instants.material_at(t);
     constexpr unsigned int    n        = Field::n_components;
     for (std::size_t point = 0; point * n < rate.locally_owned_size(); ++point)
-      {
-        const VoigtVector<dim> stress = Field::get(last.stress, point * n);
-        Field::set(rate,
-                   point * n,
-                   (*material.creep_power)[point].factor(stress) /
-                     material.viscosity_factor *
-                     ((*material.fluidity[0])[point] * stress));
-      }
+      Field::set(rate,
+                 point * n,
+                 material.creep_rate(point,
+                                     Field::get(last.stress, point * n)));
   }
 
 

@@ -4,7 +4,6 @@
 #ifndef crevasse_crack_tip_creep_integral_h
 #define crevasse_crack_tip_creep_integral_h
 
-#include <crevasse/crack_tip/auxiliary_field.h>
 #include <crevasse/crack_tip/tip_region.h>
 #include <crevasse/discretisation/stress_recovery.h>
 #include <crevasse/model/body.h>
@@ -40,11 +39,10 @@ namespace Crevasse
     /** Collective. Arguments must outlive this object.
      * @throw SceneError if the cells at the tip have different materials, or
      * [Crack tip] Radius does not fit them. */
-    CreepIntegral(const Scene                                &scene,
-                  const Body<2>                              &body,
-                  const CrackTip                             &tip,
-                  const StressRecovery<2>                    &recovery,
-                  const std::shared_ptr<const PointGeometry> &geometry);
+    CreepIntegral(const Scene             &scene,
+                  const Body<2>           &body,
+                  const CrackTip          &tip,
+                  const StressRecovery<2> &recovery);
 
     CreepIntegral(const CreepIntegral &) = delete;
 
@@ -78,16 +76,10 @@ namespace Crevasse
     slopes(const Vector &field) const;
 
     const StressRecovery<2>                         &recovery;
-    const std::shared_ptr<const PointGeometry>       points;
+    const PointGeometry                              points;
     std::vector<std::pair<unsigned int, Expression>> body_force;
     std::array<SquareWeight, 2>                      weights;
   };
-
-  /** One at each crack tip. Collective. @throw SceneError */
-  std::vector<std::unique_ptr<const CreepIntegral>>
-  make_creep_integrals(const Scene             &scene,
-                       const Body<2>           &body,
-                       const StressRecovery<2> &recovery);
 } // namespace Crevasse
 
 #endif

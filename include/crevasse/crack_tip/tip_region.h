@@ -4,9 +4,9 @@
 #ifndef crevasse_crack_tip_tip_region_h
 #define crevasse_crack_tip_tip_region_h
 
+#include <crevasse/crack_tip/auxiliary_field.h>
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
-#include <crevasse/grid/crack_tip.h>
 
 
 namespace Crevasse
@@ -88,10 +88,10 @@ namespace Crevasse
       return cells[cell];
     }
 
-    /** Whether the square of this size cuts a cell, but for rounding.
-     * Collective. */
-    bool
-    cuts_cells(const double size) const;
+    /** Of a square that cuts cells, or does not but for rounding. Collective.
+     */
+    SquareWeight
+    weight(const double size) const;
 
   private:
     void

@@ -44,6 +44,14 @@ namespace Crevasse
       return c * stiffness_factor / viscosity_factor;
     }
 
+    /** The rate of a power law. */
+    VoigtVector<dim>
+    creep_rate(const std::size_t point, const VoigtVector<dim> &stress) const
+    {
+      return (*creep_power)[point].factor(stress) / viscosity_factor *
+             ((*fluidity[0])[point] * stress);
+    }
+
     /** Whether this is one Maxwell body, the same everywhere and without
      * thermal strain, the case that deserves the shortest loops. */
     bool

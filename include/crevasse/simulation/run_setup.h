@@ -67,11 +67,18 @@ namespace Crevasse
           crack_tips = analyse_crack_tips(scene, body, secular_split, steps);
       if constexpr (dim == 2)
         if (scene.crack_tip.creep_integral)
-          {
-            creep_integrals = make_creep_integrals(scene, body, recovery);
-            for (const auto &integral : creep_integrals)
-              require_no_force_at_tip(scene, body, integral->region, steps);
-          }
+          for (const CrackTip &tip :
+               Crevasse::crack_tips(body.space.mesh(),
+                                    body.space.roles,
+                                    "[Crack tip] Creep integral = true"))
+            {
+              creep_integrals.push_back(std::make_unique<const CreepIntegral>(
+                scene, body, tip, recovery));
+              require_no_force_at_tip(scene,
+                                      body,
+                                      creep_integrals.back()->region,
+                                      steps);
+            }
       if constexpr (dim == 3)
         if (scene.crack_tip.stress_intensity)
           crack_front =
