@@ -63,7 +63,9 @@ CASES = {
     "power law, implicit": periods(5) + [
         "Material/Viscosity=power law", "Material/Creep exponent=5",
         "Material/Creep coefficient=1e-11", "Time integration/Scheme=sdirk2",
-        "Time integration/Steps per period=8"],
+        "Time integration/Steps per period=8", "Crack tip/Creep integral=true",
+        "Crack tip/Crack growth law=creep", "Crack tip/Creep factor=1",
+        "Crack tip/Creep growth parameter=C(t)"],
     "two lips": REDISTRIBUTES + periods(6) + cracked_square(),
     "readapted": REDISTRIBUTES + periods(6) + [
         "Refinement/Strategy=adaptive", "Refinement/Cycles=2",
