@@ -31,9 +31,13 @@ namespace Crevasse
     fluidity.compute_generalized_eigenvalues_symmetric(stiffness,
                                                        columns,
                                                        eigenvalues_of_KH);
+    // What keeps its volume has a rate 0, which rounding would let relax.
+    constexpr double rounding = 1e-13;
+    const double     largest  = fluidity.eigenvalue(n - 1).real();
     for (unsigned int j = 0; j < n; ++j)
       {
-        rates[places[j]] = std::max(0., fluidity.eigenvalue(j).real());
+        const double rate = fluidity.eigenvalue(j).real();
+        rates[places[j]]  = rate < rounding * largest ? 0. : rate;
         for (unsigned int i = 0; i < n; ++i)
           directions[places[i]][places[j]] = columns[j](i);
       }
