@@ -70,6 +70,15 @@ namespace Crevasse
 
 
 
+  void
+  StepList::set_jumps(const std::vector<double> &new_jumps)
+  {
+    jumps = new_jumps;
+    fixed = unite(fixed, jumps, period());
+  }
+
+
+
   bool
   StepList::jumps_at(const double t) const
   {

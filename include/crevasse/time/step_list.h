@@ -45,12 +45,10 @@ namespace Crevasse
     }
 
     /** Makes known that loads or material jump at these instants: a step that
-     * ends there sees what was before, the next one what comes after. */
+     * ends there sees what was before, the next one what comes after. Adaptive
+     * steps end there in any case. */
     void
-    set_jumps(const std::vector<double> &new_jumps)
-    {
-      jumps = new_jumps;
-    }
+    set_jumps(const std::vector<double> &new_jumps);
 
     bool
     jumps_at(const double t) const;
