@@ -140,6 +140,13 @@ namespace
   Scene
   read_and_check(const Command &command, dealii::ParameterHandler &prm)
   {
+    if (std::error_code unknown;
+        !std::filesystem::exists(command.scene_file, unknown))
+      {
+        const std::string guess = similar_to(command.scene_file);
+        throw FileError("The file \"" + command.scene_file +
+                        "\" does not exist" + (guess.empty() ? "." : guess));
+      }
     Problems    problems;
     const Scene scene =
       read_scene(command.scene_file, command.overrides, prm, problems);

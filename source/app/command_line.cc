@@ -8,6 +8,7 @@
 #include <crevasse/base/version.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <regex>
 
@@ -129,7 +130,9 @@ namespace Crevasse
           hint = Text::did_you_mean(word.substr(0, word.find('=')), options);
       if (const CLI::Option *scene = app->get_option("scene");
           hint.empty() && !scene->empty())
-        hint = Text::did_you_mean(scene->as<std::string>(), commands);
+        hint = scene->as<std::string>() == "run"
+                 ? "; a scene is run without a command: crevasse SCENE.prm"
+                 : Text::did_you_mean(scene->as<std::string>(), commands);
       return error.what() + hint + "\nRun with --help for more information.\n";
     }
 
@@ -154,6 +157,32 @@ namespace Crevasse
                                        : "A scene file");
     }
   } // namespace
+
+
+
+  std::string
+  similar_to(const std::string &scene_file)
+  {
+    namespace fs                    = std::filesystem;
+    const fs::path           wanted = scene_file;
+    std::vector<std::string> candidates;
+    for (const ScriptCommand &command : script_commands())
+      candidates.push_back(command.name);
+    for (const fs::path &folder : {wanted.parent_path(), fs::path("prm")})
+      {
+        std::error_code unreadable;
+        const fs::path  place = folder.empty() ? "." : folder;
+        for (const auto &entry : fs::directory_iterator(place, unreadable))
+          if (const fs::path file = folder / entry.path().filename();
+              file.extension() == ".prm" || file.extension() == ".json")
+            {
+              if (file.stem() == wanted.filename())
+                return "; did you mean \"" + file.string() + "\"?";
+              candidates.push_back(file.string());
+            }
+      }
+    return Text::did_you_mean(scene_file, candidates);
+  }
 
 
 

@@ -103,12 +103,8 @@ namespace Crevasse
       tip["energy_release_rate"] = {{"largest", most_release},
                                     {"smallest", least_release}};
       tip["strain_energy"]       = {{"largest", energy}};
-      log.line(
-        Text::format("  crack tip: K_I from %.6g to %.6g in the last "
-                     "period, estimated error %.1e",
-                     history.least(),
-                     history.largest(),
-                     error));
+      log_intensity(
+        "  crack tip: K_I", history.least(), history.largest(), error, log);
       warn_of_uncertainty(analysis,
                           "K_I",
                           {std::max(std::abs(history.largest()),

@@ -97,14 +97,7 @@ namespace Crevasse
             range([mode](const Values &v) { return v.error[mode]; }).second;
           tip[name]            = {{"largest", most}, {"smallest", least}};
           tip[name + "_error"] = error;
-          log.line(
-            Text::format("%s%s from %.6g to %.6g in the last period, "
-                         "estimated error %.1e",
-                         title.c_str(),
-                         name.c_str(),
-                         least,
-                         most,
-                         error));
+          log_intensity(title + name, least, most, error, log);
         }
       const auto [least_release, most_release] =
         range([](const Values &v) { return v.release_rate; });

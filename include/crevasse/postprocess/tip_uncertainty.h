@@ -57,6 +57,34 @@ namespace Crevasse
 
 
 
+  /** Prints the range of K in the last period, its error, and what K_I < 0
+   * means.
+   * @param title "crack tip: K_I" */
+  inline void
+  log_intensity(const std::string &title,
+                const double       least,
+                const double       largest,
+                const double       error,
+                Log               &log)
+  {
+    const double size = std::max(std::abs(least), std::abs(largest));
+    log.line(
+      Text::format("%s from %.5g to %.5g in the last period, estimated error "
+                   "%.1g (%.1g %%)",
+                   title.c_str(),
+                   least,
+                   largest,
+                   error,
+                   size > 0. ? 100. * error / size : 0.));
+    if (least < -10. * error && title.back() == 'I' &&
+        title[title.size() - 2] == '_')
+      log.line(
+        "    negative: the stress ahead of the tip is compressive, while "
+        "creep keeps the crack open");
+  }
+
+
+
   /** Warns if K is uncertain.
    * @param name "K_I" or what else is uncertain.
    * @param size the largest |K| of the last period, with an error.
