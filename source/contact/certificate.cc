@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace Crevasse
@@ -96,7 +97,7 @@ namespace Crevasse
   Certificate::describe() const
   {
     std::ostringstream text;
-    text << "penetration " << penetration << ", tension " << tension
+    text << std::setprecision(3) << "penetration " << penetration << ", tension " << tension
          << ", complementarity " << complementarity << ", residual "
          << residual;
     return text.str();

@@ -26,7 +26,7 @@ namespace Crevasse
   ProjectedSor::description() const
   {
     std::ostringstream text;
-    text << std::setprecision(12) << "projected SOR with relaxation factor "
+    text << std::setprecision(6) << "projected SOR with relaxation factor "
          << relaxation_factor;
     return text.str();
   }

@@ -7,6 +7,7 @@
 #include <crevasse/grid/curved_edges.h>
 #include <crevasse/grid/geometry.h>
 #include <crevasse/grid/gmsh_file.h>
+#include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -40,13 +41,13 @@ namespace Crevasse
 
     /** Steps along the crack plane, one of whose ends is the tip. */
     std::vector<double>
-    steps_through_tip(const GeometryParameters &parameters)
+    steps_through_tip(const GeometryParameters &parameters,
+                      const unsigned int        n)
     {
-      const double       width      = parameters.width;
-      const double       tip        = tip_abscissa(parameters);
-      const unsigned int n          = parameters.subdivisions[0];
-      const double       cells_left = n * tip / width;
-      const auto         n_left     = static_cast<unsigned int>(
+      const double width      = parameters.width;
+      const double tip        = tip_abscissa(parameters);
+      const double cells_left = n * tip / width;
+      const auto   n_left     = static_cast<unsigned int>(
         std::clamp(std::round(cells_left), 1., n - 1.));
       if (std::abs(cells_left - n_left) < 1e-10 * n)
         return equal_steps(width, n);
@@ -87,14 +88,14 @@ namespace Crevasse
     void
     make_plate(const GeometryParameters &parameters, Triangulation<dim> &mesh)
     {
+      const std::vector<unsigned int>  n = subdivisions(parameters, dim);
       std::vector<std::vector<double>> steps(dim);
       steps[0] = traits(parameters.shape).has_crack
-                   ? steps_through_tip(parameters)
-                   : equal_steps(parameters.width, parameters.subdivisions[0]);
-      steps[1] = equal_steps(parameters.height, parameters.subdivisions[1]);
+                   ? steps_through_tip(parameters, n[0])
+                   : equal_steps(parameters.width, n[0]);
+      steps[1] = equal_steps(parameters.height, n[1]);
       if (dim == 3)
-        steps[dim - 1] =
-          equal_steps(parameters.thickness, parameters.subdivisions[dim - 1]);
+        steps[dim - 1] = equal_steps(parameters.thickness, n[dim - 1]);
 
       // The far corner is the sum of the steps, as the generator computes it:
       // it insists on equality.
@@ -307,8 +308,8 @@ namespace Crevasse
     n_cells_of_plate(const GeometryParameters &parameters)
     {
       double n = 1.;
-      for (unsigned int d = 0; d < dim; ++d)
-        n *= parameters.subdivisions[d];
+      for (const unsigned int n_along : subdivisions(parameters, dim))
+        n *= n_along;
       return n;
     }
   } // namespace

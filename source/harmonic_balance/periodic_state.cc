@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <iomanip>
 #include <sstream>
 
 namespace Crevasse
@@ -103,7 +104,7 @@ namespace Crevasse
   PeriodicContactCertificate::describe() const
   {
     std::ostringstream text;
-    text << "certificate: penetration " << penetration << ", tension "
+    text << std::setprecision(3) << "certificate: penetration " << penetration << ", tension "
          << tension << ", complementarity " << complementarity
          << ", defect of the mean " << mean_defect;
     return text.str();

@@ -9,6 +9,7 @@
 #include <crevasse/model/linear_choice.h>
 #include <crevasse/model/mesh_materials.h>
 #include <crevasse/model/refinement.h>
+#include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/built_in_boundary.h>
 
 #include <deal.II/fe/mapping_q1.h>
@@ -61,8 +62,8 @@ namespace Crevasse
                   const Temperature<dim> &temperature)
     {
       constexpr double    fewest_cells = 2.;
-      const unsigned int  n     = scene.discretisation.singular_functions;
-      const BoundaryRoles roles = boundary_roles(scene);
+      const unsigned int  n            = singular_functions(scene).n;
+      const BoundaryRoles roles        = boundary_roles(scene);
       SingularFunctions   functions;
       if constexpr (dim == 2)
         if (n > 0)

@@ -6,6 +6,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/model/linear_choice.h>
+#include <crevasse/parameters/automatic.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -74,7 +75,7 @@ namespace Crevasse
   bool
   may_use_gmg(const Scene &scene, const Body<dim> &body)
   {
-    return scene.discretisation.singular_functions == 0 &&
+    return singular_functions(scene).n == 0 &&
            !traits(scene.contact.solver).relaxes &&
            scene.contact.relaxation_table.empty() &&
            body.space.mesh().n_global_levels() > 1 &&
@@ -249,7 +250,7 @@ namespace Crevasse
     const double       unknowns = per_cell * cells.all;
     const double       coarsest = per_cell * cells.first;
     const bool         has_coarser = scene.geometry.refinements > 0 &&
-                             scene.discretisation.singular_functions == 0 &&
+                             singular_functions(scene).n == 0 &&
                              coarsest <= largest_factorised(dim);
     const LinearSolverChoice solver = choose_linear_solver(
       scene.linear_solver, dim, unknowns, n_ranks, has_coarser);

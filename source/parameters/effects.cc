@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/effects.h>
 
 #include <algorithm>
@@ -57,6 +58,21 @@ namespace Crevasse
 
 
 
+    /** Or tries to have it. */
+    bool
+    wants_stress_intensity(const Scene &scene, const BoundaryRoles &roles)
+    {
+      const StressIntensityChoice choice = scene.crack_tip.stress_intensity;
+      return choice == StressIntensityChoice::on ||
+             (choice == StressIntensityChoice::automatic &&
+              scene.dimension == 2 && roles.has_lip() &&
+              scene.material.viscosity != ViscosityType::power_law &&
+              (!scene.is_axisymmetric() ||
+               creeps_in_proportion(scene.material)));
+    }
+
+
+
     void
     append(const std::vector<Expression> &more, std::vector<Expression> &all)
     {
@@ -81,11 +97,10 @@ namespace Crevasse
                    const BoundaryRoles &roles,
                    const bool           temperature_varies)
   {
-    const MaterialParameters &material = scene.material;
-    const unsigned int n_singular  = scene.discretisation.singular_functions;
-    const bool         has_contact = roles.has_lip();
-    const bool         is_chain    = material.viscosity == ViscosityType::chain;
-    const bool         has_tip     = scene.crack_tip.stress_intensity;
+    const MaterialParameters &material    = scene.material;
+    const bool                has_contact = roles.has_lip();
+    const bool is_chain = material.viscosity == ViscosityType::chain;
+    const auto [n_singular, why_singular] = Crevasse::singular_functions(scene);
 
     contact      = {"contact",
                     has_contact,
@@ -115,17 +130,26 @@ namespace Crevasse
     for (const auto &force : scene.loads.forces())
       if (force.in_volume)
         volume_forces.push_back(volume_force(force));
-    singular_functions = {"singular functions",
-                          n_singular > 0,
-                          "[Discretisation] Singular functions = " +
-                            std::to_string(n_singular)};
+    singular_functions = {"singular functions", n_singular > 0, why_singular};
     stress_intensity   = {"stress intensity",
-                          has_tip,
-                          std::string("[Crack tip] Stress intensity = ") +
-                            (has_tip ? "true" : "false")};
+                          wants_stress_intensity(scene, roles),
+                          "[Crack tip] Stress intensity = " +
+                            name_of(scene.crack_tip.stress_intensity)};
     field_output       = {"field output",
                           scene.output.fields != FieldFormat::none,
                           "[Output] Fields = " + name_of(scene.output.fields)};
+  }
+
+
+
+  bool
+  creeps_in_proportion(const MaterialParameters &material)
+  {
+    return material.stiffness_matrix.text().empty() &&
+           material.viscosity != ViscosityType::matrix &&
+           (material.viscosity != ViscosityType::isotropic ||
+            material.viscous_poisson_ratio.text() ==
+              material.poisson_ratio.text());
   }
 
 

@@ -17,6 +17,22 @@ namespace Crevasse
 
 
 
+  std::vector<unsigned int>
+  parse_subdivisions(const std::string &text)
+  {
+    if (text == "automatic")
+      return {};
+    const Patterns::List pattern(Patterns::Integer(1), 1);
+    if (!pattern.match(text))
+      throw SceneError(
+        "must be automatic, or as many integers of at least 1 as "
+        "dimensions, separated by commas");
+    return Patterns::Tools::Convert<std::vector<unsigned int>>::to_value(
+      text, pattern);
+  }
+
+
+
   void
   GeometryParameters::add_parameters(ParameterHandler &prm)
   {
@@ -51,14 +67,15 @@ namespace Crevasse
       "circles: cells are curved with Degree = 2, in the plane also when they "
       "are divided. Allowed: a Gmsh file (.msh) or another format that deal.II "
       "reads");
-    prm.add_parameter(
+    subdivisions.add_parameter(
       "Subdivisions",
-      subdivisions,
       "Numbers of cells along x and y (and z) of a built-in shape, before "
       "refinement. Where equal cells do not meet the crack tip, the two sides "
-      "of it are divided separately. Allowed: as many integers of at least 1 "
-      "as dimensions, separated by commas",
-      Patterns::List(Patterns::Integer(1)));
+      "of it are divided separately. \"automatic\": squares of a seventh (in "
+      "space of a quarter) of crack or ligament, but at most 64 (24) cells in "
+      "a direction. Allowed: automatic, or as many integers of at least 1 as "
+      "dimensions, separated by commas",
+      prm);
     prm.add_parameter("Refinements",
                       refinements,
                       "How often all cells are halved in each direction.",

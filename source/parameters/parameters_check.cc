@@ -51,31 +51,6 @@ namespace Crevasse
 
 
 
-    /** Blames Subdivisions only where they are too many by themselves. */
-    void
-    check_number_of_cells(const GeometryParameters &geometry,
-                          const Checker            &checker)
-    {
-      constexpr double         most = 2e7;
-      double                   n    = 1.;
-      std::vector<std::string> factors;
-      for (const unsigned int n_steps : geometry.subdivisions)
-        {
-          n *= n_steps;
-          factors.push_back(std::to_string(n_steps));
-        }
-      const double n_refined =
-        n * std::pow(2., geometry.subdivisions.size() * geometry.refinements);
-      checker.demand(n <= most,
-                     "Subdivisions",
-                     "makes " + Text::from_number(n) +
-                       " cells; more than 2e7 are refused");
-      checker.demand(n > most || n_refined <= most,
-                     "Refinements",
-                     "makes " + Text::from_number(n_refined) +
-                       " cells of Subdivisions = " + Text::join(factors, ", ") +
-                       "; more than 2e7 are refused");
-    }
   } // namespace
 
 
@@ -89,14 +64,9 @@ namespace Crevasse
         if (!problems.concern(section, "Width") &&
             !problems.concern(section, "Crack length"))
           check_crack_length(*this, checker);
-        checker.demand(subdivisions.empty() || subdivisions[0] != 1,
-                       "Subdivisions",
-                       "must begin with at least 2, along x, because the crack "
-                       "tip is a vertex of the mesh");
       }
     if (shape != Shape::mesh_file)
       {
-        check_number_of_cells(*this, checker);
         checker.demand(mesh_file.empty(),
                        "Mesh file",
                        "is allowed only for the shape \"mesh file\"; the shape "
@@ -215,8 +185,7 @@ namespace Crevasse
     Checker(section, problems)
       .demand(volumetric_strain != VolumetricStrain::mean || degree == 1,
               "Volumetric strain",
-              "is for linear elements only; with Degree = " +
-                std::to_string(degree) + " it must be full");
+              "is for linear elements only: set Degree = 1, or leave it full");
   }
 
 
@@ -308,7 +277,8 @@ namespace Crevasse
     const auto   &law          = traits(growth_law);
     const bool    is_of_C_of_t = law.has_creep_part && //
                               creep_parameter == CreepParameter::C_of_t;
-    checker.demand(growth_law == GrowthLawType::none || stress_intensity ||
+    checker.demand(growth_law == GrowthLawType::none ||
+                     stress_intensity != StressIntensityChoice::off ||
                      is_of_C_of_t,
                    "Crack growth law",
                    "needs Stress intensity = true");

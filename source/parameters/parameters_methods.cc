@@ -32,15 +32,7 @@ namespace Crevasse
                       "Polynomial degree of the finite elements.",
                       Integer(1, 2));
     add_selection("Volumetric strain", volumetric_strain, prm);
-    prm.add_parameter(
-      "Singular functions",
-      singular_functions,
-      "Number of functions with the singularity of the crack tip that are "
-      "added to the finite elements: 1: that of a unit K_I, 2: also the other "
-      "one with the square root of r, for a viscous Poisson ratio other than "
-      "the elastic one, 3: also that with the power 3/2. At each tip between "
-      "two lips as many of mode II.",
-      Integer(0, 3));
+    add_selection("Singular functions", singular_functions, prm);
   }
 
 
@@ -247,14 +239,7 @@ namespace Crevasse
   void
   CrackTipParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Stress intensity",
-                      stress_intensity,
-                      "Whether crack_tip.csv has the stress intensity "
-                      "factor K_I of each step, or crack_tip_1.csv, "
-                      "crack_tip_2.csv, ... K_I and K_II of each tip of "
-                      "cracks with two lips; in space crack_front.csv K_I "
-                      "along the front in the last period, with two lips also "
-                      "K_II and K_III.");
+    add_selection("Stress intensity", stress_intensity, prm);
     prm.add_parameter(
       "Creep integral",
       creep_integral,
@@ -310,9 +295,10 @@ namespace Crevasse
     probes.add_parameter("Probes",
                          "Points whose displacement and stress are recorded at "
                          "every step, in files named after them; coordinates "
-                         "are in units of length. Allowed: a list such as tip: "
-                         "0.5, 0; corner: 1, 1, with as many coordinates as "
-                         "dimensions",
+                         "are in units of length. \"automatic\": the mouth of "
+                         "a built-in crack. Allowed: automatic, or a list such "
+                         "as tip: 0.5, 0; corner: 1, 1, with as many "
+                         "coordinates as dimensions",
                          prm);
     prm.add_parameter("Field times",
                       field_times,

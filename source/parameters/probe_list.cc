@@ -33,6 +33,8 @@ namespace Crevasse
   {
     std::vector<NamedPoint> probes;
     std::set<std::string>   names;
+    if (text == "automatic")
+      return probes;
     for (const std::string &entry : Text::split(text, ';'))
       {
         const std::size_t colon = entry.find(':');

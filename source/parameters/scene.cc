@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/text.h>
+#include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/scene.h>
 
@@ -10,6 +11,46 @@ namespace Crevasse
 {
   namespace
   {
+    /** Blames Subdivisions only where they are too many by themselves. */
+    void
+    check_subdivisions(const Scene &scene, Problems &problems)
+    {
+      const GeometryParameters &geometry = scene.geometry;
+      const Checker             checker(GeometryParameters::section, problems);
+      checker.demand_valid("Subdivisions", geometry.subdivisions);
+      if (geometry.shape == Shape::mesh_file ||
+          !geometry.subdivisions.is_valid() ||
+          problems.concern(GeometryParameters::section, "Crack length"))
+        return;
+      const std::vector<unsigned int> n =
+        subdivisions(geometry, scene.dimension);
+      checker.demand(n.size() == scene.dimension,
+                     "Subdivisions",
+                     "must be " + std::to_string(scene.dimension) +
+                       " integers, one for each dimension");
+      checker.demand(!traits(geometry.shape).has_crack || n[0] != 1,
+                     "Subdivisions",
+                     "must begin with at least 2, along x, because the crack "
+                     "tip is a vertex of the mesh");
+      constexpr double most  = 2e7;
+      double           cells = 1.;
+      for (const unsigned int n_along : n)
+        cells *= n_along;
+      const double refined =
+        cells * std::pow(2., n.size() * geometry.refinements);
+      checker.demand(cells <= most,
+                     "Subdivisions",
+                     "makes " + Text::from_number(cells) +
+                       " cells; more than 2e7 are refused");
+      checker.demand(cells > most || refined <= most,
+                     "Refinements",
+                     "makes " + Text::from_number(refined) + " cells of " +
+                       Text::from_number(cells) +
+                       "; more than 2e7 are refused");
+    }
+
+
+
     /** What belongs to the dimension. */
     void
     check_body(const Scene &scene, Problems &problems)
@@ -25,11 +66,6 @@ namespace Crevasse
                         ": the body without a crack is \"" +
                         name_of(is_plane ? Shape::rectangle : Shape::box) +
                         "\" there");
-      geometry.demand(scene.geometry.shape == Shape::mesh_file ||
-                        scene.geometry.subdivisions.size() == scene.dimension,
-                      "Subdivisions",
-                      "must be " + dimension +
-                        " integers, one for each dimension");
 
       const Checker loads(LoadParameters::section, problems);
       for (const auto &force : scene.loads.forces())
@@ -51,17 +87,25 @@ namespace Crevasse
                        "Crack growth law",
                        "is for Dimension = 2: in space K varies along the "
                        "front");
-      crack_tip.demand(!scene.crack_tip.stress_intensity ||
+      const bool has_intensity =
+        scene.crack_tip.stress_intensity == StressIntensityChoice::on;
+      crack_tip.demand(!has_intensity ||
                          scene.material.viscosity != ViscosityType::power_law,
                        "Stress intensity",
                        "must be false with [Material] Viscosity = power law: "
                        "K does not describe the stress at a tip where creep is "
                        "a power of the stress. Set Creep integral = true");
+      crack_tip.demand(scene.material.viscosity != ViscosityType::power_law ||
+                         scene.crack_tip.growth_law == GrowthLawType::none ||
+                         scene.crack_tip.creep_integral,
+                       "Crack growth law",
+                       "needs, with [Material] Viscosity = power law, Creep "
+                       "integral = true and Creep growth parameter = C(t)");
       crack_tip.demand(
         !scene.crack_tip.creep_integral ||
           (is_plane && !scene.is_axisymmetric() &&
            scene.material.viscosity == ViscosityType::power_law &&
-           scene.discretisation.singular_functions == 0),
+           singular_functions(scene).n == 0),
         "Creep integral",
         "is for [Material] Viscosity = power law in plane stress "
         "or strain, with [Discretisation] Singular functions = "
@@ -73,15 +117,7 @@ namespace Crevasse
                        "Method",
                        "williams fit is not for [Material] Plane state = "
                        "axisymmetric; use automatic");
-      const MaterialParameters &material = scene.material;
-      const bool                is_proportional =
-        material.viscosity != ViscosityType::matrix &&
-        (material.viscosity != ViscosityType::isotropic ||
-         material.viscous_poisson_ratio.text() ==
-           material.poisson_ratio.text());
-      crack_tip.demand(!scene.crack_tip.stress_intensity ||
-                         (material.stiffness_matrix.text().empty() &&
-                          is_proportional),
+      crack_tip.demand(!has_intensity || creeps_in_proportion(scene.material),
                        "Stress intensity",
                        "needs, with [Material] Plane state = axisymmetric, an "
                        "isotropic body that creeps with its elastic Poisson's "
@@ -109,29 +145,10 @@ namespace Crevasse
                      "and nothing locks; it must be full, or [Material] Plane "
                      "state = plane strain");
 
-      if (discretisation.singular_functions == 0)
-        return;
-      const auto demand = [&](const bool fulfilled, const std::string &reason) {
-        checker.demand(fulfilled,
-                       "Singular functions",
-                       "must be 0 with " + reason);
-      };
-      demand(scene.dimension == 2,
-             "Dimension = 3: they are those of a crack tip in the plane; use "
-             "[Refinement] Strategy = tip");
-      demand(!scene.is_axisymmetric(),
-             "[Material] Plane state = axisymmetric: they are those of a crack "
-             "tip in the plane; use [Refinement] Strategy = tip");
-      demand(!has_mean,
-             "Volumetric strain = mean; use Degree = 2 instead of mean "
-             "dilatations");
-      demand(!traits(scene.linear_solver.type).is_multigrid,
-             "[Linear solver] Type = " + name_of(scene.linear_solver.type) +
-               ": they couple all unknowns; use automatic, cholesky or mumps");
-      demand(!scene.boundary.gap.is_valid() || scene.boundary.gap->is_zero(),
-             "[Boundary] Gap = " + scene.boundary.gap.text() +
-               ": a crack that is open without load may close at its tip, "
-               "which the bound of the singular function forbids");
+      const std::string obstacle = obstacle_to_singular_functions(scene);
+      checker.demand(obstacle.empty() || singular_functions(scene).n == 0,
+                     "Singular functions",
+                     "must be 0 with " + obstacle);
     }
 
 
@@ -247,7 +264,7 @@ namespace Crevasse
              "flow");
       demand(scene.material.viscosity != ViscosityType::none,
              "with [Material] Viscosity = none: there is only one period");
-      demand(scene.discretisation.singular_functions == 0,
+      demand(singular_functions(scene).n == 0,
              "with [Discretisation] Singular functions: what they have caused "
              "in the viscous strain does not go over to another mesh");
       demand(n >= 3 || scene.periodic_state.tolerance == 0.,
@@ -337,6 +354,7 @@ namespace Crevasse
     crack_tip.check(problems);
     if (problems.concern("", "Dimension"))
       return;
+    check_subdivisions(*this, problems);
     check_body(*this, problems);
     check_elements(*this, problems);
     check_methods(*this, problems);

@@ -169,7 +169,8 @@ namespace Crevasse
          direct,
          "[Periodic state] " + of_method},
         {"Time integration/Scheme",
-         direct && time.scheme != Scheme::trapezoid,
+         direct && time.scheme != Scheme::trapezoid &&
+           time.scheme != Scheme::automatic,
          "[Periodic state] " + of_method + " is the trapezoidal rule"},
         {"Periodic state/Secular split, Start from, Harmonics", elastic, none},
         {"Periodic state/Method", elastic, none + ", one period tells all"},
@@ -189,9 +190,11 @@ namespace Crevasse
     Rules
     rules_of_results(const Scene &scene)
     {
-      const CrackTipParameters &tip      = scene.crack_tip;
-      const auto               &law      = traits(tip.growth_law);
-      const RefinementStrategy  strategy = scene.refinement.strategy;
+      const CrackTipParameters &tip = scene.crack_tip;
+      const auto               &law = traits(tip.growth_law);
+      const bool                has_intensity =
+        tip.stress_intensity != StressIntensityChoice::off;
+      const RefinementStrategy strategy = scene.refinement.strategy;
       const std::string of_law = std::string("Crack growth law = ") + law.name;
       const std::string of_strategy = "Strategy = " + name_of(strategy);
       return {
@@ -202,9 +205,9 @@ namespace Crevasse
          "Instants",
          strategy != RefinementStrategy::adaptive,
          of_strategy},
-        {"Crack tip/Method", !tip.stress_intensity, "Stress intensity = false"},
+        {"Crack tip/Method", !has_intensity, "Stress intensity = false"},
         {"Crack tip/Radius",
-         !tip.stress_intensity && !tip.creep_integral,
+         !has_intensity && !tip.creep_integral,
          "Stress intensity = false"},
         {"Crack tip/Paris factor, Paris exponent, Paris threshold",
          !law.has_paris_part,

@@ -44,7 +44,9 @@ namespace Crevasse
         return choice(Method::march,
                       std::string("the steps of Scheme = ") + scheme.name +
                         " flow steadily in their own way");
-      if (obstacles.empty() && scheme.value == Scheme::trapezoid &&
+      if (obstacles.empty() &&
+          (scheme.value == Scheme::trapezoid ||
+           scheme.value == Scheme::automatic) &&
           !scene.time_integration.locate_contact_events)
         return choice(Method::fourier, "nothing but the loads depends on time");
       if (const std::string flow = secular_obstacle(body);

@@ -6,6 +6,7 @@
 #include <crevasse/discretisation/stress_estimator.h>
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>
+#include <crevasse/parameters/automatic.h>
 #include <crevasse/simulation/adapted_mesh.h>
 
 #include <deal.II/distributed/grid_refinement.h>
@@ -249,8 +250,7 @@ namespace Crevasse
         {enough, limit, now + std::max(0.5 * (limit - now), little * limit)});
     // What singular functions describe is not in the squares.
     const CrackFront<dim> front =
-      scene.discretisation.singular_functions > 0 &&
-          boundary_roles(scene).crack.empty()
+      singular_functions(scene).n > 0 && boundary_roles(scene).crack.empty()
         ? CrackFront<dim>()
         : crack_front<dim>(*current, boundary_roles(scene));
     bool                  divides   = false;

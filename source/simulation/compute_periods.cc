@@ -107,7 +107,7 @@ namespace Crevasse
       const double defect = motion.largest_defect();
       periods.report(defect);
       work.output.log.line("  harmonic balance: states and samples differ by " +
-                           Text::from_number(defect) + " at most");
+                           Text::from_number(defect, 2) + " at most");
       PeriodicResult result = periods.result();
       result.converged      = defect <= tolerable;
       if (!result.converged && !work.start.choice.may_fall_back)

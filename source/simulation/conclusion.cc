@@ -9,6 +9,7 @@
 #include <crevasse/postprocess/lip_state.h>
 #include <crevasse/simulation/conclusion.h>
 #include <crevasse/simulation/setup_report.h>
+#include <crevasse/simulation/warnings.h>
 
 
 namespace Crevasse

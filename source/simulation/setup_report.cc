@@ -7,8 +7,8 @@
 #include <crevasse/base/text.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/mesh_materials.h>
-#include <crevasse/parameters/effects.h>
 #include <crevasse/simulation/setup_report.h>
+#include <crevasse/simulation/warnings.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -199,6 +199,8 @@ namespace Crevasse
              << " steps a period, the largest " << step;
       if (setup.integrator == nullptr)
         return text;
+      if (setup.periodic_choice.method == PeriodicMethodType::fourier)
+        return text << "; trapezoid, all instants at once";
       const IntegratorProperties &integrator = setup.integrator->properties;
       const double                limit =
         integrator.stability_limit * setup.relaxation_times.smallest;
@@ -208,35 +210,6 @@ namespace Crevasse
         return text << "with steps as the stress allows them";
       return std::isfinite(limit) ? text << "below " << limit
                                   : text << "with any step";
-    }
-
-
-
-    /** Schemes that are stable, but not accurate, with such steps. */
-    template <int dim>
-    void
-    warn_of_large_steps(const RunSetup<dim>      &setup,
-                        const PeriodicChoice     &choice,
-                        std::vector<std::string> &all)
-    {
-      const TimeIntegrationParameters &time = setup.scene.time_integration;
-      const double                     in_relaxation_times =
-        setup.steps.largest_step() / setup.relaxation_times.smallest;
-      if (setup.integrator == nullptr || in_relaxation_times <= 2.)
-        return;
-      const std::string steps = Text::Message()
-                                << " with steps of " << in_relaxation_times
-                                << " relaxation times";
-      if (!choice.uses_fourier() && time.scheme == Scheme::trapezoid)
-        all.push_back("[Time integration] Scheme = trapezoid" + steps +
-                      ": what relaxes so fast oscillates instead of decaying; "
-                      "with Scheme = sdirk2 it decays");
-      if (time.scheme == Scheme::exponential &&
-          time.step_control != StepControlType::adaptive)
-        all.push_back("[Time integration] Scheme = exponential" + steps +
-                      " is stable, but what creeps under given loads creeps by "
-                      "about one elastic strain a step at most; Scheme = "
-                      "sdirk2 is exact there");
     }
   } // namespace
 
@@ -260,66 +233,6 @@ namespace Crevasse
             // Longest diagonals.
             {"smallest_cell", GridTools::minimal_cell_diameter(mesh)},
             {"largest_cell", GridTools::maximal_cell_diameter(mesh)}};
-  }
-
-
-
-  template <int dim>
-  std::vector<std::string>
-  warnings(const RunSetup<dim>  &setup,
-           const PeriodicChoice &choice,
-           const SecularSplit   &split)
-  {
-    std::vector<std::string> all   = unused_parameters(setup.scene);
-    constexpr double         small = 0.1;
-    if (setup.largest_thermal_strain > small)
-      all.push_back(
-        Text::Message()
-        << "[Material] Thermal expansion and [Loads] Temperature: the thermal "
-           "strain is up to "
-        << setup.largest_thermal_strain
-        << "; the theory is one of small strains, much less than 1");
-    constexpr double      too_much = 0.5;
-    const StepControlType control  = setup.scene.time_integration.step_control;
-    if (setup.missed_load > too_much && control != StepControlType::adaptive)
-      all.push_back(Text::Message()
-                    << "[Time integration]: within a step the loads differ by "
-                    << std::lround(100. * setup.missed_load)
-                    << " % of their largest from a straight line between its "
-                       "ends; steps that "
-                       "are too few, or that meet a load at its zeros, "
-                    << (setup.integrator == nullptr ? "show" : "compute with")
-                    << " another load than the scene's. "
-                    << (control == StepControlType::list
-                          ? "Add instants to Steps"
-                          : "Raise Steps per period"));
-    if (setup.steps.jumps_at(setup.steps.period()) &&
-        !formulas_can_jump(setup.scene))
-      all.push_back(
-        "[Loads] Period = " + Text::from_number(setup.steps.period()) +
-        ": loads or material jump where the period ends and t begins anew, "
-        "though no formula has a jump in it. Is this the period of the "
-        "formulas?");
-    if (setup.scene.discretisation.singular_functions == 3 &&
-        setup.body.effects.contact.on)
-      all.push_back(
-        "[Discretisation] Singular functions = 3 with contact: where the lip "
-        "is pressed, the third one moves it between its nodes, and pressure "
-        "and K_I are off by some tenths of a per cent; 2 are not");
-    if (has_thermal_expansion(setup.scene.material))
-      if (const double least =
-            least_temperature(setup.body, setup.steps.period());
-          least > 200.)
-        all.push_back(
-          Text::Message()
-          << "[Loads] Temperature is at least " << least
-          << " everywhere and always, as one in kelvin would be, but it is the "
-             "change from the temperature without thermal strain; subtract "
-             "that one");
-    if (!split.warning.empty())
-      all.push_back(split.warning);
-    warn_of_large_steps(setup, choice, all);
-    return all;
   }
 
 
@@ -353,16 +266,21 @@ namespace Crevasse
                describe_materials(scene, setup.body.space.mesh()));
     for (const Effects::Effect &effect :
          setup.active_effects(setup.secular_split))
-      log.line(Text::format("  %-19s%-4s(%s)",
-                            effect.name.c_str(),
-                            effect.on ? "on" : "off",
-                            Text::shorten(effect.why).c_str()));
+      if (effect.on || log.is_verbose)
+        log.line(Text::format("  %-19s%-4s(%s)",
+                              effect.name.c_str(),
+                              effect.on ? "on" : "off",
+                              Text::shorten(effect.why).c_str()));
     log.line(describe_time(setup));
     log.line("  periodic state: " + setup.periodic_choice.describe());
     if (!traits(setup.solvers.contact.type).relaxes)
       log.line("  linear solver: " + setup.solvers.linear.describe());
     if (setup.body.effects.contact.on)
       log.line("  contact solver: " + setup.solvers.contact.describe());
+    const std::string automatic = "automatic: ";
+    if (const auto &K = setup.stress_intensity;
+        !K.on && K.why.compare(0, automatic.size(), automatic) == 0)
+      log.line("  crack tip: no K_I, for " + K.why.substr(automatic.size()));
     for (const auto &tip : setup.crack_tips)
       log.line(tip->describe());
     for (const auto &integral : setup.creep_integrals)
@@ -386,12 +304,9 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                  \
-  template Summary                  sizes_of<dim>(const Body<dim> &);     \
-  template std::vector<std::string> warnings<dim>(const RunSetup<dim> &,  \
-                                                  const PeriodicChoice &, \
-                                                  const SecularSplit &);  \
-  template void                     describe<dim>(const RunSetup<dim> &, Log &)
+#define INSTANTIATE(dim)                             \
+  template Summary sizes_of<dim>(const Body<dim> &); \
+  template void    describe<dim>(const RunSetup<dim> &, Log &)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -296,6 +296,7 @@ namespace Crevasse
           case Scheme::exponential:
             return std::make_unique<ExponentialHeun>();
           case Scheme::sdirk2:
+          case Scheme::automatic:
             return std::make_unique<RungeKutta>(sdirk2());
           case Scheme::trapezoid:
             return std::make_unique<RungeKutta>(trapezoid());

@@ -2,7 +2,9 @@
 
 import math
 
-BAR = """
+from crevasse_run import plain
+
+BAR = plain("""
 subsection Geometry
   set Shape        = rectangle
   set Subdivisions = 2, 2
@@ -26,7 +28,7 @@ subsection Output
   set Probes = top: 0.5, 1
   set Fields = none
 end
-"""
+""")
 
 OMEGA, TAU, E, LOAD = 2 * math.pi / 600, 60., 13000., 10.
 NU, NU_FLOW = 0.2, 0.45

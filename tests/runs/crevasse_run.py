@@ -101,6 +101,29 @@ def overrides(settings):
     return [word for setting in settings for word in ("--set", setting)]
 
 
+def settings_of(scene):
+    """The text of a scene as (section, name): value."""
+    section, settings = "", {}
+    for line in scene.splitlines():
+        words = line.split("#")[0].split(None, 1)
+        if words[:1] == ["subsection"]:
+            section = words[1].strip()
+        elif words[:1] == ["set"]:
+            name, value = words[1].split("=", 1)
+            settings[section, name.strip()] = value.strip()
+    return settings
+
+
+def plain(scene):
+    """The text of a scene, and after it those settings of plain.prm that it does
+    not have."""
+    own = settings_of(scene)
+    usual = settings_of((SOURCE / "tests/runs/plain.prm").read_text())
+    return scene + "".join(
+        f"subsection {section}\n  set {name} = {value}\nend\n"
+        for (section, name), value in usual.items() if (section, name) not in own)
+
+
 def run(scene, name, settings=(), status=0):
     """Runs a scene (a path, or the text of a .prm file) with "Section/Name=value"
     settings into the fresh directory results/<name>."""
@@ -108,7 +131,7 @@ def run(scene, name, settings=(), status=0):
     shutil.rmtree(directory, ignore_errors=True)
     if "\n" in str(scene):
         path = pathlib.Path(name + ".prm")
-        path.write_text(scene)
+        path.write_text(plain(scene))
         scene = path
     code, _, error = execute(scene, "--output", directory,
                              *overrides(settings))

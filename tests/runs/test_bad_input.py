@@ -7,7 +7,7 @@ import re
 import shutil
 from typing import NamedTuple
 
-from crevasse_run import SOURCE, check, execute, overrides
+from crevasse_run import SOURCE, check, execute, overrides, plain
 
 MESHES = SOURCE / "tests" / "meshes"
 
@@ -583,7 +583,8 @@ def execute_case(case):
     directory = pathlib.Path("results") / case.name
     shutil.rmtree(directory, ignore_errors=True)
     scene = pathlib.Path(case.name + case.suffix)
-    scene.write_text(case.scene)
+    scene.write_text(plain(case.scene) if case.scene in (SCENE, MESH_SCENE)
+                     else case.scene)
     return execute(scene, "--output", directory, *overrides(case.settings))
 
 
@@ -631,7 +632,7 @@ def test_missing_scene():
 def test_output_directory():
     """Even root can neither make a directory below a file nor in /proc."""
     scene = pathlib.Path("output_directory.prm")
-    scene.write_text(SCENE)
+    scene.write_text(plain(SCENE))
     for directory in (scene / "below", "/proc/nonexistent"):
         check_messages(str(directory),
                        *execute(scene, "--quiet", "--output", directory), 4,
@@ -649,7 +650,7 @@ def test_output_directory():
 def test_what_is_in_the_way():
     """A directory where a file is to be written is found before computing."""
     scene = pathlib.Path("in_the_way.prm")
-    scene.write_text(SCENE)
+    scene.write_text(plain(SCENE))
     directory = pathlib.Path("results/in_the_way")
     shutil.rmtree(directory, ignore_errors=True)
     (directory / "solution.pvd").mkdir(parents=True)
@@ -659,13 +660,13 @@ def test_what_is_in_the_way():
                         "--output DIR"])
         check((directory / "solution.pvd").is_dir(), "it was removed")
         check(not (directory / "log.txt").exists(), "something was computed")
-        (directory / "used.prm").write_text(SCENE)
+        (directory / "used.prm").write_text(plain(SCENE))
 
 
 def test_stability_bound():
     """The number of steps in the message is the smallest that will do."""
     scene = pathlib.Path("stability_bound.prm")
-    scene.write_text(SCENE)
+    scene.write_text(plain(SCENE))
     directory = pathlib.Path("results/stability_bound")
     shutil.rmtree(directory, ignore_errors=True)
 
@@ -699,7 +700,7 @@ def test_stability_bound():
 def test_not_yet_periodic():
     """Exit status 3, but nothing that was computed is lost."""
     scene = pathlib.Path("not_yet_periodic.prm")
-    scene.write_text(SCENE)
+    scene.write_text(plain(SCENE))
     directory = pathlib.Path("results/not_yet_periodic")
     shutil.rmtree(directory, ignore_errors=True)
     result = execute(scene, "--output", directory, "--set",
@@ -828,7 +829,7 @@ def warnings_of(scene, settings=()):
 def test_unused_parameters():
     """What is set but has no effect is reported, and nothing else."""
     scene = pathlib.Path("unused.prm")
-    scene.write_text(SCENE)
+    scene.write_text(plain(SCENE))
     for settings, expected in UNUSED:
         warnings = warnings_of(scene, settings)
         print(f"--- {settings}", *warnings, sep="\n")
@@ -837,7 +838,7 @@ def test_unused_parameters():
             check(any(re.match(pattern, warning) for warning in warnings),
                   f"{settings}: no warning like {pattern}")
 
-    scene.write_text(MESH_SCENE)
+    scene.write_text(plain(MESH_SCENE))
     names = ("Width", "Height", "Crack length", "Subdivisions")
     warnings = warnings_of(scene, ["Geometry/Width=2", "Geometry/Height=2",
                                    "Geometry/Crack length=0.1",
@@ -847,7 +848,7 @@ def test_unused_parameters():
           == sorted(names), f"a mesh file: {warnings}")
 
     results = pathlib.Path("results/unused")
-    scene.write_text(SCENE)
+    scene.write_text(plain(SCENE))
     status, _, error = execute(scene, "--quiet", "--output", results, "--set",
                                "Geometry/Thickness=2")
     check(status == 0, error)

@@ -10,7 +10,8 @@ import shutil
 import subprocess
 import time
 
-from crevasse_run import PROGRAM, SOURCE, check, execute, run, server, start, tier
+from crevasse_run import (PROGRAM, SOURCE, check, execute, plain, run, server, start,
+                          tier)
 
 SCENE = """\
 set Title = A = b, c
@@ -61,7 +62,7 @@ def succeed(*arguments):
 
 def write_scene(name, text=SCENE):
     path = pathlib.Path(name)
-    path.write_text(text)
+    path.write_text(plain(text))
     return path
 
 
@@ -217,7 +218,7 @@ def test_second_run():
     """A directory has one run at a time."""
     directory = pathlib.Path("two_runs")
     directory.mkdir(exist_ok=True)
-    pathlib.Path("two_runs.prm").write_text(SCENE)
+    pathlib.Path("two_runs.prm").write_text(plain(SCENE))
     with open(directory / "running", "w") as file:
         file.write("the first run\n")
         file.flush()

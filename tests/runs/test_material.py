@@ -5,7 +5,7 @@ import math
 import pathlib
 import re
 
-from crevasse_run import SOURCE, check, check_below, execute, overrides, run
+from crevasse_run import SOURCE, check, check_below, execute, overrides, plain, run
 
 CRACK = """
 subsection Geometry
@@ -333,7 +333,7 @@ REFUSED = [
 
 
 def test_refusals():
-    pathlib.Path("refused.prm").write_text(CRACK)
+    pathlib.Path("refused.prm").write_text(plain(CRACK))
     for settings, parts in REFUSED:
         arguments = ["--check", "refused.prm"]
         for setting in settings:
@@ -349,7 +349,7 @@ def test_refusals_between_steps():
     """However a scheme comes upon a value that no material has, between the instants
     that are looked at before, too."""
     scene = pathlib.Path("between.prm")
-    scene.write_text(CRACK)
+    scene.write_text(plain(CRACK))
     adaptive = ["Time integration/Step control=adaptive",
                 "Time integration/Relative tolerance=1e-4"]
     tau = "Relaxation time=if(t>150.5 && t<157, {}, 300)".format

@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 import cracked
-from crevasse_run import (SOURCE, check, check_below, check_close, execute, run,
+from crevasse_run import (SOURCE, check, check_below, check_close, execute, plain, run,
                           run_on)
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
@@ -332,7 +332,7 @@ def test_support_at_tip():
                  f"{c!r}*({c!r}*y-{s!r}*x); {s!r}*({c!r}*y-{s!r}*x)",
                  "not in equilibrium")):
             path = pathlib.Path(f"{kind}_{degrees}.prm")
-            path.write_text(text)
+            path.write_text(plain(text))
             check(execute(path, "--check")[0] == 0, f"{kind}, {degrees} degrees")
             code, _, error = execute(path, "--check", "--set",
                                      f"Loads/Traction={push}")

@@ -12,13 +12,13 @@ import h5py
 import meshio
 import numpy
 
-from crevasse_run import (SOURCE, check, check_below, execute,
-                          probe_difference, run)
+from crevasse_run import (SOURCE, check, check_below, execute, plain, probe_difference,
+                          run)
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import temperature  # noqa: E402
 
-BODY = """
+BODY = plain("""
 set Dimension = 2
 subsection Geometry
   set Shape        = edge crack
@@ -48,7 +48,7 @@ subsection Output
   set Probes = mouth: 1, 0; inside: 0.4, 0.3
   set Fields = none
 end
-"""
+""")
 BOX = BODY.replace("Dimension = 2", "Dimension = 3").replace(
     "Subdivisions = 4, 3", "Subdivisions = 3, 2, 2").replace(
         "0; 5*", "0; 0; 5*").replace(
@@ -323,7 +323,7 @@ def test_curved_boundary():
 
 
 def refused(message, name, scene=BODY, expected=2):
-    pathlib.Path("refused.prm").write_text(scene)
+    pathlib.Path("refused.prm").write_text(plain(scene))
     status, _, error = execute("refused.prm", "--check", "--set",
                                f"Loads/Temperature={name}")
     print(f"{status}: {error.strip()}")

@@ -10,7 +10,7 @@ import random
 from cracked import (BOTTOM, CRACK, FRONT, LEFT, TOP, at_edge, square, square_scene,
                      steps, turned, write_block)
 from crevasse_run import (Results, check, check_below, execute, execute_on, overrides,
-                          run, run_on, start, tier)
+                          plain, run, run_on, start, tier)
 
 from crevasse.fields import Fields
 
@@ -21,7 +21,7 @@ FOUR_STEPS = ["Time integration/Steps per period=12",
 
 
 def write(name, scene):
-    pathlib.Path(name).write_text(scene)
+    pathlib.Path(name).write_text(plain(scene))
     return name
 
 
@@ -306,7 +306,7 @@ def test_random_scenes():
         compare_contact(other, one, 1e-8, f"seed {seed}")
         compare_contact(third, one, 1e-6, f"seed {seed}, SOR")
         if seed % 10 == 0:
-            pathlib.Path("random.prm").write_text(SCENE_OF_SQUARE)
+            pathlib.Path("random.prm").write_text(plain(SCENE_OF_SQUARE))
             n_ranks = (2, 3, 7)[seed // 10 % 3]
             compare_contact(run_on(n_ranks, "random.prm", "random_ranks", settings),
                             one, 1e-8, f"seed {seed}, {n_ranks} processes")

@@ -70,6 +70,11 @@ namespace Crevasse
   bool
   has_thermal_expansion(const MaterialParameters &material);
 
+  /** Whether the body is isotropic, and its viscosity in proportion to its
+   * stiffness. */
+  bool
+  creeps_in_proportion(const MaterialParameters &material);
+
   /** Whether there is a change of temperature. */
   bool
   has_temperature(const LoadParameters &loads);

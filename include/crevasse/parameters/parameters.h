@@ -14,6 +14,12 @@
 
 namespace Crevasse
 {
+  /** "automatic" gives none.
+   *
+   * @throw SceneError that says what is expected. */
+  std::vector<unsigned int>
+  parse_subdivisions(const std::string &text);
+
   /**
    * One plain struct for each section of a scene file. Every struct declares
    * its own entries (name, default, documentation, range) with
@@ -34,8 +40,10 @@ namespace Crevasse
     double      crack_length = 0.5;
     std::string mesh_file;
 
-    /** Cells along x, y, z of the coarse mesh before `refinements`. */
-    std::vector<unsigned int> subdivisions = {14, 4};
+    /** Cells along x, y, z of the coarse mesh before `refinements`; none: see
+     * subdivisions(). */
+    Parsed<std::vector<unsigned int>> subdivisions{"automatic",
+                                                   parse_subdivisions};
 
     /** Uniform refinements of the coarse mesh. */
     unsigned int refinements = 0;
@@ -163,10 +171,11 @@ namespace Crevasse
   {
     static constexpr const char *section = "Discretisation";
 
-    unsigned int     degree            = 1;
+    unsigned int     degree            = 2;
     VolumetricStrain volumetric_strain = VolumetricStrain::full;
     /** At the crack tip: 1: w₁, 2: and D, 3: and w₃ (SingularFunctions). */
-    unsigned int singular_functions = 0;
+    SingularFunctionNumber singular_functions =
+      SingularFunctionNumber::automatic;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -253,9 +262,9 @@ namespace Crevasse
     /** Of a period: more would not end. */
     static constexpr unsigned int most_steps = 1000000;
 
-    Scheme          scheme           = Scheme::heun;
+    Scheme          scheme           = Scheme::automatic;
     double          heun_weight      = 0.75;
-    unsigned int    steps_per_period = 40;
+    unsigned int    steps_per_period = 80;
     StepControlType step_control     = StepControlType::uniform;
     /** Instants within [0, Period] of the step control "list". */
     std::vector<double> steps;
@@ -279,7 +288,7 @@ namespace Crevasse
   {
     static constexpr const char *section = "Periodic state";
 
-    PeriodicMethodType method          = PeriodicMethodType::march;
+    PeriodicMethodType method          = PeriodicMethodType::automatic;
     StartFrom          start_from      = StartFrom::rest;
     SecularSplitType   secular_split   = SecularSplitType::automatic;
     unsigned int       maximum_periods = 100;
@@ -300,7 +309,7 @@ namespace Crevasse
   {
     static constexpr const char *section = "Crack tip";
 
-    bool                  stress_intensity = false;
+    StressIntensityChoice stress_intensity = StressIntensityChoice::automatic;
     bool                  creep_integral   = false;
     StressIntensityMethod method           = StressIntensityMethod::automatic;
     /** Half the side of the square around the tip that the integral extends
@@ -328,7 +337,7 @@ namespace Crevasse
   {
     static constexpr const char *section = "Output";
 
-    Parsed<std::vector<NamedPoint>> probes{"", parse_probes};
+    Parsed<std::vector<NamedPoint>> probes{"automatic", parse_probes};
     /** Instants within the period of the field output of the last period. */
     std::vector<double> field_times;
     FieldFormat         fields = FieldFormat::vtu;

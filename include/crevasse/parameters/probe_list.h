@@ -27,7 +27,8 @@ namespace Crevasse
     std::vector<double> coordinates;
   };
 
-  /** Reads "name: x, y; name: x, y"; nothing gives none.
+  /** Reads "name: x, y; name: x, y"; nothing gives none, and so does
+   * "automatic".
    *
    * @throw SceneError that says what is expected. */
   std::vector<NamedPoint>

@@ -116,6 +116,33 @@ namespace Crevasse
       "strain or three dimensions with a Poisson ratio near 0.5.";
   };
 
+  enum class SingularFunctionNumber
+  {
+    none,
+    one,
+    two,
+    three,
+    automatic
+  };
+
+  template <>
+  struct Selection<SingularFunctionNumber>
+  {
+    static constexpr NamedValue<SingularFunctionNumber> rows[] = {
+      {SingularFunctionNumber::none, "0"},
+      {SingularFunctionNumber::one, "1"},
+      {SingularFunctionNumber::two, "2"},
+      {SingularFunctionNumber::three, "3"},
+      {SingularFunctionNumber::automatic, "automatic"}};
+    static constexpr const char *meaning =
+      "Number of functions with the singularity of the crack tip that are "
+      "added to the finite elements: 1: that of a unit K_I, 2: also the other "
+      "one with the square root of r, for a viscous Poisson ratio other than "
+      "the elastic one, 3: also that with the power 3/2. At each tip between "
+      "two lips as many of mode II. \"automatic\": 2 at the tip of a built-in "
+      "crack in the plane, if nothing is against them, otherwise 0.";
+  };
+
   enum class RefinementStrategy
   {
     none,
@@ -152,6 +179,28 @@ namespace Crevasse
       "What Refine fraction and Coarsen fraction are parts of: of the "
       "estimated error (\"bulk\", Doerfler's marking) or of the number of "
       "cells (\"fixed fraction\").";
+  };
+
+  enum class StressIntensityChoice
+  {
+    off,
+    on,
+    automatic
+  };
+
+  template <>
+  struct Selection<StressIntensityChoice>
+  {
+    static constexpr NamedValue<StressIntensityChoice> rows[] = {
+      {StressIntensityChoice::off, "false"},
+      {StressIntensityChoice::on, "true"},
+      {StressIntensityChoice::automatic, "automatic"}};
+    static constexpr const char *meaning =
+      "Whether crack_tip.csv has the stress intensity factor K_I of each step, "
+      "or crack_tip_1.csv, crack_tip_2.csv, ... K_I and K_II of each tip of "
+      "cracks with two lips; in space crack_front.csv K_I along the front in "
+      "the last period, with two lips also K_II and K_III. \"automatic\": in "
+      "the plane, where K_I can be computed.";
   };
 
   enum class StressIntensityMethod

@@ -88,7 +88,8 @@ namespace Crevasse
     sdirk2,
     trapezoid,
     arkode_explicit,
-    arkode_implicit
+    arkode_implicit,
+    automatic
   };
 
   template <>
@@ -117,7 +118,8 @@ namespace Crevasse
       {Scheme::sdirk2, "sdirk2", true, true, true, false},
       {Scheme::trapezoid, "trapezoid", false, true, true, false},
       {Scheme::arkode_explicit, "arkode explicit", true, false, true, true},
-      {Scheme::arkode_implicit, "arkode implicit", true, true, true, true}};
+      {Scheme::arkode_implicit, "arkode implicit", true, true, true, true},
+      {Scheme::automatic, "automatic", true, true, true, false}};
     static constexpr const char *meaning =
       "Method for the viscous strain. Explicit, with a limit of the step: "
       "\"euler\", \"heun\" and \"rk4\" of order 1, 2 and 4, and \"predictor "
@@ -125,8 +127,9 @@ namespace Crevasse
       "\"exponential\" of order 2, exact where the strain is held, \"sdirk2\" "
       "of order 2, implicit, and \"trapezoid\" of order 2, implicit, in which "
       "fast components oscillate instead of decaying. \"arkode explicit\" and "
-      "\"arkode implicit\" are "
-      "methods of the library ARKODE, of the Order given.";
+      "\"arkode implicit\" are methods of the library ARKODE, of the Order "
+      "given. \"automatic\" is \"trapezoid\" where all instants are solved for "
+      "at once (see Periodic state/Method), otherwise \"sdirk2\".";
   };
 
   /** How the instants at which steps end are found. */

@@ -70,7 +70,7 @@ namespace Crevasse
     const double size = std::max(std::abs(least), std::abs(largest));
     log.line(
       Text::format("%s from %.5g to %.5g in the last period, estimated error "
-                   "%.1g (%.1g %%)",
+                   "%.1g (%.2g %%)",
                    title.c_str(),
                    least,
                    largest,

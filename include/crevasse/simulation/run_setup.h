@@ -7,6 +7,7 @@
 #include <crevasse/crack_tip/creep_integral.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/model/linear_choice.h>
+#include <crevasse/parameters/automatic.h>
 #include <crevasse/periodic/periodic_choice.h>
 #include <crevasse/postprocess/crack_front_analysis.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
@@ -35,7 +36,7 @@ namespace Crevasse
                  body.points,
                  body.material.materials_of_cells(body.space, body.points))
       , probes(
-          make_probes(*scene.output.probes, body.space, recovery, body.lip))
+          make_probes(Crevasse::probes(scene), body.space, recovery, body.lip))
       , steps(scene.time_integration,
               scene.loads.period,
               scene.output.field_times)
@@ -63,8 +64,7 @@ namespace Crevasse
                              periodic_choice.needs_periodic_strain());
       solvers = choose_solvers(scene, body);
       if constexpr (dim == 2)
-        if (scene.crack_tip.stress_intensity)
-          crack_tips = analyse_crack_tips(scene, body, secular_split, steps);
+        find_crack_tips();
       if constexpr (dim == 2)
         if (scene.crack_tip.creep_integral)
           for (const CrackTip &tip :
@@ -80,7 +80,7 @@ namespace Crevasse
                                       steps);
             }
       if constexpr (dim == 3)
-        if (scene.crack_tip.stress_intensity)
+        if (body.effects.stress_intensity.on)
           crack_front =
             std::make_unique<const CrackFrontAnalysis>(scene, body, steps);
       const ComparedLip compared = scene.output.elastic_comparison;
@@ -122,8 +122,9 @@ namespace Crevasse
     std::vector<Effects::Effect>
     active_effects(const SecularSplit &split) const
     {
-      Effects all      = body.effects;
-      all.secular_flow = split.effect;
+      Effects all          = body.effects;
+      all.secular_flow     = split.effect;
+      all.stress_intensity = stress_intensity;
       return all.list();
     }
 
@@ -138,6 +139,7 @@ namespace Crevasse
     double                                  largest_nodal_force;
     double                                  missed_load; ///< by the steps
     PeriodicChoice                          periodic_choice;
+    Effects::Effect                         stress_intensity;
     SecularSplit                            secular_split;
     SolverChoice                            solvers;
     std::vector<std::unique_ptr<const CrackTipAnalysis>> crack_tips;
@@ -145,6 +147,28 @@ namespace Crevasse
     std::unique_ptr<const CrackFrontAnalysis>
                                crack_front;  ///< in space, or null
     std::optional<LoadFactors> load_factors; ///< to compare by
+
+  private:
+    /** "automatic" does without K where it cannot be had. */
+    void
+    find_crack_tips()
+    {
+      stress_intensity = body.effects.stress_intensity;
+      if (!stress_intensity.on)
+        return;
+      try
+        {
+          crack_tips = analyse_crack_tips(scene, body, secular_split, steps);
+        }
+      catch (const SceneError &error)
+        {
+          if (scene.crack_tip.stress_intensity == StressIntensityChoice::on ||
+              scene.crack_tip.growth_law != GrowthLawType::none)
+            throw;
+          stress_intensity.on  = false;
+          stress_intensity.why = std::string("automatic: ") + error.what();
+        }
+    }
   };
 } // namespace Crevasse
 

@@ -22,16 +22,6 @@ namespace Crevasse
   template <int dim>
   void
   describe(const RunSetup<dim> &setup, Log &log);
-
-  /** Lines about what can be computed, but is probably a mistake.
-   *
-   * @param choice by which the run finds its periodic state, and @p split its
-   * flow: those of the set-up, or what took over. */
-  template <int dim>
-  std::vector<std::string>
-  warnings(const RunSetup<dim>  &setup,
-           const PeriodicChoice &choice,
-           const SecularSplit   &split);
 } // namespace Crevasse
 
 #endif

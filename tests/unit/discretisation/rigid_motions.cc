@@ -63,7 +63,7 @@ namespace
     GeometryParameters geometry;
     geometry.shape        = shape;
     geometry.thickness    = 0.3;
-    geometry.subdivisions = {4, 2, 1};
+    geometry.subdivisions = "4, 2, 1";
     BoundaryParameters boundary;
     boundary.symmetry = symmetry;
     const BoundaryRoles roles =

@@ -146,7 +146,7 @@ namespace
   edge_crack(const std::string &traction, const std::string &relaxation_time)
   {
     Scene scene;
-    scene.geometry.subdivisions             = {8, 4};
+    scene.geometry.subdivisions             = "8, 4";
     scene.material.young_modulus            = "13000*(1 + x)";
     scene.material.poisson_ratio            = "0.2";
     scene.material.relaxation_time          = relaxation_time;

@@ -74,7 +74,7 @@ namespace
   show_lip(const unsigned int degree)
   {
     GeometryParameters geometry;
-    geometry.subdivisions = {8, 1};
+    geometry.subdivisions = "8, 1";
     const Space<dim> space(
       make_mesh(geometry),
       degree,
@@ -237,7 +237,7 @@ namespace
           dealii::Utilities::MPI::min(thrown ? 1 : 0, MPI_COMM_WORLD) == 1);
 
     GeometryParameters geometry;
-    geometry.subdivisions = {8, 1};
+    geometry.subdivisions = "8, 1";
     const Space<dim> space(make_mesh(geometry),
                            1,
                            built_in_roles(geometry),

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_simulation_warnings_h
+#define crevasse_simulation_warnings_h
+
+#include <crevasse/simulation/run_setup.h>
+
+
+namespace Crevasse
+{
+  /** Lines about what can be computed, but is probably a mistake.
+   *
+   * @param choice by which the run finds its periodic state, and @p split its
+   * flow: those of the set-up, or what took over. */
+  template <int dim>
+  std::vector<std::string>
+  warnings(const RunSetup<dim>  &setup,
+           const PeriodicChoice &choice,
+           const SecularSplit   &split);
+} // namespace Crevasse
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/text.h>
+#include <crevasse/parameters/automatic.h>
+#include <crevasse/parameters/built_in_boundary.h>
+#include <crevasse/parameters/effects.h>
+
+#include <algorithm>
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** Why two singular functions are not taken unasked, though they are
+     * allowed; or nothing. */
+    std::string
+    reason_against_singular_functions(const Scene &scene)
+    {
+      if (!traits(scene.geometry.shape).has_crack)
+        return "there is no built-in crack";
+      const BoundaryRoles roles =
+        resolve_roles(scene.boundary, built_in_roles(scene.geometry));
+      if (roles.contact.count(BoundaryIds::lip) == 0 ||
+          roles.symmetry.count(BoundaryIds::ligament) == 0)
+        return "[Boundary] Contact or Symmetry are not those of the shape";
+      if (scene.material.viscosity == ViscosityType::power_law)
+        return "creep by a power law has another singularity";
+      if (scene.refinement.readapt_every > 0)
+        return "[Refinement] Readapt every = " +
+               std::to_string(scene.refinement.readapt_every);
+      if (!scene.material.stiffness_matrix.text().empty())
+        return "[Material] Stiffness matrix is given";
+      for (const Expression &formula : stiffness_formulas(scene.material))
+        for (const char *variable : {"x", "y", "material", "theta"})
+          if (formula.depends_on(variable))
+            return std::string("the stiffness depends on ") + variable;
+      return "";
+    }
+  } // namespace
+
+
+
+  std::vector<unsigned int>
+  subdivisions(const GeometryParameters &geometry, const unsigned int dimension)
+  {
+    if (!geometry.subdivisions->empty())
+      return *geometry.subdivisions;
+    const bool            is_plane  = dimension == 2;
+    const bool            has_crack = traits(geometry.shape).has_crack;
+    std::array<double, 3> extents   = {
+        {geometry.width, geometry.height, geometry.thickness}};
+    const auto end    = extents.begin() + dimension;
+    double     length = *std::min_element(extents.begin(), end);
+    if (has_crack)
+      length = std::min({geometry.crack_length,
+                         geometry.width - geometry.crack_length,
+                         geometry.height});
+    const double size = std::max(length / (is_plane ? 7. : 4.),
+                                 *std::max_element(extents.begin(), end) /
+                                   (is_plane ? 64. : 24.));
+
+    std::vector<unsigned int> n;
+    for (auto extent = extents.begin(); extent != end; ++extent)
+      n.push_back(std::max(1., std::round(*extent / size)));
+    n[0] = std::max(n[0], has_crack ? 2u : 1u);
+    return n;
+  }
+
+
+
+  std::string
+  obstacle_to_singular_functions(const Scene &scene)
+  {
+    if (scene.dimension == 3)
+      return "Dimension = 3: they are those of a crack tip in the plane; use "
+             "[Refinement] Strategy = tip";
+    if (scene.is_axisymmetric())
+      return "[Material] Plane state = axisymmetric: they are those of a crack "
+             "tip in the plane; use [Refinement] Strategy = tip";
+    if (scene.discretisation.volumetric_strain == VolumetricStrain::mean)
+      return "Volumetric strain = mean; use Degree = 2 instead of mean "
+             "dilatations";
+    if (const auto type = scene.linear_solver.type; traits(type).is_multigrid)
+      return "[Linear solver] Type = " + name_of(type) +
+             ": they couple all unknowns; use automatic, cholesky or mumps";
+    if (const auto &gap = scene.boundary.gap; gap.is_valid() && !gap->is_zero())
+      return "[Boundary] Gap = " + gap.text() +
+             ": a crack that is open without load may close at its tip, which "
+             "the bound of the singular function forbids";
+    return "";
+  }
+
+
+
+  SingularFunctionChoice
+  singular_functions(const Scene &scene)
+  {
+    const SingularFunctionNumber chosen =
+      scene.discretisation.singular_functions;
+    if (chosen != SingularFunctionNumber::automatic)
+      return {static_cast<unsigned int>(chosen),
+              "[Discretisation] Singular functions = " + name_of(chosen)};
+    std::string against = obstacle_to_singular_functions(scene);
+    against             = against.substr(0, against.find_first_of(":;"));
+    if (against.empty())
+      against = reason_against_singular_functions(scene);
+    if (against.empty())
+      return {2, "automatic: two at the tip of a built-in crack in the plane"};
+    return {0, "automatic: " + against};
+  }
+
+
+
+  std::vector<NamedPoint>
+  probes(const Scene &scene)
+  {
+    const Shape shape = scene.geometry.shape;
+    if (scene.output.probes.text() != "automatic")
+      return *scene.output.probes;
+    if (!traits(shape).has_crack)
+      return {};
+    std::vector<double> mouth(scene.dimension);
+    mouth[0] = shape == Shape::edge_crack ? scene.geometry.width : 0.;
+    return {{"mouth", mouth}};
+  }
+} // namespace Crevasse

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#include <crevasse/base/format.h>
+#include <crevasse/base/text.h>
+#include <crevasse/model/largest_load.h>
+#include <crevasse/parameters/automatic.h>
+#include <crevasse/parameters/effects.h>
+#include <crevasse/simulation/warnings.h>
+
+
+namespace Crevasse
+{
+  namespace
+  {
+    /** Schemes that are stable, but not accurate, with such steps. */
+    template <int dim>
+    void
+    warn_of_large_steps(const RunSetup<dim>      &setup,
+                        const PeriodicChoice     &choice,
+                        std::vector<std::string> &all)
+    {
+      const TimeIntegrationParameters &time = setup.scene.time_integration;
+      const double                     in_relaxation_times =
+        setup.steps.largest_step() / setup.relaxation_times.smallest;
+      if (setup.integrator == nullptr || in_relaxation_times <= 2.)
+        return;
+      const std::string steps = Text::Message()
+                                << " with steps of " << in_relaxation_times
+                                << " relaxation times";
+      if (!choice.uses_fourier() && time.scheme == Scheme::trapezoid)
+        all.push_back("[Time integration] Scheme = trapezoid" + steps +
+                      ": what relaxes so fast oscillates instead of decaying; "
+                      "with Scheme = sdirk2 it decays");
+      if (time.scheme == Scheme::exponential &&
+          time.step_control != StepControlType::adaptive)
+        all.push_back("[Time integration] Scheme = exponential" + steps +
+                      " is stable, but what creeps under given loads creeps by "
+                      "about one elastic strain a step at most; Scheme = "
+                      "sdirk2 is exact there");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  warnings(const RunSetup<dim>  &setup,
+           const PeriodicChoice &choice,
+           const SecularSplit   &split)
+  {
+    std::vector<std::string> all   = unused_parameters(setup.scene);
+    constexpr double         small = 0.1;
+    if (setup.largest_thermal_strain > small)
+      all.push_back(
+        Text::Message()
+        << "[Material] Thermal expansion and [Loads] Temperature: the thermal "
+           "strain is up to "
+        << setup.largest_thermal_strain
+        << "; the theory is one of small strains, much less than 1");
+    constexpr double      too_much = 0.5;
+    const StepControlType control  = setup.scene.time_integration.step_control;
+    if (setup.missed_load > too_much && control != StepControlType::adaptive)
+      all.push_back(Text::Message()
+                    << "[Time integration]: within a step the loads differ by "
+                    << std::lround(100. * setup.missed_load)
+                    << " % of their largest from a straight line between its "
+                       "ends; steps that "
+                       "are too few, or that meet a load at its zeros, "
+                    << (setup.integrator == nullptr ? "show" : "compute with")
+                    << " another load than the scene's. "
+                    << (control == StepControlType::list
+                          ? "Add instants to Steps"
+                          : "Raise Steps per period"));
+    constexpr double is_jump = 0.2;
+    if (setup.scene.crack_tip.creep_integral &&
+        formulas_can_jump(setup.scene) && setup.missed_load > is_jump)
+      all.push_back(
+        "[Crack tip] Creep integral: a load seems to jump within a step, where "
+        "C(t) is wrong; let a step end at the jump ([Time integration] Steps)");
+    if (const auto &scene = setup.scene;
+        scene.material.viscosity == ViscosityType::power_law &&
+        scene.discretisation.volumetric_strain == VolumetricStrain::full &&
+        (dim == 3 || scene.material.plane_state != PlaneState::plane_stress))
+      all.push_back(
+        "[Material] Viscosity = power law keeps the volume, so that "
+        "elements lock: set [Discretisation] Volumetric strain = "
+        "mean and Degree = 1");
+    if (setup.steps.jumps_at(setup.steps.period()) &&
+        !formulas_can_jump(setup.scene))
+      all.push_back(
+        "[Loads] Period = " + Text::from_number(setup.steps.period()) +
+        ": loads or material jump where the period ends and t begins anew, "
+        "though no formula has a jump in it. Is this the period of the "
+        "formulas?");
+    if (singular_functions(setup.scene).n == 3 && setup.body.effects.contact.on)
+      all.push_back(
+        "[Discretisation] Singular functions = 3 with contact: where the lip "
+        "is pressed, the third one moves it between its nodes, and pressure "
+        "and K_I are off by some tenths of a per cent; 2 are not");
+    if (has_thermal_expansion(setup.scene.material))
+      if (const double least =
+            least_temperature(setup.body, setup.steps.period());
+          least > 200.)
+        all.push_back(
+          Text::Message()
+          << "[Loads] Temperature is at least " << least
+          << " everywhere and always, as one in kelvin would be, but it is the "
+             "change from the temperature without thermal strain; subtract "
+             "that one");
+    if (!split.warning.empty())
+      all.push_back(split.warning);
+    warn_of_large_steps(setup, choice, all);
+    return all;
+  }
+
+
+
+  template std::vector<std::string>
+  warnings<2>(const RunSetup<2> &,
+              const PeriodicChoice &,
+              const SecularSplit &);
+  template std::vector<std::string>
+  warnings<3>(const RunSetup<3> &,
+              const PeriodicChoice &,
+              const SecularSplit &);
+} // namespace Crevasse

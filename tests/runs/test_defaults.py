@@ -1,0 +1,120 @@
+"""The defaults: a scene of ten lines is accurate, and each choice that they make
+is made where it applies, with its reason in the summary."""
+
+import pathlib
+
+from crevasse_run import check, check_below, execute, overrides, run
+
+SCENE = """subsection Geometry
+  set Shape        = edge crack
+  set Crack length = 0.5
+end
+subsection Material
+  set Young modulus   = 13000
+  set Poisson ratio   = 0.2
+  set Relaxation time = 60
+end
+subsection Loads
+  set Period   = 600
+  set Traction = 0; 10*sin(2*pi*t/600)
+end
+"""
+
+# The same on 56 x 56 cells with 1280 steps: the largest opening of the mouth and
+# K_I.
+OPENING, INTENSITY = 1.430566e-02, 35.41195
+
+
+def run_defaults(name, settings=(), status=0):
+    path = pathlib.Path(name + ".prm")
+    path.write_text(SCENE)
+    return run(path, name, settings, status)
+
+
+def test_ten_lines():
+    """0.1 % of the opening and of K_I, and which method finds the periodic
+    state."""
+    results = run_defaults("ten_lines")
+    summary = results.summary
+    opening = max(results.table("probe_mouth.csv")["opening"])
+    check_below(abs(opening / OPENING - 1.), 1e-3, "error of the opening")
+    intensity = summary["crack_tip"]["K_I"]["largest"]
+    check_below(abs(intensity / INTENSITY - 1.), 1e-3, "error of K_I")
+    check(summary["periodic_method"].startswith("fourier (automatic"),
+          summary["periodic_method"])
+    check(summary["converged"], "periodic")
+
+
+# Settings; whether there are singular functions and K_I; a word of the reason of
+# the first.
+CHOICES = {
+    "centre": (["Geometry/Shape=centre crack"], True, True, "built-in"),
+    "tip": (["Refinement/Strategy=tip", "Refinement/Cycles=2"], True, True,
+            "built-in"),
+    "no crack": (["Geometry/Shape=rectangle"], False, False, "no built-in crack"),
+    "two materials": (["Material/Young modulus=13000*if(x<0.5,1,2)"], False,
+                      False, "depends on x"),
+    "gap": (["Boundary/Gap=-0.001"], False, True, "Gap"),
+    "mean": (["Material/Plane state=plane strain",
+              "Discretisation/Volumetric strain=mean", "Discretisation/Degree=1"],
+             False, True, "Volumetric strain = mean"),
+    "multigrid": (["Linear solver/Type=gmg", "Geometry/Subdivisions=4, 4",
+                   "Geometry/Refinements=2"], False, True, "Type = gmg"),
+    "creep": (["Material/Viscosity=power law", "Material/Creep coefficient=1e-9",
+               "Material/Creep exponent=3"], False, False, "power law"),
+    "revolution": (["Material/Plane state=axisymmetric",
+                    "Geometry/Shape=centre crack"], False, True, "axisymmetric"),
+    "no lip": (["Boundary/Contact=none"], False, False, "Contact"),
+    "space": (["Dimension=3", "Loads/Traction=0; 10*sin(2*pi*t/600); 0",
+               "Geometry/Subdivisions=4, 2, 1"], False, False, "Dimension = 3"),
+    "asked for": (["Discretisation/Singular functions=3"], True, True, "= 3"),
+}
+
+
+def test_choices():
+    for name, (settings, singular, intensity, reason) in CHOICES.items():
+        results = run_defaults(name.replace(" ", "_"), settings + [
+            "Periodic state/Maximum periods=1", "Periodic state/Tolerance=0",
+            "Time integration/Steps per period=10"])
+        effects = results.summary["effects"]
+        why = effects["singular functions"]["why"]
+        print(f"{name}: {effects['singular functions']['on']}, {why}; "
+              f"{effects['stress intensity']}")
+        check(effects["singular functions"]["on"] == singular and reason in why,
+              f"{name}: singular functions {effects['singular functions']}")
+        check(effects["stress intensity"]["on"] == intensity,
+              f"{name}: stress intensity {effects['stress intensity']}")
+        tables = (results.directory / "crack_tip.csv").exists()
+        check(tables == intensity, f"{name}: crack_tip.csv")
+
+
+def test_schemes():
+    """Trapezoid where all instants are solved for at once, else sdirk2."""
+    for settings, scheme in (([], "trapezoid"),
+                             (["Loads/Traction=0; if(t<300,10,-10)"], "sdirk2"),
+                             (["Periodic state/Method=march"], "sdirk2"),
+                             (["Material/Young modulus=13000*(1+0.1*sin(2*pi*t/600))"],
+                              "sdirk2")):
+        path = pathlib.Path("scheme.prm")
+        path.write_text(SCENE)
+        code, output, error = execute("--check", path, *overrides(settings))
+        check(code == 0, error)
+        line, = (line for line in output.splitlines() if "  time:" in line)
+        check(scheme in line, f"{settings}: {line}")
+
+
+def test_asked_for_or_not():
+    """K_I that is asked for is an error where it cannot be had."""
+    settings = ["Material/Young modulus=13000*if(x<0.5,1,2)"]
+    scene = pathlib.Path("asked_for.prm")
+    scene.write_text(SCENE)
+    for more in (["Crack tip/Stress intensity=true"],
+                 ["Crack tip/Crack growth law=paris", "Crack tip/Paris factor=1"]):
+        code, _, error = execute("--check", scene, *overrides(settings + more))
+        check(code == 2 and "is not the same on all sides" in error, error)
+
+
+test_ten_lines()
+test_choices()
+test_schemes()
+test_asked_for_or_not()
