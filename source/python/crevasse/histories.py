@@ -6,12 +6,12 @@ what templates/charts.js draws: series, and views with the values of each."""
 
 import numpy
 
+from crevasse.lip import BEARS, largest_stress, last_period, nodes_of_lip
 from crevasse.plotting import BLUE, GREEN, INK, PURPLE, VERMILION
 
 COLOURS = (BLUE, VERMILION, GREEN, PURPLE, INK, "#E69F00")
 MOST_ROWS = 2000
-BEARS = 1e-6  # pressures below this part of the largest stress are noise
-ROUNDING = 1e-9  # so are values below this part of the largest of their kind
+ROUNDING = 1e-9  # values below this part of the largest of their kind are noise
 
 
 def probe_charts(run, name):
@@ -128,14 +128,6 @@ def thin_rows(values):
     return numpy.array(sorted(kept))
 
 
-def last_period(t, period):
-    """Its beginning, one period before the end: a run that was stopped may have
-    ended within a period. None where that is nearly the whole run."""
-    if t[-1] - t[0] < 1.5 * period:
-        return None
-    return t[-1] - period
-
-
 def symbol(column):
     """u_1 as it is written: with indices below."""
     words = {"K_I_stress": "K_I by the fit to the stress",
@@ -147,53 +139,3 @@ def symbol(column):
     if not index.isdigit():
         return words.get(column, column)
     return kind + index.translate(str.maketrans("123", "₁₂₃"))
-
-
-def nodes_of_lip(run):
-    return run.summary.get("contact_nodes") or int(
-        run.tables["contact.csv"]["closed_nodes"].max())
-
-
-def lip_intervals(run):
-    """[begin, end, state] of "closed" and "partly closed" stretches of time;
-    between them the lip is open. A node that touches without pressing is open:
-    so the lip is at rest."""
-    table = run.tables.get("contact.csv")
-    if table is None:
-        return []
-    presses = table["largest_pressure"] > BEARS * largest_stress(run)
-    closed = table["closed_nodes"] >= nodes_of_lip(run)
-    states = numpy.where(presses, numpy.where(closed, 2, 1), 0)
-    t = table["t"]
-    middle = numpy.concatenate([t[:1], (t[1:] + t[:-1]) / 2, t[-1:]])
-    changes = numpy.flatnonzero(numpy.diff(states)) + 1
-    ends = [0, *changes, len(t)]
-    return [[float(middle[a]), float(middle[b]), int(states[a])]
-            for a, b in zip(ends[:-1], ends[1:]) if states[a]]
-
-
-def largest_stress(run):
-    """Of the run: much smaller pressures are noise."""
-    sizes = [run.summary_number("extremes", "stress") or 0,
-             abs(run.tables["contact.csv"]["largest_pressure"]).max()]
-    for name, table in run.tables.items():
-        if name.startswith("probe_"):
-            sizes += [abs(values).max() for column, values in table.items()
-                      if column.startswith("s_")]
-    return max(sizes)
-
-
-def share_of_states(run, intervals):
-    """Parts of the last period, or of the run, in which the lip is closed,
-    partly closed and open."""
-    t = run.tables["contact.csv"]["t"]
-    begin = last_period(t, run.period)
-    begin = t[0] if begin is None else begin
-    length = t[-1] - begin
-    if length <= 0:
-        return None
-    parts = {state: sum(max(0, min(b, t[-1]) - max(a, begin))
-                        for a, b, s in intervals if s == state) / length
-             for state in (2, 1)}
-    return {"closed": parts[2], "partly": parts[1],
-            "open": 1 - parts[1] - parts[2]}

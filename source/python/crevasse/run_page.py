@@ -9,6 +9,7 @@ import os
 
 from crevasse import histories, paper
 from crevasse.ending import checkpoint, ending_of
+from crevasse.lip import lip_intervals, share_of_states
 from crevasse.page import render
 from crevasse.plotting import BLUE, GREY, VERMILION
 from crevasse.results import number
@@ -27,7 +28,7 @@ def page(directory):
     charts += [chart for chart in (convergence, relaxation) if chart]
     for k, chart in enumerate(charts):
         chart["id"] = f"chart{k}"
-    shades = histories.lip_intervals(run)
+    shades = lip_intervals(run)
     lip = "contact.csv" in run.tables
     text = render(
         "run.html", run=run, summary=run.summary, ending=ending,
@@ -35,7 +36,7 @@ def page(directory):
         directory=directory.resolve(), written=time_of(run),
         changed=changed_parameters(run), pictures=pictures, missing=missing,
         groups=groups, convergence=convergence, relaxation=relaxation,
-        shares=histories.share_of_states(run, shades) if lip else None,
+        shares=share_of_states(run, shades) if lip else None,
         lip=lip, presses=bool(shades),
         periods=run.tables.get("periods.csv"), costs=costs(run),
         thinned=is_thinned(charts),
