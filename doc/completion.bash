@@ -53,7 +53,7 @@ _crevasse()
       _crevasse_add -d -- "$word" ;;
     --print-parameters)
       _crevasse_add -W "prm json markdown" -- "$word" ;;
-    --wall-time | --exact | --error) ;;
+    --wall-time | --exact | --error | --jobs) ;;
     *)
       if [[ $word == -* ]]; then
         _crevasse_complete_option "$program" "${COMP_WORDS[1]/#-*/--help}" "$word"

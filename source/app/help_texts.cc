@@ -31,7 +31,7 @@ Exit status:
   crevasse --check SCENE.prm       effects, sizes and memory of a scene, without a run
   crevasse --print-parameters      all parameters with their defaults
   crevasse report DIR              one page of the results
-  crevasse sweep --help            what accuracy costs
+  crevasse sweep --help            results over parameters; what accuracy costs
   crevasse advise --help           the cheapest settings for an accuracy
   crevasse --help                  all options
 

@@ -43,8 +43,8 @@ namespace Crevasse
   {
     static const std::vector<ScriptCommand> commands = {
       {"sweep",
-       "Run a scene for all combinations of some parameters; tabulate errors "
-       "and costs"},
+       "Run a scene for all combinations of some parameters; tabulate results, "
+       "errors and costs"},
       {"advise",
        "Find the cheapest settings of a scene that reach an error; write them "
        "as a scene"},

@@ -23,7 +23,7 @@ pathlib.Path(CRACK).write_text(BAR.replace("rectangle", "edge crack")
                                .replace("2, 2", "4, 2"))
 SETTINGS = overrides(RELAXING)
 STEPS = "Time integration/Steps per period"
-SECONDS = ("seconds", "seconds_time_stepping", "processor_seconds")
+SECONDS = ("seconds", "seconds_time_stepping", "processor_seconds", "jobs")
 
 
 def sweep(name, *arguments, status=0, fresh=True, scene=SCENE):
@@ -285,8 +285,8 @@ def test_mistakes():
                    "varied twice", "has 2 values", "has 3",
                    "must have the form", "lacks a value")
     check_mistakes(("--vary", STEPS + "=80,80", *REFERENCE), "listed once")
-    check_mistakes(VARY, "--reference", "--exact")
-    check_mistakes((*VARY, "--error", "probe_top/u"), "compare probe_top/u")
+    check_mistakes((*VARY, "--error", "probe_top/u"), "compare probe_top/u",
+                   "--reference", "--exact")
     check_mistakes(REFERENCE, "--vary")
     check_mistakes((*VARY, *REFERENCE, "--error", "probe_tip/u,probe_top/v",
                     "--exact", "probe_top/u=t", "--exact", "probe_top/u_1=q*t",

@@ -12,6 +12,7 @@ import math
 import os
 import pathlib
 import re
+import shutil
 import signal
 import socket
 import sys
@@ -71,6 +72,13 @@ class Parser(argparse.ArgumentParser):
             if word.startswith("--") and near and near[0] != word.split("=")[0]:
                 message += f"; did you mean \"{near[0]}\"?"
         super().error(message)
+
+
+def count(text):
+    """An integer of at least 1."""
+    if not (text.isdecimal() and int(text) > 0):
+        raise argparse.ArgumentTypeError(f"\"{text}\" is no integer of at least 1.")
+    return int(text)
 
 
 def wall_time(text):
@@ -153,8 +161,9 @@ class Log:
         self.write(text + "\n")
 
     def progress(self, text):
-        if self.shows_progress:
-            self.say(f"\r{text}\033[K")
+        if self.shows_progress:  # a line that wraps could not be overwritten
+            width = shutil.get_terminal_size().columns - 1
+            self.say(f"\r{text[:width]}\033[K")
 
     def say(self, text):
         """Whoever reads may end before the runs do, or a disk be full."""

@@ -38,7 +38,7 @@ class Call:
 
     def __init__(self):
         self.files = [tempfile.TemporaryFile() for _ in range(2)]
-        self.status = self.process = None
+        self.status = self.process = self.folder = None
         self.seconds = 0.  # CPU time
 
     @property
@@ -62,7 +62,9 @@ class Server:
     """Ends with this process, and with it what it runs."""
 
     def __init__(self, program, environment=None):
-        if ends := os.environ.pop("CREVASSE_SERVER", ""):  # of this process
+        # Of this process; it knows no other environment.
+        ends = os.environ.pop("CREVASSE_SERVER", "")
+        if ends and environment is None:
             requests, self.answers = map(int, ends.split(","))
             self.requests = os.fdopen(requests, "wb")
             os.set_inheritable(requests, False)
@@ -89,9 +91,9 @@ class Server:
         self.requests.flush()
         return call
 
-    def wait(self, call, seconds=None):
-        """Until it has ended, or for some seconds."""
-        while call.status is None:
+    def wait(self, *calls, seconds=None):
+        """Until one of them has ended, or for some seconds."""
+        while all(call.status is None for call in calls):
             if not select.select([self.answers], [], [], seconds)[0]:
                 return
             part = os.read(self.answers, 1 << 16)
@@ -111,24 +113,36 @@ class Server:
 class Program:
     """Starts the program as often as is wanted. Requests to stop are handed on."""
 
-    def __init__(self, stop):
+    def __init__(self, stop, environment=None):
         self.stop = stop
         self.path = os.environ.get("CREVASSE_PROGRAM", "crevasse")
         self.ranks = int(os.environ.get("OMPI_COMM_WORLD_SIZE", 1))
         self.of_mpirun = list(filter(OF_MPIRUN.match, os.environ))
-        self.server = Server(self.path)
+        self.server = Server(self.path, environment)
 
     def start(self, *words):
         self.stop.check()
         return self.server.start(words, unset=self.of_mpirun)
 
-    def finish(self, call):
-        while call.status is None:
-            self.server.wait(call, 0.2)
-            if call.status is None and self.stop.asked():
-                call.terminate()
+    def finish(self, *calls, show_progress=lambda: None):
+        """The first of them that ends; all end if a stop is asked for."""
+        while True:
+            ended = [call for call in calls if call.status is not None]
+            if any(call.status == 5 for call in ended) and not self.stop.asked():
+                self.stop.name = "--wall-time"  # with some time left
+            if len(ended) == len(calls) or ended and not self.stop.asked():
+                break
+            if self.stop.asked():
+                for call in calls:
+                    call.terminate()
+            self.server.wait(*(call for call in calls if call.status is None),
+                             seconds=0.2)
+            show_progress()
+        for call in ended:
+            if call.folder:
+                shutil.rmtree(call.folder / "checkpoint", ignore_errors=True)
         self.stop.check()
-        return call
+        return ended[0]
 
     def run_parallel(self, words):
         """On as many processes as mpirun has started of this one."""
@@ -147,7 +161,6 @@ class Program:
             except subprocess.TimeoutExpired:
                 if self.stop.asked():
                     process.terminate()
-        self.stop.check()
         return call
 
     def start_parameters(self, scene, texts):
@@ -163,28 +176,29 @@ class Program:
         return self.finish_parameters(
             self.start_parameters(scene, assignments(settings)))
 
-    def compute(self, scene, texts, folder, *words):
-        """What became of a run: its results replace those in the folder."""
+    def compute(self, *arguments):
+        """What became of a run, by the arguments of begin()."""
+        return self.outcome(self.finish(self.begin(*arguments)))
+
+    def begin(self, scene, texts, folder, *words):
+        """A run whose results replace those in the folder."""
         # A later --set replaces an earlier one; fields of many runs fill disks.
         words = (scene, *options(["Output/Fields=none", *texts]),
                  "--output", folder, "--force", "--quiet", *words)
         if self.stop.end < math.inf:
             words += "--wall-time", max(self.stop.end - time.monotonic(), 1e-3)
-        try:
-            call = (self.finish(self.start(*words)) if self.ranks == 1 else
-                    self.run_parallel(words))
-        finally:
-            shutil.rmtree(folder / "checkpoint", ignore_errors=True)
-        message = message_of(call)
-        if call.status == 5:
-            self.stop.name = "--wall-time"  # with some time left
-            self.stop.check()
+        call = self.start(*words) if self.ranks == 1 else self.run_parallel(words)
+        call.folder = folder
+        return call
+
+    def outcome(self, call):
+        message, folder = message_of(call), call.folder
         if call.status == 4:
             raise CommandError(message, 4)
         summary = read_summary(folder)
         # A run writes used.prm when nothing is wrong with its scene and its step.
         status = ("done" if call.status == 0 else
-                  "refused" if not (folder / "used.prm").exists() else
+                  "refused" if call.status > 0 and not (folder / "used.prm").exists() else
                   "not converged" if summary.get("converged") is False else "failed")
         return Outcome(status, message.replace(" and continue by --resume", ""),
                        costs_in(summary), call.status, warnings_in(folder))

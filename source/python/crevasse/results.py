@@ -3,6 +3,7 @@
 
 """Parameters, points and XML files, as runs write them."""
 
+import decimal
 import xml.etree.ElementTree as ElementTree
 
 
@@ -16,6 +17,15 @@ def number(text):
         return float(text)
     except ValueError:
         return None
+
+
+def shortest(value):
+    """The shortest text that reads back as the same number."""
+    if value is None:
+        return ""
+    digits = decimal.Decimal(repr(value)).normalize()
+    places = len(digits.as_tuple().digits) - 1
+    return min(format(digits, "f"), f"{value:.{places}e}", key=len)
 
 
 def read_parameters(path):

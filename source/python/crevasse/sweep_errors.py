@@ -23,18 +23,18 @@ MARK = int.from_bytes(b"CSTRESS2", "little")
 def choose_quantities(options, scenes, program):
     """{name: formula or None}: those of --error and --exact, or, where there is a
     reference but no --error, the stress, u and s of every probe, and the contact
-    force. The reference's scene is the first."""
+    force; nothing without a reference. The reference's scene is the first."""
     probes = list(dict.fromkeys(
         name for scene in scenes for name, _ in named_points(scene["Output/Probes"])))
     tables = TABLES | {f"probe_{probe}": PROBE for probe in probes}
     problems, chosen = [], {}
-    if options.error or not options.reference:
+    if options.error:
         for name in split(options.error, ","):
             if problem := problem_of(name, tables):
                 problems.append(f"--error {shorten(name)}: {problem}")
             else:
                 chosen[name] = None
-    else:
+    elif options.reference:
         chosen = dict.fromkeys([STRESS, *(f"probe_{probe}/{kind}"
                                           for probe in probes for kind in "us"),
                                 *["contact/force"] * has_lip(scenes[0])])
@@ -51,15 +51,12 @@ def choose_quantities(options, scenes, program):
         else:
             chosen[name] = formula
     require_none(problems)
-    run = ("give a run that is accurate enough, --reference \"Section/Name=value\", or "
-           "{}, --exact \"{}=formula of t\".")
     for name, formula in chosen.items():
         if formula is None and not options.reference:
-            raise CommandError(f"There is nothing to compare {name} with: "
-                               + run.format("a closed form", name), 2)
-    if not chosen:
-        raise CommandError("There is nothing to compare with: "
-                           + run.format("closed forms", "probe_NAME/COLUMN"), 2)
+            raise CommandError(
+                f"There is nothing to compare {name} with: give a run that is accurate "
+                "enough, --reference \"Section/Name=value\", or a closed form, --exact "
+                f"\"{name}=formula of t\".", 2)
     return chosen
 
 

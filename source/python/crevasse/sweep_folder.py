@@ -9,10 +9,12 @@ import dataclasses
 import itertools
 import json
 import shutil
+import time
 
 from crevasse.command import CommandError, write_file
 from crevasse.program import Outcome
 from crevasse.sweep_errors import STRESS_FILE
+from crevasse.wording import plural
 
 # What a run cannot do without. The stress is only needed to compare with another
 # reference, and its file knows its own size.
@@ -22,6 +24,7 @@ RESULTS = (*NEEDED, "solution*", "log.txt", "report.html", "checkpoint")
 
 @dataclasses.dataclass
 class Result(Outcome):
+    findings: dict = dataclasses.field(default_factory=dict)  # read from its files
     errors: dict = dataclasses.field(default_factory=dict)  # by quantities
     basis: str = ""  # what errors were measured against; if it changes, so do they
 
@@ -41,7 +44,7 @@ class Folder:
     """By the parameters of its run it is known whether that is finished."""
 
     def __init__(self, path, used):
-        self.path, self.used = path, used
+        self.path, self.used, self.begin_time = path, used, 0.
 
     def has_same_scene(self):
         try:
@@ -88,11 +91,23 @@ class Folder:
             else:
                 path.unlink()
 
-    def compute(self, program, scene, settings, keep_stress):
+    def begin(self, program, scene, settings, keep_stress):
         self.prepare()
-        outcome = program.compute(scene, settings, self.path,
-                                  *["--stress-record"] * keep_stress)
-        if outcome.status == "refused":
+        self.begin_time = time.monotonic()
+        return program.begin(scene, settings, self.path,
+                             *["--stress-record"] * keep_stress)
+
+    def progress(self):
+        """"12 s, 3 periods"."""
+        try:
+            periods = (self.path / "periods.csv").read_text().count("\n") - 1
+        except OSError:
+            periods = 0
+        return (f"{time.monotonic() - self.begin_time:.0f} s"
+                + (f", {plural(periods, 'period')}" if periods > 0 else ""))
+
+    def result(self, outcome):
+        if not (self.path / "used.prm").exists():  # refused, or ended by a signal
             write_file(self.path / "used.prm", self.used)
         elif not self.has_same_scene():
             raise CommandError(f"{self.path}/used.prm differs from the scene: did the "

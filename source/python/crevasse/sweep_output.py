@@ -5,19 +5,20 @@
 whole after each point."""
 
 import csv
-import decimal
 import io
 import json
 import math
 
+from crevasse import findings
 from crevasse.command import write_file
 from crevasse.program import COSTS, without_numbers
+from crevasse.results import shortest
 
 FOR_PEOPLE = {"vi_solves": "VIs", "linear_solves": "linear solves",
               "factorisations": "factorisations",
               "rate_evaluations": "rate evaluations", "seconds": "seconds",
               "seconds_time_stepping": "stepping (s)", "processor_seconds": "CPU (s)"}
-MOST_ERRORS = 3  # in a line
+MOST_NUMBERS = 3  # in a line
 
 
 class Output:
@@ -25,13 +26,23 @@ class Output:
         self.plan, self.quantities = plan, list(quantities)
         self.title, self.reference = title, reference
         self.reference_result = None
-        self.results = []  # in the order of the plan
+        self.results = {}  # by the numbers of the points
 
     def write(self, directory):
         write_file(directory / "sweep.csv", self.csv())
         write_file(directory / "sweep.md", self.markdown())
         write_file(directory / "sweep.json",
                    json.dumps(self.json(), indent=2, ensure_ascii=False) + "\n")
+
+    def points(self):
+        """Number, point and result of each point that is finished."""
+        return [(p, self.plan.points[p], result)
+                for p, result in sorted(self.results.items())]
+
+    def findings(self):
+        """Those that any point has."""
+        return sorted({name for result in self.results.values()
+                       for name in result.findings}, key=findings.place)
 
     def error(self, p, quantity):
         return self.results[p].errors.get(quantity, {}).get("value")
@@ -44,7 +55,7 @@ class Output:
         axis, points = self.plan.main_axis, self.plan.points
         return None if axis is None else next(
             (q for q in range(p - 1, -1, -1) if others(points[q]) == others(points[p])
-             and self.results[q].has_results), None)
+             and q in self.results and self.results[q].has_results), None)
 
     def order(self, p, quantity):
         """The p of error ~ number^-p between the predecessor and this point."""
@@ -62,17 +73,16 @@ class Output:
     def warnings(self):
         """Of all runs, one of each kind, and how many points have it."""
         kinds = {}
-        runs = [*self.results, self.reference_result]
-        for p, result in enumerate(runs):
+        n = len(self.results)
+        for p, result in [*sorted(self.results.items()), (-1, self.reference_result)]:
             for text in result.warnings if result else []:
                 texts, where = kinds.setdefault(without_numbers(text), ([], set()))
                 texts.append(text)
                 where.add(p)
-        n = len(self.results)
         for texts, where in kinds.values():
-            remarks = (["reference"] if where == {n} else
-                       [f"{len(where - {n})} of {n} points"] if where - {n} < set(range(n))
-                       else [])
+            remarks = (["reference"] if where == {-1} else
+                       [f"{len(where - {-1})} of {n} points"]
+                       if where - {-1} < set(self.results) else [])
             if len(set(texts)) > 1:
                 remarks.append("numbers of the first")
             yield texts[0] + (f" ({', '.join(remarks)})" if remarks else "")
@@ -80,25 +90,26 @@ class Output:
     def csv(self):
         text = io.StringIO()
         table = csv.writer(text, lineterminator="\n")
-        table.writerow(["point", *self.plan.parameters, "status",
-                        *(what + quantity for quantity in self.quantities
-                          for what in ("error:", "order:", "instants:")),
-                        *COSTS, "message"])
-        for p, result in enumerate(self.results):
-            cells = []
+        has_orders = self.plan.main_axis is not None
+        names, costs = self.findings(), (*COSTS, "jobs")
+        table.writerow(["point", *self.plan.parameters, "status", *names,
+                        *(what + quantity for quantity in self.quantities for what in
+                          ("error:", *["order:"] * has_orders, "instants:")),
+                        *costs, "message"])
+        for p, point, result in self.points():
+            cells = [shortest(result.findings.get(name)) for name in names]
             for quantity in self.quantities:
                 cells += [shortest(self.error(p, quantity)),
-                          formatted(self.order(p, quantity), "%.3f"),
+                          *[formatted(self.order(p, quantity), "%.3f")] * has_orders,
                           result.errors.get(quantity, {}).get("instants", "")]
-            table.writerow([self.plan.points[p].folder, *self.plan.points[p].values,
-                            result.status, *cells,
+            table.writerow([point.folder, *point.values, result.status, *cells,
                             *(json.dumps(result.costs[name]) if name in result.costs
-                              else "" for name in COSTS),
+                              else "" for name in costs),
                             result.message.replace("\n", " ")])
         return text.getvalue()
 
     def json(self):
-        reference = {"description": self.reference}
+        reference = {"description": self.reference} if self.reference else {}
         if self.reference_result:
             reference["costs"] = self.reference_result.costs
         return {"title": self.title, "parameters": self.plan.parameters,
@@ -106,22 +117,26 @@ class Output:
                 "warnings": list(self.warnings()),
                 "points": [{"folder": point.folder,
                             "values": dict(zip(self.plan.parameters, point.values)),
-                            **result.as_json()}
-                           for point, result in zip(self.plan.points, self.results)]}
+                            "results": result.findings, **result.as_json()}
+                           for _, point, result in self.points()]}
 
     def markdown(self):
-        text = f"# {self.title}\n\n{self.reference}"
-        if self.reference_result:
-            text += f" ({costs_in_words(self.reference_result)})"
+        text = f"# {self.title}\n\n"
+        if self.reference:
+            costs = (f" ({costs_in_words(self.reference_result)})"
+                     if self.reference_result else "")
+            text += f"{self.reference}{costs}.\n\n"
         has_orders = self.plan.main_axis is not None
-        header = list(map(self.short_name, self.plan.parameters))
+        names = self.findings()
+        header = [*map(self.short_name, self.plan.parameters), *names]
         for quantity in self.quantities:
             header += [f"error of {quantity}", *["order"] * has_orders]
         header += FOR_PEOPLE.values()
-        text += ".\n\n" + row([*header, "status"])
+        text += row([*header, "status"])
         text += row(["---:"] * len(header) + ["---"])
-        for p, result in enumerate(self.results):
-            cells = list(self.plan.points[p].values)
+        for p, point, result in self.points():
+            cells = [*point.values, *(formatted(result.findings.get(name), "%.5g")
+                                      for name in names)]
             for quantity in self.quantities:
                 cells.append(formatted(self.error(p, quantity), "%.1e"))
                 if has_orders:
@@ -133,8 +148,11 @@ class Output:
                 + (f"\nWarnings:\n\n{warnings}" if warnings else ""))
 
     def notes(self):
+        if any(result.costs.get("jobs", 1) > 1 for result in self.results.values()):
+            yield ("\nSeveral points were computed at a time, so that each took longer. To "
+                   "compare wall times, use --jobs 1 and another --output.\n")
         begin = "\nRemarks:\n\n"
-        for p, result in enumerate(self.results):
+        for p, _, result in self.points():
             remarks = [f"{result.status}. " + result.message.replace("\n", " ")
                        ] if result.message else []
             remarks += [f"no error of {quantity}, because "
@@ -164,20 +182,15 @@ class Output:
             return f"{self.values(p)}: {result.status}"
         errors = [f"{quantity} " + formatted(self.error(p, quantity), "%.1e")
                   for quantity in self.quantities
-                  if self.error(p, quantity) is not None][:MOST_ERRORS]
-        text = (f"{self.values(p)}: " + ("error of " + ", ".join(errors) if errors
-                                         else "no error")
-                + "; " + costs_in_words(result))
+                  if self.error(p, quantity) is not None]
+        numbers = {}  # K_I of a constant load once
+        for name, value in result.findings.items():
+            numbers.setdefault(value, f"{findings.label(name)} {value:.5g}")
+        found = ("error of " + ", ".join(errors[:MOST_NUMBERS]) if errors else
+                 "no error" if self.quantities else 
+                 ", ".join([*numbers.values()][:MOST_NUMBERS]))
+        text = f"{self.values(p)}: {found}; {costs_in_words(result)}"
         return text if result.status == "done" else f"{text}; {result.status}"
-
-
-def shortest(value):
-    """The shortest text that reads back as the same number."""
-    if value is None:
-        return ""
-    digits = decimal.Decimal(repr(value)).normalize()
-    places = len(digits.as_tuple().digits) - 1
-    return min(format(digits, "f"), f"{value:.{places}e}", key=len)
 
 
 def formatted(value, form):

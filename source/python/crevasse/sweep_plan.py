@@ -5,19 +5,21 @@
 fastest."""
 
 import dataclasses
+import fractions
 import itertools
 import math
 
 from crevasse.command import CommandError
-from crevasse.results import number
+from crevasse.results import number, shortest
 
-FORM = ("must have the form \"Section/Name=a,b,c\", with \";\" between values that "
-        "contain commas, \" | \" between values that contain both, and \" & \" between "
-        "parameters that change together")
+FORM = ("must have the form \"Section/Name=a,b,c\" or \"Section/Name=first:last:count\", "
+        "with \";\" between values that contain commas, \" | \" between values that "
+        "contain both, and \" & \" between parameters that change together")
 OF_PROBLEM = ("Geometry", "Boundary", "Material", "Loads")
 OF_MESH = ("Subdivisions", "Refinements")
 LONGEST_NAME = 80
 LONGEST_QUOTE = 120
+MOST_IN_RANGE = 10000
 
 
 @dataclasses.dataclass
@@ -26,13 +28,15 @@ class Axis:
     parameters: list
     values: list
 
-    def numbers(self):
-        """The values of the first parameter that has different positive numbers
-        only; empty if there is none."""
-        for texts in self.values:
-            found = [number(text) for text in texts]
-            if (len(found) > 1 and len(set(found)) == len(found) and all(
-                    x is not None and 0 < x < math.inf for x in found)):
+    def refinement(self):
+        """The values of the first numerical setting that each value halves or doubles;
+        empty if there is none: then errors have no orders."""
+        for name, texts in zip(self.parameters, self.values):
+            found = [number(text) or 0 for text in texts]
+            if (not is_of_problem(name) and len(found) > 1 and 0 < min(found)
+                    and max(found) < math.inf and any(all(
+                        math.isclose(b, factor * a) for a, b in zip(found, found[1:]))
+                        for factor in (0.5, 2))):
                 return found
         return []
 
@@ -65,11 +69,10 @@ class Plan:
         require_none(problems)
         self.points = [self.point(indices) for indices in itertools.product(
             *(range(len(axis.values[0])) for axis in self.axes))]
-        # Orders are observed along the axis with the most numbers.
-        self.numbers = max((axis.numbers() for axis in self.axes), key=len)
-        self.main_axis = next((a for a, axis in enumerate(self.axes)
-                               if self.numbers and axis.numbers() == self.numbers),
-                              None)
+        # Orders are observed along the axis that refines most often.
+        refinements = [axis.refinement() for axis in self.axes]
+        self.numbers = max(refinements, key=len)
+        self.main_axis = refinements.index(self.numbers) if self.numbers else None
 
     def point(self, indices):
         values = [texts[i] for axis, i in zip(self.axes, indices)
@@ -83,9 +86,12 @@ class Plan:
 
     def parameters_of_problem(self):
         """Those that change what is computed, and not only how."""
-        return [name for name in self.parameters
-                if name.split("/")[0] in OF_PROBLEM
-                and name.partition("/")[2] not in OF_MESH]
+        return list(filter(is_of_problem, self.parameters))
+
+
+def is_of_problem(name):
+    section, _, last = name.partition("/")
+    return section in OF_PROBLEM and last not in OF_MESH
 
 
 def require_none(problems):
@@ -128,6 +134,44 @@ def list_of_values(text):
     return parts if len(parts) > 1 or text.rstrip().endswith(";") else split(text, ",")
 
 
+def expand(text):
+    """The values of a range "first:last:count" as texts; of another text itself. There
+    may be colons in names, too."""
+    parts = text.split(":")
+    numbers = [number(part) for part in parts]
+    if len(parts) not in (2, 3) or sum(x is not None for x in numbers) < 2:
+        return [text]
+    if len(parts) == 2:
+        raise ValueError(f"lacks the number of values: {text}:11 has 11")
+    if None in numbers or not all(map(math.isfinite, numbers)):
+        raise ValueError("has a part that is not a finite number")
+    first, last = (fractions.Fraction(part.strip()) for part in parts[:2])
+    count = int(numbers[2])
+    if count != numbers[2] or not 2 <= count <= MOST_IN_RANGE:
+        raise ValueError(f"has {parts[2].strip()} values: give a whole number from 2 to "
+                         f"{MOST_IN_RANGE}; write a single value without colons")
+    if first == last:
+        raise ValueError("begins where it ends: give two different numbers")
+    exact = (first + (last - first) * k / (count - 1) for k in range(count))
+    return [str(value) if value.denominator == 1 and abs(value) < 1e15
+            else shortest(float(value)) for value in exact]
+
+
+def read_values(option, name, text, problems):
+    values = list_of_values(text)
+    if not values or "" in values:
+        problems.append(quote("--vary", option) + f"{name} lacks a value; it " + FORM)
+    expanded = []
+    for value in values:
+        try:
+            expanded += expand(value)
+        except ValueError as error:
+            problems.append(quote("--vary", option) + f"the range {shorten(value)} of "
+                            f"{name} {error}. Ranges are first:last:count, as 0.1:0.6:11")
+            expanded.append(value)
+    return expanded
+
+
 def read_axis(option, problems):
     axis = Axis([], [])
     for text in option.split(" & "):
@@ -136,12 +180,8 @@ def read_axis(option, problems):
         if not equals or not name:
             problems.append(quote("--vary", option) + FORM)
             continue
-        values = list_of_values(values)
-        if not values or "" in values:
-            problems.append(quote("--vary", option) + f"{name} lacks a value; it "
-                            + FORM)
         axis.parameters.append(name)
-        axis.values.append(values)
+        axis.values.append(read_values(option, name, values, problems))
     for name, values in zip(axis.parameters[1:], axis.values[1:]):
         if len(values) != len(axis.values[0]):
             problems.append(

@@ -4,7 +4,9 @@
 """The table of a sweep: its rows, and the lines that its points form."""
 
 import csv
+import math
 
+from crevasse import findings
 from crevasse.results import ResultsError, number
 
 COSTS = {"vi_solves": "variational inequalities",
@@ -43,12 +45,27 @@ def parameters(rows):
     return names[1:names.index("status")]
 
 
+def is_numeric(rows, name):
+    return all(math.isfinite(number(row[name]) or 0) and number(row[name]) is not None
+               for row in rows)
+
+
+def is_geometric(rows, name):
+    """Whether factors between positive numbers are more equal than differences."""
+    numbers = sorted({float(row[name]) for row in rows})
+    if numbers[0] <= 0:
+        return False
+    steps = [(b - a, math.log(b / a)) for a, b in zip(numbers, numbers[1:])]
+    spreads = [max(kind) / min(kind) for kind in zip(*steps)]
+    return bool(spreads) and spreads[1] < spreads[0]
+
+
 def most_numeric(rows, names):
-    """The parameter with the most values, among those that are numbers."""
+    """The parameter with the most values, among those that are numbers; where none
+    varies, among all."""
     def values(name):
-        texts = {row[name] for row in rows}
-        return len(texts) if all(number(text) is not None
-                                 for text in texts) else 0
+        n = len({row[name] for row in rows})
+        return (n if n > 1 and is_numeric(rows, name) else 0), n
     return max(names, key=values)
 
 
@@ -82,6 +99,23 @@ def lines_of(rows, along=None):
     others = [name for name in parameters(rows)
               if name != along and not changes_with(rows, name, along)]
     return along, others, list(lines(rows, along, others))
+
+
+def joined(lines):
+    """One line through the points if each would be a line of its own."""
+    if any(len(members) > 1 for _, members in lines):
+        return lines
+    return [("", [row for _, members in lines for row in members])]
+
+
+def findings_of(rows):
+    """The columns of results that have numbers."""
+    return [name for name in rows[0] if findings.is_finding(name)
+            and any(number(row[name]) is not None for row in rows)]
+
+
+def drawn_findings(rows):
+    return [name for name in findings_of(rows) if findings.varies(name, rows)]
 
 
 def first_of_size(rows, quantities):

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The results of a run that parameter studies tabulate and draw: numbers of
+summary.json, and the part of the period in which the lip is closed."""
+
+import collections
+import itertools
+import math
+import re
+
+from crevasse import lip
+from crevasse.run import Run
+
+# Findings with the same unit are of the same kind. A path that begins with "tip" leads
+# through each crack tip.
+Finding = collections.namedtuple("Finding", "label, unit, path")
+INTENSITY = "stress × √length"
+
+FINDINGS = {name: Finding(*rest) for name, *rest in (
+    ("K_I_largest", "largest K_I", INTENSITY, ("tip", "K_I", "largest")),
+    ("K_I_smallest", "smallest K_I", INTENSITY, ("tip", "K_I", "smallest")),
+    ("Delta_K", "ΔK", INTENSITY, ("tip", "Delta_K")),
+    ("K_II_largest", "largest K_II", INTENSITY, ("tip", "K_II", "largest")),
+    ("K_II_smallest", "smallest K_II", INTENSITY, ("tip", "K_II", "smallest")),
+    ("K_III_largest", "largest K_III", INTENSITY, ("tip", "K_III", "largest")),
+    ("K_III_smallest", "smallest K_III", INTENSITY, ("tip", "K_III", "smallest")),
+    ("equivalent_intensity", "largest equivalent K", INTENSITY,
+     ("tip", "equivalent_intensity", "largest")),
+    ("growth_angle", "direction of growth", "degrees", ("tip", "growth_angle")),
+    ("T_stress_largest", "largest T-stress", "stress", ("tip", "T_stress", "largest")),
+    ("T_stress_smallest", "smallest T-stress", "stress",
+     ("tip", "T_stress", "smallest")),
+    ("energy_release_rate", "largest energy release rate", "force / length",
+     ("tip", "energy_release_rate", "largest")),
+    ("C_star", "C*", "stress × length / time", ("tip", "C_star")),
+    ("C_t_largest", "largest C(t)", "stress × length / time", ("tip", "largest")),
+    ("C_t_last", "C(t) at the end", "stress × length / time", ("tip", "last")),
+    ("da_dN", "da/dN", "length", ("tip", "da_dN")),
+    ("opening", "largest opening", "length", ("extremes", "opening")),
+    ("closed_part", "lip partly or wholly closed", "part of the period",
+     ("lip", "closed_part")),
+    ("wholly_closed_part", "lip wholly closed", "part of the period",
+     ("lip", "wholly_closed_part")),
+    ("largest_stress", "largest stress", "stress", ("extremes", "stress")),
+    ("largest_displacement", "largest displacement", "length",
+     ("extremes", "displacement")),
+    ("drift", "largest drift of the displacement", "length / time",
+     ("drift", "largest_rate")),
+    ("stress_change", "last change of the stress", "part of the stress",
+     ("last_stress_change",)))}
+
+
+def split(column):
+    """The finding's name, and the number of the tip if there are several."""
+    name, tip = re.fullmatch(r"(.+?)(?:_(\d+))?", column).groups()
+    return name, tip and int(tip)
+
+
+def is_finding(column):
+    return split(column)[0] in FINDINGS
+
+
+def place(column):
+    """By which columns are sorted."""
+    name, tip = split(column)
+    return list(FINDINGS).index(name), tip or 0
+
+
+def unit(column):
+    return FINDINGS[split(column)[0]].unit
+
+
+def label(column):
+    name, tip = split(column)
+    return FINDINGS[name].label + (f" at tip {tip}" if tip else "")
+
+
+def read(directory):
+    """{column: number} of a run; what the run does not have is left out."""
+    run = Run(directory)
+    tips = tips_of(run.summary)
+    places = {**run.summary, "lip": lip.closed_parts(run),
+              "last_stress_change": (run.summary.get("stress_change") or [None])[-1]}
+    found = {}
+    for name, finding in FINDINGS.items():
+        of_tips = tips if finding.path[0] == "tip" else [{}]
+        for k, tip in enumerate(of_tips, 1):
+            value = at({**places, "tip": tip}, finding.path)
+            if value is not None and math.isfinite(value):
+                found[f"{name}_{k}" if len(of_tips) > 1 else name] = value
+    return found
+
+
+def at(value, path):
+    for key in path:
+        value = value.get(key) if isinstance(value, dict) else None
+    return value
+
+
+def tips_of(summary):
+    """What is known of each crack tip, or of the crack fronts in space together."""
+    tips = summary.get("crack_tips") or [
+        tip for tip in (summary.get("crack_tip"), front(summary)) if tip]
+    tips = [{**creep, **tip} for tip, creep in itertools.zip_longest(
+        tips, summary.get("creep_integrals", ()), fillvalue={})]
+    for tip in tips:
+        ends = [at(tip, ("K_I", end)) for end in ("largest", "smallest")]
+        if None not in ends:  # K_I < 0 counts as 0, as in laws of growth
+            tip["Delta_K"] = max(ends[0], 0) - max(ends[1], 0)
+    return tips
+
+
+def front(summary):
+    """As a tip: without the places of the extremes."""
+    return {name: {end: at(extreme, ("value",)) for end, extreme in extremes.items()}
+            for name, extremes in summary.get("crack_front", {}).items()
+            if isinstance(extremes, dict)}
+
+
+def varies(column, rows):
+    """Whether a column of a table has different numbers, by more than rounding and by
+    more than a thousandth."""
+    def numbers(name):
+        return [float(row[name]) for row in rows if row[name]]
+    values = numbers(column)
+    largest = max(abs(value) for name in rows[0] if is_finding(name)
+                  and unit(name) == unit(column) for value in numbers(name))
+    spread = max(values) - min(values)
+    return spread > max(1e-3 * max(map(abs, values)), 1e-9 * largest)
