@@ -251,7 +251,7 @@ def sweep():
         x, y, words = lines[0]["points"][0]
         check(words == ["Scheme = heun", "Steps per period = 20"]
               and (x, y) in points, f"{title}: {x}, {y}, {words}")
-    figures("results/sweep", 1)
+    figures("results/sweep", 1 + sum("what" in chart for chart in data_of(page)["charts"]))
     cut = copy("sweep", "sweep_cut")
     path = cut / "sweep.csv"
     path.write_text("".join(path.read_text().splitlines(True)[:4]))
@@ -260,6 +260,34 @@ def sweep():
     path.write_text(path.read_text()[:-40])
     _, said = report(cut, 2)
     check("number of columns" in said, f"broken table: {said}")
+
+
+def study():
+    """A parameter study, of which two points are not converged and one is refused."""
+    shutil.rmtree("results/study", ignore_errors=True)
+    status, _, error = execute(
+        "sweep", PAPER, "--set", "Contact/Solver=automatic", "--vary",
+        "Time integration/Scheme=heun,sdirk2", "--vary",
+        "Material/Relaxation time=1,60,120,300", "--output", "results/study")
+    check(status == 0, f"study: {error}")
+    page, said = report("results/study")
+    check(said == "", f"study: {said}")
+    check_self_contained(page)
+    check_says(page, "Relaxation time is the horizontal axis; each combination",
+               "Hollow points are not converged", "The same at all points")
+    check("accura" not in words_of(page) and "error" not in "".join(titles(page)),
+          "nothing about errors")
+    with open("results/study/sweep.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    chart, = (chart for chart in data_of(page)["charts"]
+              if chart["title"] == "largest opening")
+    check([line["label"] for line in chart["series"]] == ["heun", "sdirk2"], chart)
+    for line in chart["series"]:
+        expected = [[float(row["Material/Relaxation time"]), float(row["opening"]),
+                     row["status"] != "done"] for row in rows if row["opening"]
+                    and row["Time integration/Scheme"] == line["label"]]
+        check([[x, y, hollow] for x, y, _, hollow in line["points"]] == expected
+              and any(hollow for *_, hollow in expected), f"{line} {expected}")
 
 
 def copy(source, name):
@@ -378,7 +406,8 @@ def folders_without_results():
 # What is seen when hovering over a point, and where the last period begins.
 SHOWN = {"whole": (["t = 15, lip open"], 1200),
          "long": (None, 35400),
-         "sweep": (["heun", "Scheme = heun", "Steps per period = 40"], None)}
+         "sweep": (["heun", "Scheme = heun", "Steps per period = 40"], None),
+         "study": (["heun", "Scheme = heun", "Relaxation time = 120"], None)}
 
 
 def shown_well(pages):
@@ -411,10 +440,11 @@ whole_run()
 long_run()
 other_runs()
 sweep()
+study()
 unfinished_runs()
 damaged_runs()
 odd_names()
 folders_without_results()
 command_line()
 shown_well({name: f"results/{name}" for name in
-            ("whole", "long", "box", "bare", "sweep", "killed")})
+            ("whole", "long", "box", "bare", "sweep", "study", "killed")})

@@ -4,14 +4,14 @@
 """Draws the figures of a results directory. Of a run: figures 1 to 6 of Raous
 (1980), section 7: the mesh; stress and opening at a probe over one period; level
 curves of the stress, principal stresses and second invariant of the deviator at one
-instant. Of a sweep: errors against costs. Exit status: 0 done, 2 nothing to draw, 4
-a file cannot be written."""
+instant. Of a sweep: each result that varies, such as K_I, against the parameter; errors
+against costs. Exit status: 0 done, 2 nothing to draw, 4 a file cannot be written."""
 
 import argparse
 import pathlib
 import sys
 
-from crevasse import field_figures, probe_figures, work_precision
+from crevasse import field_figures, probe_figures, sweep_figures
 from crevasse.fields import Fields
 from crevasse.plotting import save
 from crevasse.results import ResultsError
@@ -39,8 +39,9 @@ def arguments(words):
                         help="of the displacement in figures 4 to 6 (10)")
     of_sweep = parser.add_argument_group("of a sweep")
     of_sweep.add_argument("--x", choices=list(COSTS), default="linear_solves",
-                          help="the cost (linear_solves)")
-    of_sweep.add_argument("--quantity", help="whose error (the first one)")
+                          help="the cost beside errors (linear_solves)")
+    of_sweep.add_argument("--quantity", help="a single figure: of the error of this "
+                          "quantity, as stress, or of this result, as K_I_largest")
     of_sweep.add_argument("--along", metavar="NAME", help="the parameter along each "
                           "line (the one with the most numeric values)")
     return parser.parse_args(words)
@@ -94,7 +95,7 @@ def run_drawings(options):
 def main(words):
     options = arguments(words)
     is_sweep = (options.results / "sweep.csv").is_file()
-    drawings = work_precision.drawings if is_sweep else run_drawings
+    drawings = sweep_figures.drawings if is_sweep else run_drawings
     directory = options.output or options.results / "figures"
     drawn = 0
     try:

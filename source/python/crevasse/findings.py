@@ -116,15 +116,3 @@ def front(summary):
     return {name: {end: at(extreme, ("value",)) for end, extreme in extremes.items()}
             for name, extremes in summary.get("crack_front", {}).items()
             if isinstance(extremes, dict)}
-
-
-def varies(column, rows):
-    """Whether a column of a table has different numbers, by more than rounding and by
-    more than a thousandth."""
-    def numbers(name):
-        return [float(row[name]) for row in rows if row[name]]
-    values = numbers(column)
-    largest = max(abs(value) for name in rows[0] if is_finding(name)
-                  and unit(name) == unit(column) for value in numbers(name))
-    spread = max(values) - min(values)
-    return spread > max(1e-3 * max(map(abs, values)), 1e-9 * largest)

@@ -12,6 +12,7 @@ matplotlib.use("Agg")
 
 from matplotlib import patheffects, pyplot
 from matplotlib.collections import LineCollection
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 import numpy
 from PIL import Image
 
@@ -19,6 +20,8 @@ from PIL import Image
 BLUE, VERMILION, GREEN = "#0072B2", "#D55E00", "#009E73"
 PURPLE = "#CC79A7"
 INK, GREY, SHADE = "#222222", "#8a8a8a", "#e6e6e6"
+
+MARKERS = "osD^vPX*"
 
 TENSION = dict(color=VERMILION, linewidth=1.0)
 COMPRESSION = dict(color=BLUE, linewidth=1.4)
@@ -55,6 +58,16 @@ def ladder(low, high, mantissas=(1, 2, 5)):
                    int(numpy.ceil(numpy.log10(high))) + 1)
     return [m * 10.0 ** k for k in powers for m in mantissas
             if low <= m * 10.0 ** k <= high]
+
+
+def name_numbers(axes):
+    """Of a logarithmic axis to the right, without powers of ten: 1, 2, 5, 10, ..."""
+    low, high = axes.get_xlim()
+    mantissas = ((1,) if high > 1e4 * low else
+                 (1, 2, 5) if high > 10 * low else (1, 1.5, 2, 3, 4, 5, 7))
+    axes.xaxis.set_major_locator(FixedLocator(ladder(low, high, mantissas)))
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:.10g}"))
 
 
 def signed(value, digits=6):

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Crevasse authors
 
-"""The report of a sweep: what accuracy costs, which points no other one beats,
-and, where a parameter of the problem itself varies, what the points found."""
+"""The report of a sweep: the results of its points against what varies, and, where
+errors were measured, what accuracy costs and which points no other one beats."""
 
 import json
 import math
 import re
 
-from crevasse import summary_file, sweep_table
+from crevasse import findings, sweep_table
 from crevasse.histories import COLOURS
 from crevasse.page import render
 from crevasse.plotting import INK
@@ -18,15 +18,6 @@ from crevasse.run import Run
 MARKERS = ("circle", "rect", "triangle", "rectRot", "crossRot", "star")
 COSTS = {"seconds": "wall time (s)", "vi_solves": "contact problems",
          "linear_solves": "linear solves"}
-# What a point has found, by its path in summary.json.
-FINDINGS = {
-    "largest stress": ("extremes", "stress"),
-    "largest opening": ("extremes", "opening"),
-    "largest K_I": ("crack_tip", "K_I", "largest"),
-    "smallest K_I": ("crack_tip", "K_I", "smallest"),
-    "C*": ("crack_tip", "C_star"),
-    "largest C(t)": ("creep_integrals", 0, "largest"),
-    "da/dN": ("crack_tip", "da_dN")}
 
 
 def page(directory):
@@ -35,11 +26,12 @@ def page(directory):
     description, damages = read_description(directory)
     quantities = sweep_table.quantities(rows)
     along, others, lines = sweep_table.lines_of(rows)
-    findings = find(directory, rows, damages)
     studies = [study(rows, lines, quantity) for quantity in quantities]
     charts = [chart for part in studies for chart in part["charts"]]
-    found = finding_charts(findings, lines, along)
-    charts += found
+    found = sweep_table.findings_of(rows)
+    drawn = sweep_table.varying(found)
+    result_charts = finding_charts(rows, lines, along, drawn)
+    charts += result_charts
     for k, chart in enumerate(charts):
         chart["id"] = f"chart{k}"
     unfinished = points_to_come(directory, rows)
@@ -49,9 +41,14 @@ def page(directory):
         names=sweep_table.parameters(rows), values=values(rows), along=along,
         quantities=quantities, studies=studies, unfinished=unfinished,
         reference=description.get("reference", {}),
-        warnings=description.get("warnings", []), findings=findings,
-        found=found, damages=damages, states=states(rows),
-        scene=scene_of(directory, rows), costs=COSTS,
+        warnings=description.get("warnings", []),
+        findings={name: findings.label(name) for name in found},
+        constant={findings.label(name): next(iter(points.values()))
+                  for name, points in found.items() if name not in drawn},
+        result_charts=result_charts, damages=damages, states=states(rows),
+        scene=scene_of(directory, rows), orders=any("order:" + name in rows[0]
+                                                    for name in quantities),
+        beside=any((number(row.get("jobs", "")) or 1) > 1 for row in rows),
         shown=first_with_points(studies, rows, quantities),
         data={"charts": charts, "shades": [], "lip": False})
     return text, [unfinished] * bool(unfinished), damages
@@ -84,16 +81,16 @@ def states(rows):
 
 
 def points_to_come(directory, rows):
-    """What the log says of points that are not in the table; nothing if the
-    sweep is whole."""
+    """How many points of the log are not in the table; nothing if the sweep is
+    whole."""
     try:
         text = (directory / "sweep.log").read_text(errors="replace")
     except OSError:
         return ""
-    planned = re.findall(r"^  \d+ of (\d+): ", text, re.M)
-    if not planned or int(planned[-1]) <= len(rows):
+    planned = re.match(r"Crevasse .*: sweep of .*, (\d+) points?$", text, re.M)
+    if not planned or int(planned[1]) <= len(rows):
         return ""
-    return (f"Not finished: {len(rows)} of {planned[-1]} points are done. Repeat the "
+    return (f"Not finished: {len(rows)} of {planned[1]} points are done. Repeat the "
             "command to continue.")
 
 
@@ -131,8 +128,7 @@ def work_precision_series(rows, lines, quantity, cost):
         shown = [row for row in members if drawable(row, cost, error)]
         if shown:
             series.append({
-                "label": label or quantity, "colour": COLOURS[k % len(COLOURS)],
-                "marker": MARKERS[k % len(MARKERS)],
+                "label": label or quantity, **style(k),
                 "points": [[number(row[cost]), number(row[error]),
                             words(row, names) + not_done(row)] for row in shown]})
     best = pareto_front([row for row in rows if drawable(row, cost, error)], cost,
@@ -175,50 +171,37 @@ def first_with_points(studies, rows, quantities):
     return first if first in drawn or not drawn else drawn[0]
 
 
-def find(directory, rows, damages):
-    """What the points found: {finding: {point: value}}."""
-    found = {name: {} for name in FINDINGS}
-    for row in rows:
-        path = directory / row["point"]
-        if not (path / "summary.json").is_file():
-            continue
-        summary, troubles = summary_file.read(path / "summary.json")
-        damages += [f"{row['point']}/summary.json: {trouble.rstrip('.')}."
-                    for trouble in troubles]
-        for name, keys in FINDINGS.items():
-            value = summary
-            for key in keys:
-                try:
-                    value = value[key]
-                except (KeyError, IndexError, TypeError):
-                    value = None
-            if isinstance(value, (int, float)) and math.isfinite(value):
-                found[name][row["point"]] = value
-    return {name: points for name, points in found.items()
-            if points and changes(points.values())}
-
-
-def changes(values):
-    """By more than the errors that a study of accuracy is about."""
-    return max(values) - min(values) > 0.01 * max(map(abs, values))
-
-
-def finding_charts(findings, lines, along):
-    """Against the parameter with the most numbers."""
+def finding_charts(rows, lines, along, found):
+    """Each finding against the parameter along the lines."""
+    axis = {"x": along.split("/")[-1], **scale(rows, along)}
+    read_x = str if "categories" in axis else float
+    names = sweep_table.parameters(rows)
     charts = []
-    for name, points in findings.items():
-        series = []
-        for k, (label, members) in enumerate(lines):
-            shown = [[number(row[along]), points[row["point"]]] for row in members
-                     if row["point"] in points and number(row[along]) is not None]
-            if len(shown) > 1:
-                series.append({"label": label or name, "points": shown,
-                               "colour": COLOURS[k % len(COLOURS)],
-                               "marker": MARKERS[k % len(MARKERS)]})
-        if series:
-            charts.append({"kind": "points", "title": name, "y": name,
-                           "x": along.split("/")[-1], "series": series})
+    for name, numbers in found.items():
+        series = [{"label": label or findings.label(name), **style(k),
+                   "loose": "categories" in axis,
+                   "points": [[read_x(row[along]), numbers[row["point"]],
+                               words(row, names) + not_done(row),
+                               row["status"] != "done"]
+                              for row in members if row["point"] in numbers]}
+                  for k, (label, members) in enumerate(sweep_table.joined(lines))]
+        charts.append({"kind": "points", "title": findings.label(name), **axis,
+                       "y": findings.unit(name), "what": findings.label(name),
+                       "series": [line for line in series if line["points"]]})
     return charts
+
+
+def scale(rows, along):
+    """Texts are categories; numbers that are spaced by factors have a logarithmic
+    axis."""
+    if not sweep_table.is_numeric(rows, along):
+        return {"categories": list(dict.fromkeys(row[along] for row in rows))}
+    return {"log": ["x"]} if sweep_table.is_geometric(rows, along) else {}
+
+
+def style(k):
+    return {"colour": COLOURS[k % len(COLOURS)],
+            "marker": MARKERS[(k + k // len(COLOURS)) % len(MARKERS)]}
 
 
 def scene_of(directory, rows):

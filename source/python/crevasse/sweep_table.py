@@ -46,8 +46,12 @@ def parameters(rows):
 
 
 def is_numeric(rows, name):
-    return all(math.isfinite(number(row[name]) or 0) and number(row[name]) is not None
-               for row in rows)
+    return all(is_number(row[name]) for row in rows)
+
+
+def is_number(text):
+    value = number(text)
+    return value is not None and math.isfinite(value)
 
 
 def is_geometric(rows, name):
@@ -109,13 +113,22 @@ def joined(lines):
 
 
 def findings_of(rows):
-    """The columns of results that have numbers."""
-    return [name for name in rows[0] if findings.is_finding(name)
-            and any(number(row[name]) is not None for row in rows)]
+    """{column: {point: number}} of the results that have numbers."""
+    numbers = {name: {row["point"]: float(row[name]) for row in rows
+                      if is_number(row[name])}
+               for name in rows[0] if findings.is_finding(name)}
+    return {name: points for name, points in numbers.items() if points}
 
 
-def drawn_findings(rows):
-    return [name for name in findings_of(rows) if findings.varies(name, rows)]
+def varying(found):
+    """Those of findings_of() that differ by more than rounding and by more than a
+    thousandth."""
+    sizes = {name: max(map(abs, points.values())) for name, points in found.items()}
+    return {name: points for name, points in found.items()
+            if max(points.values()) - min(points.values())
+            > max(1e-3 * sizes[name], 1e-9 * max(
+                size for other, size in sizes.items()
+                if findings.unit(other) == findings.unit(name)))}
 
 
 def first_of_size(rows, quantities):

@@ -130,11 +130,16 @@ function drawPoints(spec, canvas) {
   const logarithmic = spec.log || [];
   const across = axis(spec.x, logarithmic.includes("x"));
   if (spec.whole) across.ticks.precision = 0;
+  if (spec.categories)
+    Object.assign(across, { type: "category", labels: spec.categories, offset: true,
+                            ticks: { maxRotation: 60 } });
   return new Chart(canvas, {
     type: "scatter",
     data: { datasets: spec.series.map((series) => ({
       label: series.label, borderColor: series.colour,
       backgroundColor: series.hollow ? "transparent" : series.colour,
+      pointBackgroundColor: series.hollow ? "transparent"
+        : series.points.map((point) => point[3] ? "#ffffff" : series.colour),
       showLine: !series.loose, borderWidth: series.hollow ? 2 : 1.5,
       borderDash: series.bare ? [6, 4] : [], stepped: series.stepped || false,
       pointRadius: series.bare ? 0 : series.hollow ? 8 : 4,
@@ -154,8 +159,8 @@ function drawPoints(spec, canvas) {
           callbacks: {
             title: (items) => items.length ? items[0].dataset.label : "",
             label: (item) => [...(item.raw.words || []),
-                              `${spec.x}: ${number(item.parsed.x)}`,
-                              `${spec.y}: ${number(item.parsed.y)}`],
+                              ...(spec.what ? [] : [`${spec.x}: ${number(item.parsed.x)}`]),
+                              `${spec.what || spec.y}: ${number(item.parsed.y)}`],
           },
         },
       },

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The results of a sweep against what varies, a figure for each, one line for each
+combination of the parameters that are not followed along a line."""
+
+from crevasse import findings, sweep_table
+from crevasse.plotting import (BLUE, GREEN, GREY, INK, MARKERS, VERMILION, name_numbers,
+                               pyplot)
+
+
+def draw(rows, name, numbers, along=None):
+    """Of the numbers of the points."""
+    along, others, lines = sweep_table.lines_of(rows, along)
+    numeric = sweep_table.is_numeric(rows, along)
+    figure, axes = pyplot.subplots(figsize=(5.6, 3.6), constrained_layout=True)
+    for i, (label, members) in enumerate(sweep_table.joined(lines)):
+        shown = [row for row in members if row["point"] in numbers]
+        x = [float(row[along]) if numeric else row[along] for row in shown]
+        y = [numbers[row["point"]] for row in shown]
+        colour = (BLUE, VERMILION, GREEN, INK, GREY)[i % 5]
+        axes.plot(x, y, label=label, color=colour, marker=MARKERS[i % len(MARKERS)],
+                  markersize=4.5, linestyle="-" if numeric else "")
+        unsettled = [k for k, row in enumerate(shown) if row["status"] != "done"]
+        axes.plot([x[k] for k in unsettled], [y[k] for k in unsettled], linestyle="",
+                  marker=MARKERS[i % len(MARKERS)], markersize=4.5, color=colour,
+                  markerfacecolor="white")
+    axes.set(xlabel=along.split("/")[-1],
+             ylabel=f"{findings.label(name)} ({findings.unit(name)})")
+    axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
+    if numeric and sweep_table.is_geometric(rows, along):
+        axes.set_xscale("log")
+        name_numbers(axes)
+    if others and len(lines) > 1:
+        axes.legend()
+    return figure
