@@ -52,7 +52,7 @@ _crevasse()
       compopt -o filenames
       _crevasse_add -d -- "$word" ;;
     --print-parameters)
-      _crevasse_add -W "prm json markdown" -- "$word" ;;
+      _crevasse_add -W "prm json markdown schema" -- "$word" ;;
     --wall-time | --exact | --error | --jobs) ;;
     *)
       if [[ $word == -* ]]; then

@@ -178,10 +178,10 @@ namespace
     std::ostringstream text;
     if (command.scene_file.empty())
       print_parameters(text, command.print_format);
-    else if (command.print_format == "markdown")
-      throw SceneError(
-        "--print-parameters markdown describes the parameters; "
-        "those of a scene are printed as prm or json.");
+    else if (command.print_format != "prm" && command.print_format != "json")
+      throw SceneError("--print-parameters " + command.print_format +
+                       " describes the parameters; those of a scene are "
+                       "printed as prm or json.");
     else
       {
         dealii::ParameterHandler prm;

@@ -97,14 +97,15 @@ namespace Crevasse
         ->excludes("--check")
         ->excludes("--resume");
       app
-        .add_option("--print-parameters",
-                    command.print_format,
-                    "Print all parameters with their defaults and meanings: "
-                    "prm (the default), json or markdown; after a scene its "
-                    "values, as prm or json")
+        .add_option(
+          "--print-parameters",
+          command.print_format,
+          "Print all parameters with their defaults and meanings: "
+          "prm (the default), json, markdown or schema (a JSON schema "
+          "for editors); after a scene its values, as prm or json")
         ->type_name("FORMAT")
         ->expected(0, 1)
-        ->check(CLI::IsMember({"prm", "json", "markdown"}));
+        ->check(CLI::IsMember({"prm", "json", "markdown", "schema"}));
       // For sweeps, and so in no help.
       app.add_flag("--stress-record", command.stress_record)->group("");
     }

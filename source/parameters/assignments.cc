@@ -253,8 +253,10 @@ namespace Crevasse
                 Problems                &problems)
     {
       for (const auto &[name, value] : object.items())
-        if (value.is_object() &&
-            (!value.contains("value") || value.at("value").is_object()))
+        if (section.empty() && name == "$schema")
+          continue; // for editors
+        else if (value.is_object() &&
+                 (!value.contains("value") || value.at("value").is_object()))
           {
             const std::string path =
               section.empty() ? name : section + "/" + name;

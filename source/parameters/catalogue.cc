@@ -44,6 +44,10 @@ namespace Crevasse
         return (parts[1].str().find('|') == std::string::npos ? ""
                                                               : "one of: ") +
                Text::join(Text::split(parts[1], '|'), ", ");
+      if (std::regex_match(pattern,
+                           parts,
+                           std::regex("\\[Number range \\S+ \\((.*)\\)\\]")))
+        return "a number " + parts[1].str();
       return pattern == "[Bool]"       ? "true or false"
              : pattern == "[Anything]" ? "any text"
                                        : pattern;

@@ -4,6 +4,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/physical_names.h>
 #include <crevasse/parameters/scene_file.h>
+#include <crevasse/parameters/scene_schema.h>
 #include <crevasse/temperature/temperature.h>
 
 #include <algorithm>
@@ -291,8 +292,10 @@ namespace Crevasse
                              ParameterHandler::KeepDeclarationOrder);
     else if (format == "markdown")
       print_markdown(out, prm);
+    else if (format == "schema")
+      out << make_scene_schema(make_catalogue(prm)).dump(2) << '\n';
     else
       throw SceneError("--print-parameters " + Text::shorten(format) +
-                       ": must be prm, json or markdown");
+                       ": must be prm, json, markdown or schema");
   }
 } // namespace Crevasse

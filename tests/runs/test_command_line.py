@@ -10,8 +10,12 @@ import shutil
 import subprocess
 import time
 
+import jsonschema
+
 from crevasse_run import (PROGRAM, SOURCE, check, execute, plain, run, server, start,
                           tier)
+
+from crevasse.results import parse_parameters
 
 SCENE = """\
 set Title = A = b, c
@@ -104,8 +108,8 @@ def test_mistakes():
             (("a.prm", "--output"), "--output"),
             (("--print-parameters", "--set", "Loads/Period=3"),
              "A scene file for --set is required"),
-            (("--print-parameters", "xml"), "{prm,json,markdown}"),
-            (("--print-parameters", "a.prm"), "{prm,json,markdown}"),
+            (("--print-parameters", "xml"), "{prm,json,markdown,schema}"),
+            (("--print-parameters", "a.prm"), "{prm,json,markdown,schema}"),
             (("a.prm", "--wall-time", "12:00"), "is no time"),
             (("a.prm", "--wall-time", "1:60:00"), "is no time"),
             (("a.prm", "--wall-time", "24:00:00:00"), "is no time"),
@@ -341,8 +345,52 @@ def test_print_scene():
     check(values["Geometry"]["Subdivisions"] == "4, 2", f"{values['Geometry']}")
     results = run(scene, "values", ["Title=other", "Periodic state/Maximum periods=2"])
     check((results.directory / "used.prm").read_text() == prm, "used.prm differs")
-    status, _, error = execute(*words, "--print-parameters", "markdown")
-    check(status == 2 and "prm or json" in error, f"markdown: {status} {error}")
+    for form in ("markdown", "schema"):
+        status, _, error = execute(*words, "--print-parameters", form)
+        check(status == 2 and "prm or json" in error, f"{form}: {status} {error}")
+
+
+def test_schema():
+    """Every scene of the repository fits, as a person and as deal.II write JSON, and
+    what the program refuses by its names, choices and ranges does not."""
+    schema = json.loads(succeed("--print-parameters", "schema"))
+    jsonschema.Draft7Validator.check_schema(schema)
+    fits = jsonschema.Draft7Validator(schema).is_valid
+    scenes = [*SOURCE.glob("prm/**/*.prm")]
+    check(len(scenes) > 20, f"{scenes}")
+    for path in scenes:
+        scene = {}
+        for name, value in parse_parameters(path.read_text())[0].items():
+            section, _, parameter = name.rpartition("/")
+            (scene.setdefault(section, {}) if section else scene)[parameter] = value
+        error = jsonschema.exceptions.best_match(
+            jsonschema.Draft7Validator(schema).iter_errors(scene))
+        check(error is None, f"{path}: {error}")
+    check(fits(json.loads(succeed("--print-parameters", "json"))), "defaults")
+    named = {"$schema": "./crevasse.schema.json", **JSON_SCENE}
+    check(fits(named), "a scene by hand")
+    succeed("--check", write_scene("named.json", json.dumps(named)))
+
+    for section, values in {
+            "Geometry": {"Crak length": 0.3, "Width": -1, "Shape": "edge",
+                         "Refinements": 1.5, "Subdivisions": [0, 4]},
+            "Crack tip": {"Stress intensity": "yes"},
+            "Periodic state": {"Method": "Anderson", "Tolerance": "small"},
+            "Geometri": {"Width": 1}, "Dimension": {"": 4}}.items():
+        for name, value in values.items():
+            wrong = {section: {name: value} if name else value}
+            check(not fits(wrong), f"fits the schema: {wrong}")
+            status, _, error = execute("--check",
+                                       write_scene("wrong.json", json.dumps(wrong)))
+            check(status == 2 and section in error, f"{wrong}: {error}")
+
+    geometry = schema["properties"]["Geometry"]["properties"]
+    check(geometry["Crack length"]["default"] == 0.5
+          and geometry["Subdivisions"]["default"] == [14, 4]
+          and geometry["Shape"]["default"] == "edge crack"
+          and "mesh file" in geometry["Shape"]["enum"]
+          and "less than Width" in geometry["Crack length"]["description"]
+          and "maximum" not in geometry["Width"], f"{geometry}")
 
 
 def test_scripts():
@@ -494,6 +542,7 @@ test_nothing_marched()
 test_tables()
 test_print_parameters()
 test_print_scene()
+test_schema()
 test_scripts()
 test_server()
 test_many_starts()

@@ -64,7 +64,8 @@ namespace Crevasse
     constexpr Range  creep_exponent = {1., 50., "at least 1 and at most 50"};
   } // namespace Ranges
 
-  /** For ParameterHandler: a number in a range, described in words. */
+  /** For ParameterHandler: a number in a range, described by its bounds and in
+   * words. */
   class NumberPattern : public dealii::Patterns::PatternBase
   {
   public:
@@ -83,7 +84,8 @@ namespace Crevasse
     std::string
     description(const OutputStyle = Machine) const override
     {
-      return std::string("a number ") + range.words;
+      return "[Number range " + Text::from_number(range.least) + "..." +
+             Text::from_number(range.most) + " (" + range.words + ")]";
     }
 
     std::unique_ptr<PatternBase>

@@ -30,7 +30,8 @@ namespace Crevasse
    *
    * JSON is what one writes by hand, {"Geometry": {"Width": 1, "Subdivisions":
    * [14, 4]}}, or what deal.II prints, where all values are texts, and a
-   * parameter may be an object whose member "value" counts.
+   * parameter may be an object whose member "value" counts. "$schema" is left
+   * to editors.
    *
    * @param overrides "Section/Name=value" of --set.
    * @throw FileError if the file cannot be read.

@@ -11,8 +11,8 @@
 
 namespace Crevasse
 {
-  /** Writes all parameters with defaults and documentation, as "prm", "json"
-   * or "markdown". */
+  /** Writes all parameters with defaults and documentation, as "prm", "json",
+   * "markdown", or "schema", which is a JSON schema. */
   void
   print_parameters(std::ostream &out, const std::string &format);
 
