@@ -4,11 +4,12 @@ ranks do not matter."""
 
 import json
 import pathlib
+import re
 import shutil
 import time
 
 from bars import BAR
-from crevasse_run import (check, check_below, execute, execute_on, full,
+from crevasse_run import (SOURCE, check, check_below, execute, execute_on, full,
                           overrides, run)
 
 TARGET = 1e-2
@@ -78,6 +79,16 @@ def test_target():
     text = (directory / "advised.prm").read_text()
     check(text.startswith("# plate.prm with the settings") and
           "advise" in text.splitlines()[0], text[:200])
+    # It has nothing but what differs from the file, and is the same scene.
+    check("include ../../plate.prm\n" in text and len(text.splitlines()) < 35
+          and "set Relaxation time = 200  # --set of the command line" in text
+          and re.search(r"set Steps per period = \d+  # was \d+", text), text)
+    changes = [f"{name[1:].replace('] ', '/')}={change['is']}"
+               for name, change in advice["changes"].items()]
+    same = [execute(scene, *words, "--print-parameters", "prm")[:2]
+            for scene, words in ((SCENE, SETTINGS + overrides(changes)),
+                                 (directory / "advised.prm", ()))]
+    check(same[0] == same[1] and same[0][0] == 0, "another scene is advised")
     check("(chosen)" in (directory / "advice.md").read_text(), "advice.md")
 
 
@@ -96,6 +107,35 @@ def test_again():
         check(json.loads((directory / "advice.json").read_text()) == first,
               "another answer")
         check("(already there)" in output, output)
+
+
+@full
+def test_files():
+    """The mesh lies beside the scene, not beside advised.prm. A scene in JSON cannot be
+    included."""
+    shutil.copy(SOURCE / "tests/meshes/edge_crack_2.msh", "plate.msh")
+    words = ("--error", "0.1", *SETTINGS, "--set", "Boundary/Clamped=1", "--set",
+             "Boundary/Loaded=3", "--set", "Periodic state/Maximum periods=1")
+    status, printed, error = execute(
+        SCENE, *words[2:], "--set", "Geometry/Shape=mesh file", "--set",
+        "Geometry/Mesh file=plate.msh", "--print-parameters", "json")
+    check(status == 0, error)
+    scene = json.loads(printed)
+    scene["Geometry"]["Mesh file"] = "plate.msh"
+    path = pathlib.Path("meshed.json")
+    path.write_text(json.dumps(scene))
+    directory, _, _ = advise("meshed", *words[:2], scene=path)
+    check("include" not in (directory / "advised.prm").read_text(), "includes JSON")
+    run(directory / "advised.prm", "advised_json")
+    path = path.with_suffix(".prm")
+    path.write_text("\n".join(
+        line for section, values in scene.items() if isinstance(values, dict)
+        for line in (f"subsection {section}", *(
+            f"set {name} = {value}" for name, value in values.items()), "end")))
+    directory, _, _ = advise("meshed", *words[:2], scene=path)
+    check("set Mesh file = ../../plate.msh" in (directory / "advised.prm").read_text(),
+          "the mesh")
+    run(directory / "advised.prm", "advised_prm")
 
 
 def test_stop():
@@ -208,7 +248,7 @@ def test_crack_tip():
     check(advised.summary["converged"], "the advised scene is periodic")
 
 
-for test in (test_target, test_again, test_stop, test_refusals,
+for test in (test_target, test_again, test_files, test_stop, test_refusals,
              test_first_is_refused, test_quantities, test_nothing_moves,
              test_coarse_cells_are_refused, test_crack_tip):
     test()

@@ -25,7 +25,7 @@ from crevasse.results import named_points, number, parse_parameters
 
 ERROR_OF_BASE = 0.1  # of the steps with which meshes are compared
 EPILOG = """Files in DIR:
-  advised.prm   the scene with the settings found: crevasse advised.prm
+  advised.prm   includes the scene, with the settings found: crevasse advised.prm
   advice.md     what was chosen and all that was measured, for people
   advice.json   the same for scripts
   runs/         the runs

@@ -3,19 +3,20 @@
 
 """Writes advised.prm, advice.md and advice.json."""
 
+import itertools
 import json
 import math
 import os
 import textwrap
+
+from crevasse.command import write_file
 
 
 def write(directory, advice):
     """Each file as a whole."""
     for name, text in (("advised.prm", scene(advice)), ("advice.md", markdown(advice)),
                        ("advice.json", json.dumps(data(advice), indent=2) + "\n")):
-        part = directory / (name + ".part")
-        part.write_text(text)
-        os.replace(part, directory / name)
+        write_file(directory / name, text)
 
 
 def changes(advice):
@@ -37,15 +38,47 @@ def measured(advice):
 
 
 def scene(advice):
-    """The advised scene, with a comment that tells how it came about."""
+    """The advised scene, which includes the one that was there, with a comment that
+    tells how it came about."""
     words = [f"{advice.scene_file.name} with the settings that crevasse advise has "
              f"found for an error of {advice.target:g} in "
              f"{', '.join(advice.errors.quantities)}: {advice.choice}.",
-             measured(advice), "Body and loads are unchanged. Changed are:"]
+             measured(advice), "Body and loads are unchanged."]
     lines = [f"# {line}" for text in words for line in textwrap.wrap(text, 77)]
-    lines += [f"#   {name} = {now} (was {before or 'empty'})"
-              for name, before, now in changes(advice)]
-    return "\n".join(lines) + "\n\n" + advice.used
+    path = os.path.relpath(advice.scene_file, advice.directory)
+    # Statements have single blanks, and a .prm file cannot include a .json file.
+    if not path.endswith(".prm") or "#" in path or path != " ".join(path.split()):
+        return "\n".join(lines) + "\n\n" + advice.used
+    return "\n".join([*lines, "", f"include {path}", *own_lines(advice)]) + "\n"
+
+
+def own_lines(advice):
+    """What differs from the file of the scene, each with the reason."""
+    for section, group in itertools.groupby(
+            own_settings(advice), lambda setting: setting[0].rpartition("/")[0]):
+        blanks = "  " if section else ""
+        yield ""
+        if section:
+            yield f"subsection {section}"
+        for name, value, why in group:
+            yield f"{blanks}set {name.rpartition('/')[2]} = {value}  # {why}"
+        if section:
+            yield "end"
+
+
+def own_settings(advice):
+    """(parameter, value, reason), in the order of the sections. A file that the scene
+    names beside itself is not beside advised.prm."""
+    given = {"/".join(" ".join(part.split()) for part in name.split("/"))
+             for name in advice.overrides}
+    for name, now in advice.advised.items():
+        before = advice.scene.get(name, "")
+        if before != now:
+            yield name, now, f"was {before or 'empty'}"
+        elif os.path.isabs(now) and os.path.isfile(now):
+            yield name, os.path.relpath(now, advice.directory), "the file of the scene"
+        elif name in given:
+            yield name, now, "--set of the command line"
 
 
 def conclusion(advice):
