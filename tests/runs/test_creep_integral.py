@@ -10,7 +10,7 @@ from singular_field import SingularField
 
 from crevasse import run_page, tip_figure
 from crevasse.fields import Fields
-from crevasse.run import Run
+from crevasse.run_reader import Run
 
 E, A = 1000., 2e-3
 

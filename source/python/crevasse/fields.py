@@ -141,29 +141,36 @@ class Fields:
 
 def read_pieces(path):
     """Points, quadrilaterals and point data of a .vtu or of all of a .pvtu."""
+    mesh = read_whole(path)
+    for block in mesh.cells:
+        if block.type != "quad":
+            raise ResultsError(f"{path}: has cells of type {block.type}; only "
+                               "quadrilaterals are understood.")
+    return mesh.points[:, :2], mesh.cells[0].data, mesh.point_data
+
+
+def read_whole(path):
+    """The mesh of a .vtu, or of all processes in a .pvtu."""
     files = [path]
     if path.suffix == ".pvtu":
         files = [path.parent / piece.get("Source")
                  for piece in read_xml(path).iter("Piece")]
-    points, quads, data, shift = [], [], collections.defaultdict(list), 0
-    for file in files:
-        mesh = read_mesh(file)
-        if mesh is None:
-            continue
+    points, shift = [], 0
+    cells, data = collections.defaultdict(list), collections.defaultdict(list)
+    for mesh in filter(None, map(read_mesh, files)):
         for block in mesh.cells:
-            if block.type != "quad":
-                raise ResultsError(f"{file}: has cells of type {block.type}; "
-                                   "only quadrilaterals are understood.")
-            quads.append(block.data.astype(numpy.int64) + shift)
-        points.append(mesh.points[:, :2].astype(float))
+            cells[block.type].append(block.data.astype(numpy.int64) + shift)
+        points.append(mesh.points.astype(float))
         for name, values in mesh.point_data.items():
             data[name].append(values.astype(float))
         shift += len(mesh.points)
-    if not quads:
+    if not cells:
         raise ResultsError(f"{path}: has no cells.")
-    return (numpy.concatenate(points), numpy.concatenate(quads),
-            {name: numpy.concatenate(parts) for name, parts in data.items()
-             if sum(map(len, parts)) == shift})
+    return meshio.Mesh(
+        numpy.concatenate(points),
+        {name: numpy.concatenate(parts) for name, parts in cells.items()},
+        {name: numpy.concatenate(parts) for name, parts in data.items()
+         if sum(map(len, parts)) == shift})
 
 
 def read_mesh(path):

@@ -15,7 +15,7 @@ from crevasse import field_figures, probe_figures, sweep_figures
 from crevasse.fields import Fields
 from crevasse.plotting import save
 from crevasse.results import ResultsError
-from crevasse.run import Run
+from crevasse.run_reader import Run
 from crevasse.sweep_table import COSTS
 
 

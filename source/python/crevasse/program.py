@@ -8,6 +8,7 @@ import dataclasses
 import json
 import math
 import os
+import pathlib
 import re
 import select
 import shutil
@@ -22,6 +23,7 @@ from crevasse.command import CommandError
 # variables.
 OF_MPIRUN = re.compile(r"PMIX_|ORTE_|OMPI_(COMM|UNIVERSE|APP|FIRST|NUM|FILE|ARGV|"
                        r"COMMAND)|OMPI_MCA_(orte|ess|pmix|shmem|initial|mpi_)")
+PACKAGE = pathlib.Path(__file__).absolute().parent
 WARNING = re.compile(r"^crevasse: warning: .*\n?", re.M)
 # Of the summary; the counters have names of their own.
 COSTS = {"unknowns": ("unknowns",), "periods": ("periods",),
@@ -115,7 +117,7 @@ class Program:
 
     def __init__(self, stop, environment=None):
         self.stop = stop
-        self.path = os.environ.get("CREVASSE_PROGRAM", "crevasse")
+        self.path = find_program()
         self.ranks = int(os.environ.get("OMPI_COMM_WORLD_SIZE", 1))
         self.of_mpirun = list(filter(OF_MPIRUN.match, os.environ))
         self.server = Server(self.path, environment)
@@ -149,9 +151,8 @@ class Program:
         self.stop.check()
         call = Call()
         process = subprocess.Popen(
-            ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca",
-             "mpi_yield_when_idle", "1", "-np", str(self.ranks), self.path,
-             *map(str, words)], stdin=subprocess.DEVNULL,
+            [*mpirun(self.ranks), self.path, *map(str, words)],
+            stdin=subprocess.DEVNULL,
             stdout=call.files[0], stderr=call.files[1], start_new_session=True,
             env={name: value for name, value in os.environ.items()
                  if name not in self.of_mpirun})
@@ -215,6 +216,30 @@ class Outcome:
     @property
     def has_results(self):
         return self.status in ("done", "not converged")
+
+
+def find_program():
+    """Of the environment, which the program sets for its scripts; or beside this
+    package in a build or an installation; or of PATH."""
+    if named := os.environ.get("CREVASSE_PROGRAM"):
+        return named
+    for place in ("../../crevasse", "../../../../bin/crevasse"):
+        # By the names: in a build the folder python is a link.
+        path = os.path.normpath(PACKAGE / place)
+        if os.path.isfile(path) and os.access(path, os.X_OK):
+            return path
+    if path := shutil.which("crevasse"):
+        return path
+    raise CommandError(f"The program crevasse is neither in a build or an installation "
+                       f"around {PACKAGE} nor on PATH. Set the environment variable "
+                       "CREVASSE_PROGRAM to its file.", 4)
+
+
+def mpirun(processes):
+    """The words before those of a run on several processes."""
+    return [] if processes == 1 else [
+        "mpirun", "--oversubscribe", "--bind-to", "none", "--mca",
+        "mpi_yield_when_idle", "1", "-np", str(processes)]
 
 
 def assignments(settings):

@@ -13,7 +13,7 @@ from crevasse.lip import lip_intervals, share_of_states
 from crevasse.page import render
 from crevasse.plotting import BLUE, GREY, VERMILION
 from crevasse.results import number
-from crevasse.run import Run
+from crevasse.run_reader import Run
 
 
 def page(directory):

@@ -13,7 +13,7 @@ from crevasse.histories import COLOURS
 from crevasse.page import render
 from crevasse.plotting import INK
 from crevasse.results import ResultsError, number
-from crevasse.run import Run
+from crevasse.run_reader import Run
 
 MARKERS = ("circle", "rect", "triangle", "rectRot", "crossRot", "star")
 COSTS = {"seconds": "wall time (s)", "vi_solves": "contact problems",
