@@ -10,7 +10,7 @@ import math
 import re
 
 from crevasse import lip
-from crevasse.run import Run
+from crevasse.run_reader import Run
 
 # Findings with the same unit are of the same kind. A path that begins with "tip" leads
 # through each crack tip.
