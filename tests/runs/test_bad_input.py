@@ -103,7 +103,7 @@ CASES = [
          ["Discretisation/Volumetric strain=mean"]),
     Case("mean_volume_of_quadratic_elements", 2,
          [r"\[Discretisation\] Volumetric strain = mean: is for linear elements "
-          r"only; with Degree = 2"],
+          r"only: set Degree = 1"],
          ["Discretisation/Volumetric strain=mean", "Discretisation/Degree=2",
           "Material/Plane state=plane strain"]),
 

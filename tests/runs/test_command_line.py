@@ -66,7 +66,7 @@ def succeed(*arguments):
 
 def write_scene(name, text=SCENE):
     path = pathlib.Path(name)
-    path.write_text(plain(text))
+    path.write_text(plain(text) if path.suffix == ".prm" else text)
     return path
 
 
@@ -125,7 +125,7 @@ def test_check():
     succeed("--check", scene, "--wall-time", "1-00:30:00")
     directory = remove("results/checked")
     before = sorted(pathlib.Path().rglob("*"))
-    output = succeed("--check", scene)
+    output = succeed("--check", "--verbose", scene)
     after = sorted(pathlib.Path().rglob("*"))
     check(after == before, "--check wrote something")
     check(not directory.exists(), "--check made an output directory")

@@ -6,7 +6,7 @@ import math
 import re
 
 from crevasse_run import (check, check_below, check_close, execute, full, overrides,
-                          run, run_on)
+                          plain, run, run_on)
 from fronts import ONE_STEP, PENNY, front, penny_mesh
 
 PLATE = """\
@@ -190,7 +190,7 @@ def test_refusals():
             ("no crack", ["Geometry/Shape=box", "Boundary/Symmetry=2"],
              "the mesh has no crack front")):
         with open("refused.prm", "w") as file:
-            file.write(PLATE)
+            file.write(plain(PLATE))
         status, _, error = execute("refused.prm", "--output", "results/refused",
                                    *overrides(settings))
         check(status == 2, f"{name}: status {status}\n{error}")

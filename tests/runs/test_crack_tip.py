@@ -6,8 +6,8 @@ viscoelastic body, and by what must not change the result."""
 import math
 
 import tubes
-from crevasse_run import (SOURCE, check, check_below, check_close, execute,
-                          full, overrides, run, run_on, tier)
+from crevasse_run import (SOURCE, check, check_below, check_close, execute, full,
+                          overrides, plain, run, run_on, tier)
 
 # The paper's square under its largest load, converged with an hp quadtree.
 K_REFERENCE, ENERGY_REFERENCE = 35.41196, 9.71931251e-3
@@ -596,7 +596,7 @@ def test_growth():
 def test_ranks():
     """The same on two processes."""
     with open("ranks.prm", "w") as file:
-        file.write(SCENE)
+        file.write(plain(SCENE))
     one = at_full_load(run(SCENE, "one_rank"))
     two = at_full_load(run_on(2, "ranks.prm", "two_ranks"))
     for column in one:
@@ -629,7 +629,7 @@ REFUSED = [
 
 def test_refusals():
     with open("refused.prm", "w") as file:
-        file.write(SCENE)
+        file.write(plain(SCENE))
     for name, settings, words in REFUSED:
         status, _, error = execute("--check", "refused.prm",
                                    *overrides(settings))

@@ -8,7 +8,8 @@ import math
 import pathlib
 
 from cracked import BACK, BOTTOM, CRACK, FRONT, LEFT, RIGHT, TOP, steps, write_block
-from crevasse_run import check, check_below, check_close, execute, run, run_on, tier
+from crevasse_run import (check, check_below, check_close, execute, plain, run, run_on,
+                          tier)
 from fronts import ONE_STEP, PENNY, front, penny_mesh
 
 from crevasse import report as make_report
@@ -202,7 +203,7 @@ def test_refusals():
             ("thin", thin, "has one element"),
             ("mixed", mixed, "Model both lips of all cracks")):
         with open(f"{name}.prm", "w") as file:
-            file.write(scene)
+            file.write(plain(scene))
         status, _, error = execute(f"{name}.prm", "--check")
         check(status == 2 and message in " ".join(error.split()),
               f"{name}: status {status}\n{error}")

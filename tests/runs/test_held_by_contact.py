@@ -4,8 +4,8 @@ load that tips them over, and what is refused."""
 import math
 
 from cracked import (BACK, BOTTOM, CRACK, FRONT, LEFT, TOP, steps, write_block)
-from crevasse_run import (check, check_below, check_close, execute, overrides, run,
-                          run_on, tier)
+from crevasse_run import (check, check_below, check_close, execute, overrides, plain,
+                          run, run_on, tier)
 
 E, TAU, PERIOD = 13000., 60., 600.
 PRESSED = "5-4*cos(2*pi*t/600)"  # pressure at the top, 1 at t = 0
@@ -112,7 +112,7 @@ def test_block_on_plane():
 
 def refused(text, status, *parts, settings=()):
     with open("refused.prm", "w") as file:
-        file.write(text)
+        file.write(plain(text))
     code, _, error = execute("refused.prm", "--output", "results/refused", "--force",
                              *overrides(settings))
     check(code == status, f"status {code}\n{error}")

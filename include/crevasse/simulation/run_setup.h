@@ -62,7 +62,8 @@ namespace Crevasse
                              steps,
                              integrator.get(),
                              periodic_choice.needs_periodic_strain());
-      solvers = choose_solvers(scene, body);
+      solvers          = choose_solvers(scene, body);
+      stress_intensity = body.effects.stress_intensity;
       if constexpr (dim == 2)
         find_crack_tips();
       if constexpr (dim == 2)
@@ -153,7 +154,6 @@ namespace Crevasse
     void
     find_crack_tips()
     {
-      stress_intensity = body.effects.stress_intensity;
       if (!stress_intensity.on)
         return;
       try

@@ -193,9 +193,11 @@ namespace
 
     Vector r;
     points.initialize(r);
-    Vector                            rate(r);
+    Vector                    rate(r);
+    TimeIntegrationParameters parameters;
+    parameters.scheme = Scheme::heun;
     const std::unique_ptr<Integrator> heun =
-      make_integrator(TimeIntegrationParameters(), 1., false);
+      make_integrator(parameters, 1., false);
     const double time_step = 0.5;
     double       integral = 0., stress_error = 0., strain_error = 0.;
     for (unsigned int k = 0; k < 5; ++k)
