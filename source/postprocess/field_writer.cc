@@ -249,6 +249,8 @@ namespace Crevasse
       "contact_pressure",
       recovery.dof_handler,
       contact_pressure(space, recovery, lip, snapshot.state.contact_forces)));
+    for (const PointArray &array : grid.material())
+      arrays.push_back(array);
     return arrays;
   }
 

@@ -7,6 +7,7 @@
 #include <crevasse/discretisation/stress_recovery.h>
 #include <crevasse/postprocess/vtu_file.h>
 
+#include <limits>
 #include <unordered_map>
 
 namespace Crevasse
@@ -48,10 +49,12 @@ namespace Crevasse
                 of_material.emplace(dofs[i], n_points());
               points[cell->active_cell_index() * nodes_per_cell + i] =
                 entry->second;
-              if (is_new)
-                for (unsigned int d = 0; d < 3; ++d)
-                  coordinates.push_back(d < dim ? nodes.quadrature_point(i)[d]
-                                                : 0.);
+              if (!is_new)
+                continue;
+              materials.push_back(cell->material_id());
+              for (unsigned int d = 0; d < 3; ++d)
+                coordinates.push_back(d < dim ? nodes.quadrature_point(i)[d]
+                                              : 0.);
             }
           for (const unsigned int i : corners_of_cell)
             corners.push_back(point(cell, i));
@@ -111,6 +114,24 @@ namespace Crevasse
       return array;
     }
 
+    /** The material ids of the mesh; nothing if there is one only. Collective.
+     */
+    std::vector<PointArray>
+    material() const
+    {
+      float least = std::numeric_limits<float>::max(), largest = 0;
+      for (const float id : materials)
+        {
+          least   = std::min(least, id);
+          largest = std::max(largest, id);
+        }
+      const MPI_Comm communicator = recovery.dof_handler.get_communicator();
+      if (dealii::Utilities::MPI::min(least, communicator) >=
+          dealii::Utilities::MPI::max(largest, communicator))
+        return {};
+      return {{"material", 1, materials}};
+    }
+
     VtuGrid
     file() const
     {
@@ -150,7 +171,7 @@ namespace Crevasse
     const StressRecovery<dim> &recovery;
     const std::size_t          nodes_per_cell;
     std::vector<unsigned int>  points; ///< of nodes, by active cell index
-    std::vector<float>         coordinates;
+    std::vector<float>         coordinates, materials;
     std::vector<std::int32_t>  corners;
   };
 } // namespace Crevasse
