@@ -4,7 +4,8 @@
 """Figures 1, 4, 5 and 6: the mesh and the fields of one instant."""
 
 import numpy
-from matplotlib.collections import LineCollection
+from matplotlib import colormaps
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 
 from crevasse.level_curves import draw_level_curves
@@ -16,7 +17,7 @@ COMPONENTS = ("11", "22", "12")
 
 
 def mesh(run, fields):
-    """1: the mesh at rest, the crack and the points that have names."""
+    """1: the mesh at rest, materials, the crack and the points that have names."""
     figure, axes = pyplot.subplots(figsize=(5, 5))
     edges = fields.cell_edges(int(run.number("Discretisation/Degree")) ** 2)
     axes.add_collection(LineCollection(fields.points[edges], colors=INK,
@@ -26,6 +27,12 @@ def mesh(run, fields):
     for (begin, end), (label, colour) in parts.items():
         axes.plot([begin, end], [0, 0], color=colour, linewidth=3, label=label,
                   solid_capstyle="butt")
+    if "material" in fields.data:
+        draw_materials(axes, fields)
+    lip = fields.lip()
+    if len(lip) and not parts:
+        axes.add_collection(LineCollection(fields.points[lip], label="crack lip",
+                                           colors=VERMILION, linewidths=3))
     middle = (fields.points.min(axis=0) + fields.points.max(axis=0)) / 2
     for name, point in points.items():
         axes.plot(*point, "o", color=INK, markersize=4)
@@ -34,9 +41,20 @@ def mesh(run, fields):
                       textcoords="offset points", ha="center", va="center",
                       fontsize=11)
     finish_body(axes, fields.points)
-    if parts:
+    if axes.get_legend_handles_labels()[0]:
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.03), ncol=2)
     return figure
+
+
+def draw_materials(axes, fields):
+    """Each in a colour of its own: a point of a file belongs to one material."""
+    material = fields.data["material"][fields.corners[:, 0]]
+    for number in numpy.unique(material):
+        cells = fields.points[fields.quads[material == number]]
+        axes.add_collection(PolyCollection(
+            cells, facecolors=colormaps["Pastel1"](int(number) % 9), zorder=0))
+        axes.plot([], [], "s", color=colormaps["Pastel1"](int(number) % 9),
+                  label=f"material {number:g}")
 
 
 def built_in_shape(run):
@@ -134,8 +152,8 @@ def bears_nothing(run, fields):
                for k in (1, 2)) <= 1e-6 * largest
 
 
-def no_stress(t):
-    return (f"Figures 4 to 6 are left out: at t = {t:g}, the stored instant nearest "
+def no_stress(t, what="Figures 4 to 6"):
+    return (f"{what} are left out: at t = {t:g}, the stored instant nearest "
             "to T/4, the body bears no stress. [Output] Field times names others.")
 
 

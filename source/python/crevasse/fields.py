@@ -4,6 +4,8 @@
 """Reads the fields of one instant and makes them nodal."""
 
 import collections
+import contextlib
+import io
 import re
 import xml.etree.ElementTree as ElementTree
 
@@ -31,6 +33,7 @@ class Fields:
         _, self.first = numpy.unique(self.node, return_index=True)
         self.points = points[self.first]
         self.quads = self.node[quads]
+        self.corners = quads  # by points of the file
 
     def separate_lips(self, displacement):
         """A node whose points do not move alike lies on two lips: each gets its
@@ -118,13 +121,26 @@ class Fields:
         edges, count = numpy.unique(edges, axis=0, return_counts=True)
         return numpy.unique(edges[count == 1, 1:], axis=0)
 
+    def lip(self):
+        """Ends of edges that contact forces act on: on an open lip some of the size of
+        rounding. The two lips of a crack have points of their own."""
+        edges, count = self.count_edges(self.corners)
+        on_lip = (self.array("contact_pressure")[edges] != 0).all(axis=1)
+        return self.node[edges[on_lip & (count == 1)]]
+
+    @staticmethod
+    def count_edges(quads):
+        edges = numpy.sort(numpy.stack([quads, numpy.roll(quads, -1, 1)], -1), -1)
+        return numpy.unique(edges.reshape(-1, 2), axis=0, return_counts=True)
+
+    def areas(self):
+        """Each node's share of the area."""
+        return node_areas(self.points, self.quads)
+
     def outline(self):
         """Edges of the body. An edge with a hanging node in its middle is seen
         from one side only, as are its halves: all three are inside."""
-        edges = numpy.sort(numpy.stack([self.quads,
-                                        numpy.roll(self.quads, -1, 1)], -1), -1)
-        edges, count = numpy.unique(edges.reshape(-1, 2), axis=0,
-                                    return_counts=True)
+        edges, count = self.count_edges(self.quads)
         single = {tuple(edge) for edge in edges[count == 1]}
         neighbour = collections.defaultdict(set)
         for a, b in single:
@@ -139,14 +155,24 @@ class Fields:
         return numpy.array(sorted(single))
 
 
-def read_pieces(path):
-    """Points, quadrilaterals and point data of a .vtu or of all of a .pvtu."""
+def node_areas(points, quads):
+    """A quarter of the area of each quadrilateral around a point."""
+    points = numpy.pad(points, ((0, 0), (0, 3 - points.shape[1])))
+    a, b, c, d = (points[corner] for corner in quads.T)
+    area = numpy.linalg.norm(numpy.cross(c - a, d - b), axis=1) / 8
+    return numpy.bincount(quads.ravel(), area.repeat(4), len(points))
+
+
+def read_pieces(path, dimension=2):
+    """Points, quadrilaterals or hexahedra, and point data of a .vtu or of all of
+    a .pvtu."""
+    kind = {2: "quad", 3: "hexahedron"}[dimension]
     mesh = read_whole(path)
     for block in mesh.cells:
-        if block.type != "quad":
-            raise ResultsError(f"{path}: has cells of type {block.type}; only "
-                               "quadrilaterals are understood.")
-    return mesh.points[:, :2], mesh.cells[0].data, mesh.point_data
+        if block.type != kind:
+            raise ResultsError(f"{path}: has cells of type {block.type} instead of "
+                               f"{kind}.")
+    return mesh.points[:, :dimension], mesh.cells[0].data, mesh.point_data
 
 
 def read_whole(path):
@@ -179,7 +205,8 @@ def read_mesh(path):
         with open(path, "rb") as file:
             if re.search(rb'NumberOfCells="0+"', file.read(4096)):
                 return None
-        return meshio.read(path)
+        with contextlib.redirect_stderr(io.StringIO()):  # says it is damaged, too
+            return meshio.read(path)
     except OSError as error:
         raise ResultsError(f"{path}: cannot be read ({error}).") from None
     except (meshio.ReadError, SystemExit, ValueError, KeyError, AssertionError,

@@ -7,34 +7,39 @@ import numpy
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.tri import Triangulation
 
-from crevasse.plotting import (HALO, INK, deformed, draw_outline, finish_body, ladder,
+from crevasse.plotting import (HALO, INK, deformed, draw_outline, finish_body,
                                round_up, signed)
 
 
-def choose_levels(values, scale, count=14):
-    """Round levels: equally spaced over most of the values, wider apart in the
-    peaks; 1-2-3-5 where a field without sign covers several orders. None where
-    the values differ by rounding alone, measured by the scale."""
-    low, high = numpy.quantile(values, [0.03, 0.97])
+def even_levels(low, high, count, outside=False):
+    """Some equally spaced round levels between two values, or around them."""
+    step = round_up((high - low) / count)
+    first, last = numpy.floor([low / step + 1e-9, high / step + 1e-9])
+    if outside:
+        last = numpy.ceil(high / step - 1e-9)
+    else:
+        first = numpy.ceil(low / step - 1e-9)
+    return step * (numpy.arange(first, last + 1) + 0.0)
+
+
+def range_without_peaks(values, areas, share):
+    """Values between which a field is on all of the body but that share at either
+    end: at a crack tip the stress has no bound."""
+    order = values.argsort()
+    part = areas[order].cumsum()
+    return values[order][numpy.searchsorted(part, part[-1] * numpy.array(
+        [share, 1 - share]))]
+
+
+def choose_levels(values, areas, scale):
+    """None where the values differ by rounding alone, measured by the scale."""
     least, largest = values.min(), values.max()
     if largest - least <= 1e-6 * scale:
         return numpy.array([])
-    if least >= 0 and largest > 10 * numpy.median(values):
-        return numpy.array(ladder(max(low, 1e-4 * largest), largest,
-                                  (1, 2, 3, 5)))
+    low, high = range_without_peaks(values, areas, 0.03)
     if high - low <= 1e-6 * (largest - least):
         low, high = least, largest
-    step = round_up((high - low) / count)
-    levels = step * numpy.arange(numpy.ceil(low / step - 1e-9),
-                                 numpy.floor(high / step + 1e-9) + 1)
-    peaks = (1, 1.5, 2, 3, 4, 5, 6, 8)
-    for sign, end in ((1, largest), (-1, -least)):
-        last = max(sign * levels[-1 if sign > 0 else 0], step)
-        for level in ladder(last, max(end, last), peaks):
-            if level >= last + step * (1 - 1e-9) and level >= 1.25 * last:
-                levels = numpy.append(levels, sign * level)
-                last = level
-    levels = numpy.unique(numpy.round(levels / step, 6) + 0.0) * step
+    levels = even_levels(low, high, 14)
     return levels[(levels > least) & (levels < largest)]
 
 
@@ -48,26 +53,26 @@ def level_colours(levels):
     below = LinearSegmentedColormap.from_list("", ["#f3f8fc", "#7fb5da"])
     above = LinearSegmentedColormap.from_list("", ["#fef8f1", "#f0a35e"])
     negative = int((middle < 0).sum())
-    positive = len(middle) - negative
-    return ([below(1 - i / max(negative, 1)) for i in range(negative)] +
-            [above((i + 1) / max(positive, 1)) for i in range(positive)])
+    depth = (numpy.arange(len(middle)) - negative + (middle >= 0)) / max(
+        negative, len(middle) - negative)
+    return [below(-d) if d < 0 else above(d) for d in depth]
 
 
 def draw_level_curves(axes, fields, values, scale, magnify, quantity):
     """Labelled level curves over a pale ground on the deformed body, and a bar
-    that names all levels: in the peaks they are wider apart."""
+    that names all levels."""
     triangles, carry = fields.triangulation()
     place = deformed(fields, magnify)
     body = Triangulation(carry(place[:, 0]), carry(place[:, 1]), triangles)
     z = carry(values)
-    levels = choose_levels(values, scale)
+    levels = choose_levels(values, fields.areas(), scale)
     if len(levels) > 1:
         ground = axes.tricontourf(body, z, levels, extend="both",
                                   colors=level_colours(levels))
         bar = axes.figure.colorbar(ground, ax=axes, orientation="horizontal",
                                    spacing="uniform", ticks=levels, aspect=45,
                                    shrink=0.92, pad=0.02,
-                                   label=quantity + spacing(levels))
+                                   label=quantity)
         names = [signed(level, 3) for level in levels]
         crowded = sum(map(len, names)) > 45
         bar.ax.set_xticklabels(names, fontsize=7, rotation=90 if crowded else 0)
@@ -79,12 +84,6 @@ def draw_level_curves(axes, fields, values, scale, magnify, quantity):
     finish_body(axes, fields.points, place)
     if len(levels):
         label_levels(axes, lines)
-
-
-def spacing(levels):
-    steps = numpy.diff(levels)
-    return ("" if steps.max() <= 1.001 * steps.min() else
-            "; non-uniform levels")
 
 
 def label_levels(axes, lines):

@@ -11,7 +11,11 @@ import jinja2
 from crevasse import wording
 
 TEMPLATES = pathlib.Path(__file__).resolve().parent / "templates"
-CHART_LIBRARY = pathlib.Path("/usr/share/javascript/chart.js/chart.min.js")
+LIBRARIES = pathlib.Path("/usr/share/javascript")
+CHART_LIBRARY = LIBRARIES / "chart.js" / "chart.min.js", "libjs-chart.js"
+VIEW_LIBRARIES = ((LIBRARIES / "three" / "three.min.js", "libjs-three"),
+                  (LIBRARIES / "three/examples/js/controls/OrbitControls.js",
+                   "libjs-three"))
 
 
 def render(template, **content):
@@ -24,14 +28,23 @@ def render(template, **content):
         "megabytes": wording.megabytes}
     environment.tests["contains"] = lambda points, point: point in points
     environment.globals["plural"] = wording.plural
+    if content.get("fields"):
+        content |= {"view_libraries": [read_library(*library)
+                                       for library in VIEW_LIBRARIES],
+                    "view_scripts": [read_own(f"field_{name}.js")
+                                     for name in ("data", "scene", "view")]}
     return environment.get_template(template).render(
-        chart_library=read_library(), style=(TEMPLATES / "style.css").read_text("utf-8"),
-        chart_script=(TEMPLATES / "charts.js").read_text("utf-8"), **content)
+        chart_library=read_library(*CHART_LIBRARY), style=read_own("style.css"),
+        chart_script=read_own("charts.js"), **content)
 
 
-def read_library():
+def read_own(name):
+    return (TEMPLATES / name).read_text("utf-8")
+
+
+def read_library(path, package):
     try:
-        return CHART_LIBRARY.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8")
     except OSError as error:
-        raise OSError(f"{CHART_LIBRARY}: {error.strerror}. The charts need "
-                      "Debian's package libjs-chart.js.") from None
+        raise OSError(f"{path}: {error.strerror}. Reports need Debian's package "
+                      f"{package}.") from None

@@ -15,18 +15,38 @@ from crevasse import field_figures, front_figure, probe_figures, tip_figure
 from crevasse.fields import Fields
 from crevasse.plotting import round_number, write_png
 from crevasse.results import ResultsError, number
+from crevasse.run import Run
 
 Picture = collections.namedtuple("Picture", "title, data, style")
+# In scenes of the paper, and in others.
 TITLES = {
-    "figure1_mesh": "Figure 1: the mesh",
-    "figure2_stress_history": "Figure 2: stress over a period",
-    "figure3_opening": "Figure 3: opening and pressure over a period",
-    "figure4_stress_levels": "Figure 4: level curves of the stress",
-    "figure5_principal_stresses": "Figure 5: principal stresses",
-    "figure6_deviator_invariant":
-        "Figure 6: second invariant of the deviator",
-    "tip": "Stress ahead of the crack tip",
-    "front": "Stress intensity along the crack front in the last period"}
+    "figure1_mesh": ("Figure 1: the mesh", "Mesh"),
+    "figure2_stress_history": ("Figure 2: stress over a period",
+                               "Stress at {place} over a period"),
+    "figure3_opening": ("Figure 3: opening and pressure over a period",
+                        "Opening and pressure at {place} over a period"),
+    "figure4_stress_levels": ("Figure 4: level curves of the stress",
+                              "Stress at t = {t:g}"),
+    "figure5_principal_stresses": ("Figure 5: principal stresses",
+                                   "Principal stresses at t = {t:g}"),
+    "figure6_deviator_invariant": ("Figure 6: second invariant of the deviator",
+                                   "Second invariant of the deviator at t = {t:g}"),
+    "tip": 2 * ("Stress ahead of the crack tip",),
+    "front": 2 * ("Stress intensity along the crack front in the last period",)}
+WORDS = {
+    "fields": ("Figures 1, 4, 5 and 6 (mesh and fields at one instant)",
+               "Pictures of mesh and stress"),
+    "stresses": ("Figures 4 to 6", "Pictures of the stress"),
+    "histories": ("Figures 2 and 3", "Pictures of a probe over a period"),
+    "opening": ("Figure 3", "A picture of the opening")}
+
+
+def is_scene_of_paper(run):
+    return run.parameter("Title").startswith("Raous (1980)")
+
+
+def words(run, what):
+    return WORDS[what][0 if is_scene_of_paper(run) else 1]
 
 
 def pictures(run):
@@ -36,40 +56,69 @@ def pictures(run):
                     "[Periodic state] Maximum periods = "
                     f"{run.parameter('Periodic state/Maximum periods')}."]
     missing = []
-    drawn = [*field_pictures(run, missing), *probe_pictures(run, missing)]
+    drawn = {name: encode(run, name, figure, t=t) for name, figure, t
+             in field_pictures(run, missing)}
+    drawn |= probe_pictures(run, missing)
     if "crack_front.csv" in run.tables:
-        drawn.append(encode("front", front_figure.intensity(run)))
-    return sorted(drawn, key=lambda picture: picture.title), missing
+        drawn["front"] = encode(run, "front", front_figure.intensity(run))
+    return [drawn[name] for name in TITLES if name in drawn], missing
 
 
-def encode(name, figure):
+def unless_damaged(run, use):
+    """What is made of the stored fields; None, and a note, if they cannot be read."""
+    try:
+        return use(run)
+    except ResultsError as error:
+        damage = str(error).replace(f"{run.directory}/", "")
+        if damage not in run.damages:
+            run.damages.append(damage)
+        return None
+
+
+def encode(run, name, figure, **where):
     stream = io.BytesIO()
     write_png(figure, stream)
     style = ("wide" if figure.get_figwidth() > 8 else
              "mesh" if name == "figure1_mesh" else "")
     pyplot.close(figure)
-    return Picture(TITLES[name],
-                   base64.b64encode(stream.getvalue()).decode("ascii"), style)
+    title = TITLES[name][0 if is_scene_of_paper(run) else 1].format(**where)
+    return Picture(title, base64.b64encode(stream.getvalue()).decode("ascii"), style)
 
 
 def probe_pictures(run, missing):
+    histories = words(run, "histories")
     if not run.probes:
-        missing.append("Figures 2 and 3 show a probe over a period, and this run "
-                       f"has none that can be read: {probe_advice(run)} gives them.")
-        return []
+        missing.append(f"{histories} are missing: this run has no probe that can be "
+                       f"read; {probe_advice(run)} gives them.")
+        return {}
     probe = probe_of_paper(run)
     try:
         stress = probe_figures.stress_history(run, probe)
         opening = probe_figures.opening_history(run, probe)
     except ResultsError as error:
-        missing.append(f"Figures 2 and 3 need a whole period: {error}")
-        return []
-    drawn = [encode("figure2_stress_history", stress)]
+        missing.append(f"{histories} need a whole period: {error}")
+        return {}
+    figures = {"figure2_stress_history": stress}
     if opening:
-        return drawn + [encode("figure3_opening", opening)]
-    missing.append("Figure 3 shows the opening, and no probe of this run is on a "
-                   f"crack lip: {probe_advice(run)} gives it.")
-    return drawn
+        figures["figure3_opening"] = opening
+    else:
+        missing.append(f"{words(run, 'opening')} is missing: no probe of this run is "
+                       f"on a crack lip; {probe_advice(run)} gives it.")
+    place = name_of_place(run, probe)
+    return {name: encode(run, name, figure, place=place)
+            for name, figure in figures.items()}
+
+
+def name_of_place(run, probe):
+    x, y, *_ = run.probes[probe]
+    mouth = number(mouth_of_crack(run) or "")
+    return "the crack mouth" if (x, y) == (mouth, 0) else f"probe {probe}"
+
+
+def mouth_of_crack(run):
+    """Its x on the plane y = 0; None if the shape does not tell."""
+    return {"edge crack": run.parameter("Geometry/Width"),
+            "centre crack": "0"}.get(run.parameter("Geometry/Shape"))
 
 
 def on_lip(run, probe):
@@ -85,9 +134,7 @@ def probe_of_paper(run):
 
 def probe_advice(run):
     """A probe at the mouth of the crack."""
-    shape = run.parameter("Geometry/Shape")
-    points = {"edge crack": run.parameter("Geometry/Width"), "centre crack": "0"}
-    point = points.get(shape)
+    point = mouth_of_crack(run)
     if point is None:
         return "[Output] Probes with a point of the lip"
     rest = ", 0, 0" if run.dimension == 3 else ", 0"
@@ -95,42 +142,45 @@ def probe_advice(run):
 
 
 def field_pictures(run, missing):
-    figures = "Figures 1, 4, 5 and 6 (mesh and fields at one instant)"
+    """(name, figure, t)"""
+    what = words(run, "fields")
+    instants = unless_damaged(run, Run.instants)
     if run.dimension == 3:
-        missing.append(f"{figures} are for plane bodies. " + (
-            "Open solution.pvd in ParaView." if (run.directory / "solution.pvd").is_file() else
-            "[Output] Fields = vtu writes fields for ParaView."))
+        missing.append(f"{what} are for plane bodies." + (
+            f" {field_advice(run)} lets this report show the fields of this one."
+            if instants == [] else ""))
         return []
-    try:
-        return list(draw_instant(run, figures, missing))
-    except ResultsError as error:
-        run.damages.append(str(error).replace(f"{run.directory}/", ""))
-        missing.append(f"{figures} are missing: the files are damaged.")
-        return []
-
-
-def draw_instant(run, figures, missing):
-    if not run.instants():
-        missing.append(f"{figures} are missing: "
+    if instants == []:
+        missing.append(f"{what} are missing: "
                        + (f"this run wrote no fields; {field_advice(run)} gives "
                           "them." if run.finished else
                           "fields are written when a run ends."))
-        return
+        return []
+    drawn = unless_damaged(run, lambda run: list(draw_instant(run, missing)))
+    if drawn is None:
+        missing.append(f"{what} are missing: the files are damaged.")
+    elif run.parameter("Geometry/Shape") == "mesh file":
+        missing.append("The picture of the mesh has no boundary ids: the fields do not "
+                       "hold them. Open the mesh file in Gmsh.")
+    return drawn or []
+
+
+def draw_instant(run, missing):
     quarter = run.period / 4
     t, path = run.choose_instant(wanted_instant(run))
     fields = Fields(path)
     if field_figures.bears_nothing(run, fields):
-        missing.append(field_figures.no_stress(t))
-    elif abs(t % run.period - quarter) > 0.01 * run.period:
+        missing.append(field_figures.no_stress(t, words(run, "stresses")))
+    elif is_scene_of_paper(run) and abs(t % run.period - quarter) > 0.01 * run.period:
         missing.append(f"Figures 4 to 6 are drawn for t = {t:g}, the stored "
                        f"instant nearest to T/4; [Output] Field times = {quarter:g} "
                        "gives the paper's.")
-    for drawing in field_figures.draw_fields(run, fields, t,
-                                             magnification(fields)):
-        yield encode(*drawing)
+    for name, figure in field_figures.draw_fields(run, fields, t,
+                                                  magnification(fields)):
+        yield name, figure, t
     ahead = tip_figure.stress_ahead(run, fields, t)
     if ahead is not None:
-        yield encode("tip", ahead)
+        yield "tip", ahead, t
 
 
 def wanted_instant(run):

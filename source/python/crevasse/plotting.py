@@ -46,9 +46,9 @@ def round_number(value):
 
 
 def round_up(value):
-    """The smallest of 1, 2, 5, 10, ... not below the value."""
+    """The smallest of 1, 2, 2.5, 5, 10, ... not below the value."""
     power = 10.0 ** numpy.floor(numpy.log10(value))
-    return min(m * power for m in (1, 2, 5, 10)
+    return min(m * power for m in (1, 2, 2.5, 5, 10)
                if m * power >= value * (1 - 1e-9))
 
 

@@ -7,7 +7,7 @@ import datetime
 import math
 import os
 
-from crevasse import histories, paper
+from crevasse import field_view, histories, paper
 from crevasse.ending import checkpoint, ending_of
 from crevasse.lip import lip_intervals, share_of_states
 from crevasse.page import render
@@ -20,6 +20,7 @@ def page(directory):
     """The text, what to say of the run, and what is damaged."""
     run = Run(directory)
     ending = ending_of(run)
+    fields = paper.unless_damaged(run, field_view.pack)
     pictures, missing = paper.pictures(run)
     groups = history_groups(run)
     convergence = convergence_chart(run)
@@ -34,7 +35,8 @@ def page(directory):
         "run.html", run=run, summary=run.summary, ending=ending,
         title=run.parameter("Title") or directory.resolve().name,
         directory=directory.resolve(), written=time_of(run),
-        changed=changed_parameters(run), pictures=pictures, missing=missing,
+        changed=changed_parameters(run), fields=fields,
+        is_paper=paper.is_scene_of_paper(run), pictures=pictures, missing=missing,
         groups=groups, convergence=convergence, relaxation=relaxation,
         shares=share_of_states(run, shades) if lip else None,
         lip=lip, presses=bool(shades),

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""Packs the fields of the stored instants for the view of a report. Each component is
+rounded to 65536 values between its extremes over all instants; what is left of a value
+after a guess from its neighbours is compressed. templates/field_view.js unpacks it."""
+
+import base64
+import collections
+import re
+import zlib
+
+from matplotlib import colormaps
+from matplotlib.colors import to_hex
+import numpy
+
+from crevasse.fields import node_areas, read_pieces
+from crevasse.level_curves import even_levels, range_without_peaks
+from crevasse.plotting import round_number
+from crevasse.results import ResultsError
+from crevasse.skin import Skin
+
+MOST_INSTANTS = 25
+MOST_CHARACTERS = 16_000_000  # of the report
+NOISE = 1e-6  # of the largest value of a kind: rounding
+
+Entry = collections.namedtuple("Entry", "rank, label, kind")
+# Arrays in the order of the menu, their labels, and what is as large as they are.
+ARRAYS = (("von_mises", "von Mises stress", "stress"),
+          (r"principal_stress_(\d)", "principal stress s{}", "stress"),
+          (r"stress_(\d\d)", "stress s{}", "stress"),
+          (r"viscous_strain_(\d\d)", "viscous strain r{}", "strain"),
+          (r"viscous_strain_branch_(\d+)_(\d\d)", "viscous strain {} r{}", "strain"),
+          (r"displacement_(\d)", "displacement u{}", "displacement"),
+          ("contact_pressure", "contact pressure", "stress"),
+          (r"(?!principal_direction|second_deviator)(.*)", "{}", "{}"))
+SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
+def entry(name):
+    """None of what is not shown."""
+    for rank, (pattern, label, kind) in enumerate(ARRAYS):
+        if match := re.fullmatch(pattern, name):
+            words = [word.replace("_", " ").translate(SUBSCRIPTS) for word
+                     in match.groups()]
+            return Entry(rank, label.format(*words), kind.format(*words))
+    return None
+
+
+def components(data, dimension):
+    """Scalars by name."""
+    found = {}
+    for name, values in data.items():
+        if name == "displacement":
+            found |= {f"displacement_{k + 1}": values[:, k] for k in range(dimension)}
+        elif name == "second_deviator_invariant":
+            found["von_mises"] = numpy.sqrt(3 * numpy.maximum(values, 0))
+        elif values.ndim == 1 and entry(name):
+            found[name] = values
+    return found
+
+
+def pack(run):
+    """What the page needs; None of a run without fields."""
+    stored = run.instants()
+    if not stored:
+        return None
+    rows = numpy.linspace(0, len(stored) - 1, min(len(stored), MOST_INSTANTS))
+    times, files = zip(*[stored[k] for k in numpy.unique(rows.round().astype(int))])
+    skin, fields = read(run, files)
+    displacements = numpy.stack([fields[f"displacement_{k + 1}"]
+                                 for k in range(run.dimension)], -1)
+    used, marks = skin.finish(displacements)
+    fields = {name: values[:, used] for name, values in fields.items()}
+    displacements = displacements[:, used]
+    packed = {"dimension": run.dimension, "period": run.period,
+              "times": times, "stored": len(stored),
+              "points": text_of(skin.points.astype(numpy.float32).view(numpy.uint32)),
+              "quads": text_of(zigzag(numpy.diff(skin.quads.astype(numpy.int32), axis=0,
+                                                 prepend=0), 32)),
+              "marks": text_of(marks),
+              "factor": default_factor(skin, displacements),
+              "first": int(abs(displacements).max(axis=(1, 2)).argmax()),
+              "components": list(pack_components(skin, fields))}
+    return thinned(packed)
+
+
+def read(run, files):
+    """The skin, and its values of each component at each instant."""
+    fields, skin = {}, None
+    for path in files:
+        points, cells, data = read_pieces(path, run.dimension)
+        if skin is None:
+            parts = int(run.number("Discretisation/Degree")) ** run.dimension
+            skin = Skin(points, cells, parts if len(cells) % parts == 0 else 1)
+            n_points = len(points)
+        if len(points) != n_points or "displacement" not in data:
+            raise ResultsError(f"{path}: has other points than {files[0].name}, or no "
+                               "displacement.")
+        for name, values in components(data, run.dimension).items():
+            fields.setdefault(name, []).append(
+                values[skin.kept].astype(numpy.float32))
+    return skin, {name: numpy.stack(values) for name, values in fields.items()
+                  if len(values) == len(files)}
+
+
+def default_factor(skin, displacements):
+    """A round one, by which the largest displacement, the mean of each instant apart,
+    is some 5 % of the body."""
+    moved = abs(displacements - displacements.mean(axis=1, keepdims=True)).max()
+    size = numpy.ptp(skin.points, axis=0).max()
+    return float(round_number(0.06 * size / moved)) if moved > 1e-12 * size else 1.
+
+
+def pack_components(skin, fields):
+    entries = {name: entry(name) for name in fields}
+    largest = collections.defaultdict(float)
+    for name, values in fields.items():
+        kind = entries[name].kind
+        largest[kind] = max(largest[kind], abs(values).max())
+    parents, areas = predictor(skin), node_areas(skin.points, skin.quads)
+    for name in sorted(fields, key=lambda name: (entries[name].rank, name)):
+        values, kind = fields[name], entries[name].kind
+        if name == "material":
+            yield pack_materials(values, parents)
+            continue
+        low, high = float(values.min()), float(values.max())
+        if kind != "displacement" and high - low <= NOISE * largest[kind]:
+            continue  # zero, as s_33 in plane stress
+        quantum = (high - low) / 65535 or 1.
+        weights = numpy.broadcast_to(areas, values.shape)
+        packed = {"name": name, "label": entries[name].label,
+                  "low": low, "quantum": quantum,
+                  "values": [encode(row, low, quantum, parents) for row in values]}
+        if name == "contact_pressure":
+            packed["threshold"] = max(NOISE * largest[kind], quantum)
+            presses = values > packed["threshold"]
+            if not presses.any():
+                continue
+            packed["lip"] = numpy.flatnonzero(presses.any(axis=0)).tolist()
+            values, weights = values[presses], numpy.ones(presses.sum())
+        yield packed | scale(values, weights)
+
+
+def pack_materials(ids, parents):
+    """Numbers from 0 on, each with a band of its own."""
+    names, numbers = numpy.unique(ids, return_inverse=True)
+    quantum = max(len(names) - 1, 1) / 65535
+    rows = numbers.reshape(ids.shape)
+    colours = [to_hex(colormaps["Pastel1"](int(name) % 9)) for name in names]
+    return {"name": "material", "label": "material", "low": 0., "quantum": quantum,
+            "values": [encode(row, 0., quantum, parents) for row in rows],
+            "names": [f"{name:g}" for name in names],
+            "levels": (numpy.arange(len(names) + 1) - 0.5).tolist(),
+            "colours": [colours[0], *colours, colours[-1]]}
+
+
+def scale(values, areas):
+    """Even, round levels over nearly all of the body and all instants, and colours
+    of the bands below, between and above them."""
+    kept = slice(None, None, 1 + values.size // 400_000)
+    low, high = range_without_peaks(values.ravel()[kept], areas.ravel()[kept], 0.01)
+    if not high - low > NOISE * numpy.ptp(values):
+        low, high = values.min(), values.max()
+    if not high > low:
+        high = low + (abs(low) or 1)
+    levels = even_levels(low, high, 14, outside=True)
+    return {"levels": levels.tolist(), "colours": band_colours(levels)}
+
+
+def band_colours(levels):
+    """Where there are two signs, or nearly, blue for negative values and red for
+    positive ones, the paler the smaller; else from dark to light."""
+    step = levels[1] - levels[0]
+    middles = numpy.append(levels, levels[-1] + step) - step / 2
+    if levels[0] > 2 * step or levels[-1] < -2 * step:
+        places = numpy.linspace(0.05, 0.95, len(middles))
+        return [to_hex(colormaps["viridis"](place)) for place in places]
+    depths = 0.08 + 0.82 * abs(middles) / abs(middles).max()
+    return [to_hex(colormaps["Blues" if middle < 0 else "YlOrRd"](depth))
+            for middle, depth in zip(middles, depths)]
+
+
+def predictor(skin):
+    """Indices of the two neighbours and of the opposite corner from which a point's
+    value is guessed, in the last quadrilateral of which it is the last point."""
+    last = skin.quads.argmax(axis=1)
+    ahead = (last[:, None] + [1, 2, 3]) % 4
+    parents = numpy.tile(numpy.arange(len(skin.points))[:, None] - 1, 3)
+    parents[0] = 0
+    rows = numpy.arange(len(skin.quads))
+    parents[skin.quads[rows, last]] = skin.quads[rows[:, None], ahead]
+    return parents
+
+
+def encode(values, low, quantum, parents):
+    q = numpy.rint((values.astype(float) - low) / quantum)
+    q = q.clip(0, 65535).astype(numpy.uint16)
+    next_, opposite, previous = q[parents].T
+    guess = next_ - opposite + previous
+    guess[0] = 0
+    return text_of(zigzag((q - guess).view(numpy.int16), 16))
+
+
+def zigzag(differences, bits):
+    """Small numbers of either sign to small ones without."""
+    kind = {16: numpy.uint16, 32: numpy.uint32}[bits]
+    return ((differences << 1) ^ (differences >> (bits - 1))).astype(kind)
+
+
+def text_of(values):
+    """Compressed, the first bytes of all numbers first, which are much alike."""
+    little = numpy.ascontiguousarray(values).astype(values.dtype.newbyteorder("<"))
+    planes = little.reshape(-1, 1).view(numpy.uint8).T
+    return base64.b64encode(zlib.compress(planes.tobytes())).decode("ascii")
+
+
+def thinned(packed):
+    """Every second instant goes until the report is small enough."""
+    def characters():
+        return sum(len(text) for component in packed["components"]
+                   for text in component["values"])
+    while characters() > MOST_CHARACTERS and len(packed["times"]) > 2:
+        packed["times"] = packed["times"][packed["first"] % 2::2]
+        for component in packed["components"]:
+            component["values"] = component["values"][packed["first"] % 2::2]
+        packed["first"] //= 2
+    return packed
