@@ -6,6 +6,7 @@
 #include <crevasse/base/state_archive.h>
 #include <crevasse/base/text_file.h>
 #include <crevasse/postprocess/field_writer.h>
+#include <crevasse/postprocess/paraview_script.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/lac/lapack_support.h>
@@ -81,12 +82,42 @@ namespace Crevasse
           arrays.push_back({"principal_stress_" + number, 1, principal[d]});
           arrays.push_back({"principal_direction_" + number, 3, direction[d]});
         }
-      arrays.push_back(
-        grid.scalar("second_deviator_invariant", [&](const std::size_t p) {
-          const SymmetricTensor<2, 3> s =
-            deviator(stress_tensor<dim>(stresses[p]));
-          return 0.5 * (s * s);
-        }));
+      const auto J_2 = [&stresses](const std::size_t p) {
+        const SymmetricTensor<2, 3> s =
+          deviator(stress_tensor<dim>(stresses[p]));
+        return 0.5 * (s * s);
+      };
+      arrays.push_back(grid.scalar("second_deviator_invariant", J_2));
+      arrays.push_back(grid.scalar("von_mises_stress", [&](const auto p) {
+        return std::sqrt(3. * J_2(p));
+      }));
+    }
+
+
+
+    /** What lip nodes have in one of their degrees of freedom, with zeros in
+     * the others, as a scalar at the nodes. */
+    template <int dim>
+    Vector
+    scalar_of_lip(const Space<dim>          &space,
+                  const StressRecovery<dim> &recovery,
+                  const Vector              &at_dofs)
+    {
+      Vector               values = make_vector(recovery.dof_handler);
+      const FESystem<dim> &fe     = space.finite_element;
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      std::vector<types::global_dof_index> nodes(dofs.size() / dim);
+      for (const auto &cell : owned_cells(recovery.dof_handler))
+        {
+          cell->get_dof_indices(nodes);
+          same_cell(cell->id(), space.dof_handler)->get_dof_indices(dofs);
+          for (unsigned int i = 0; i < dofs.size(); ++i)
+            if (const auto node = nodes[fe.system_to_component_index(i).second];
+                at_dofs(dofs[i]) != 0. && values.in_local_range(node))
+              values(node) = at_dofs(dofs[i]);
+        }
+      values.update_ghost_values();
+      return values;
     }
   } // namespace
 
@@ -99,23 +130,43 @@ namespace Crevasse
                    const ContactBoundary<dim> &lip,
                    const std::vector<double>  &contact_forces)
   {
-    const Vector         at_dofs  = lip.pressure(contact_forces);
-    Vector               pressure = make_vector(recovery.dof_handler);
-    const FESystem<dim> &fe       = space.finite_element;
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-    std::vector<types::global_dof_index> nodes(dofs.size() / dim);
-    for (const auto &cell : owned_cells(recovery.dof_handler))
-      {
-        cell->get_dof_indices(nodes);
-        same_cell(cell->id(), space.dof_handler)->get_dof_indices(dofs);
-        // Only one component of a lip node is not zero.
-        for (unsigned int i = 0; i < dofs.size(); ++i)
-          if (const auto node = nodes[fe.system_to_component_index(i).second];
-              at_dofs(dofs[i]) != 0. && pressure.in_local_range(node))
-            pressure(node) = at_dofs(dofs[i]);
-      }
-    pressure.update_ghost_values();
-    return pressure;
+    return scalar_of_lip(space, recovery, lip.pressure(contact_forces));
+  }
+
+
+
+  template <int dim>
+  Vector
+  lip_opening(const Space<dim>           &space,
+              const StressRecovery<dim>  &recovery,
+              const ContactBoundary<dim> &lip,
+              const Vector               &displacement)
+  {
+    const auto         &nodes = space.lip.nodes;
+    std::vector<double> openings(nodes.size());
+    Vector              at_dofs = make_vector(space.dof_handler);
+    // Those of a node are on one rank. Before a rigid plane it has one side.
+    const auto is_here = [&at_dofs](const types::global_dof_index first) {
+      return first != numbers::invalid_dof_index &&
+             at_dofs.in_local_range(first);
+    };
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      for (const unsigned int side : {0, 1})
+        if (const auto first = nodes[i].sides[side]; is_here(first))
+          for (unsigned int d = 0; d < dim; ++d)
+            openings[i] += (side == 0 ? 1. : -1.) * nodes[i].normal[d] *
+                           displacement(first + d);
+    Utilities::MPI::sum(openings, space.communicator(), openings);
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      for (const auto first : nodes[i].sides)
+        if (is_here(first))
+          {
+            const double opening = openings[i] - lip.gap_at(nodes[i].point);
+            double      &value   = at_dofs(first + nodes[i].component());
+            value = value == 0. ? opening : std::min(value, opening);
+          }
+    at_dofs.update_ghost_values();
+    return scalar_of_lip(space, recovery, at_dofs);
   }
 
 
@@ -127,7 +178,10 @@ namespace Crevasse
     if (wanted.count(sample.instant) == 0)
       return;
     Snapshot &snapshot = snapshots[sample.instant];
-    snapshot           = {sample.time, sample.state, sample.viscous_strain};
+    snapshot           = {sample.time,
+                          sample.instant,
+                          sample.state,
+                          sample.viscous_strain};
     if (sample.secular_flow != nullptr)
       {
         snapshot.state.displacement.add(sample.time,
@@ -153,6 +207,7 @@ namespace Crevasse
       {
         Snapshot &snapshot = snapshots[instant];
         archive.common(snapshot.time);
+        snapshot.instant = instant;
         snapshot.state.serialize(archive);
         archive.at_points(snapshot.viscous_strain);
       }
@@ -192,17 +247,20 @@ namespace Crevasse
         });
         records.emplace_back(snapshot.time, name + ".pvtu");
       }
-    const std::string file_name = directory + "/solution.pvd";
+    const std::string file_name   = directory + "/solution.pvd";
+    const std::string script_name = directory + "/show_in_paraview.py";
     collectively(communicator, [&]() {
       if (rank > 0)
         return;
       std::ostringstream text;
       DataOutBase::write_pvd_record(text, records);
       write_atomically(text.str(), file_name);
+      write_atomically(paraview_script, script_name);
     });
     log.line("  fields of " + std::to_string(records.size()) +
              (records.size() == 1 ? " instant in " : " instants in ") +
-             file_name);
+             file_name +
+             "; paraview --script=show_in_paraview.py there shows them");
   }
 
 
@@ -213,20 +271,11 @@ namespace Crevasse
                               const FieldGrid<dim> &grid) const
   {
     std::vector<PointArray> arrays;
-    const auto              add_components = [&](const auto        &values,
-                                    const std::string &name) {
-      for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
-        arrays.push_back(
-          grid.scalar(name + '_' + voigt_name<dim>(c),
-                      [&](const std::size_t p) { return values[p][c]; }));
-    };
-
+    const Vector displacement = space.nodal_values(snapshot.state.displacement);
     arrays.push_back(
-      grid.nodal("displacement",
-                 space.dof_handler,
-                 space.nodal_values(snapshot.state.displacement)));
+      grid.nodal("displacement", space.dof_handler, displacement));
     const auto stress = grid.recovered(snapshot.state.stress);
-    add_components(stress, "stress");
+    arrays.push_back(grid.tensor("stress", stress));
     const unsigned int n_branches = // 0 in an elastic body
       snapshot.viscous_strain.size() / snapshot.state.stress.size();
     constexpr unsigned int n = n_stress_components<dim>;
@@ -238,20 +287,53 @@ namespace Crevasse
             // From engineering shears to components of a tensor.
             (k % n < 3 ? 1. : 0.5) * snapshot.viscous_strain.local_element(
                                        (k / n * n_branches + i) * n + k % n);
-        add_components(grid.recovered(branch),
-                       n_branches == 1
-                         ? "viscous_strain"
-                         : "viscous_strain_branch_" + std::to_string(i + 1));
+        arrays.push_back(
+          grid.tensor(n_branches == 1
+                        ? "viscous_strain"
+                        : "viscous_strain_branch_" + std::to_string(i + 1),
+                      grid.recovered(branch)));
       }
     add_invariants(grid, stress, arrays);
 
-    arrays.push_back(grid.nodal(
-      "contact_pressure",
-      recovery.dof_handler,
-      contact_pressure(space, recovery, lip, snapshot.state.contact_forces)));
-    for (const PointArray &array : grid.material())
-      arrays.push_back(array);
+    arrays.push_back(
+      grid.nodal("contact_pressure",
+                 recovery.dof_handler,
+                 contact_pressure(
+                   space, recovery, body.lip, snapshot.state.contact_forces)));
+    arrays.push_back(
+      grid.nodal("opening",
+                 recovery.dof_handler,
+                 lip_opening(space, recovery, body.lip, displacement)));
+    if (!body.temperature.is_zero())
+      {
+        const auto theta =
+          grid.recovered(temperature(steps.within_period(snapshot.instant)));
+        arrays.push_back(grid.scalar("temperature", [&theta](const auto p) {
+          return theta[p][0];
+        }));
+      }
     return arrays;
+  }
+
+
+
+  template <int dim>
+  Vector
+  FieldWriter<dim>::temperature(const double t) const
+  {
+    Vector theta;
+    body.points.initialize(theta);
+    for (const auto &cell : owned_cells(space.mesh()))
+      {
+        std::size_t place = body.points.offset(cell);
+        for (const Point<dim> &point : space.quadrature(cell).get_points())
+          {
+            theta.local_element(place) = body.temperature.value(
+              space.mapping.transform_unit_to_real_cell(cell, point), t);
+            place += n_stress_components<dim>;
+          }
+      }
+    return theta;
   }
 
 
@@ -266,6 +348,16 @@ namespace Crevasse
                       const StressRecovery<3> &,
                       const ContactBoundary<3> &,
                       const std::vector<double> &);
+  template Vector
+  lip_opening<2>(const Space<2> &,
+                 const StressRecovery<2> &,
+                 const ContactBoundary<2> &,
+                 const Vector &);
+  template Vector
+  lip_opening<3>(const Space<3> &,
+                 const StressRecovery<3> &,
+                 const ContactBoundary<3> &,
+                 const Vector &);
   template class FieldWriter<2>;
   template class FieldWriter<3>;
 } // namespace Crevasse

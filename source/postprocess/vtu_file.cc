@@ -28,6 +28,10 @@ namespace Crevasse
 
 
 
+    constexpr const char *material_array = "material_id";
+
+
+
     std::string
     attributes(const char        *type,
                const std::string &name,
@@ -108,7 +112,8 @@ namespace Crevasse
 
   VtuGrid::VtuGrid(const std::vector<float>        &points,
                    const std::vector<std::int32_t> &corners,
-                   const unsigned int               n_corners)
+                   const unsigned int               n_corners,
+                   const std::vector<std::int32_t> &materials)
   {
     const std::size_t         n_cells = corners.size() / n_corners;
     std::vector<std::int32_t> ends(n_cells);
@@ -128,7 +133,9 @@ namespace Crevasse
                 std::vector<std::uint8_t>(n_cells,
                                           n_corners == 4 ? quadrilateral
                                                          : hexahedron));
-    out << "</Cells>\n";
+    out << "</Cells>\n<CellData>\n";
+    write_array(out, attributes("Int32", material_array, 1), materials);
+    out << "</CellData>\n";
     text = out.str();
   }
 
@@ -166,7 +173,9 @@ namespace Crevasse
     for (const PointArray &array : arrays)
       out << "<P" << attributes("Float32", array.name, array.n_components)
           << "/>\n";
-    out << "</PPointData>\n<PPoints>\n<P" << attributes("Float32", "", 3)
+    out << "</PPointData>\n<PCellData>\n<P"
+        << attributes("Int32", material_array, 1)
+        << "/>\n</PCellData>\n<PPoints>\n<P" << attributes("Float32", "", 3)
         << "/>\n</PPoints>\n";
     for (const std::string &piece : pieces)
       out << "<Piece Source=\"" << piece << "\"/>\n";

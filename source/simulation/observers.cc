@@ -266,6 +266,7 @@ namespace Crevasse
         instants.insert(work.steps.instant(work.steps.nearest(t)));
       return std::make_unique<FieldWriter<dim>>(work.setup.body,
                                                 work.setup.recovery,
+                                                work.steps,
                                                 instants,
                                                 work.output.directory,
                                                 work.output.log);

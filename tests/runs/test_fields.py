@@ -1,4 +1,4 @@
-"""The fields for ParaView against closed forms. Under a constant load the
+"""The fields for ParaView against closed forms and probes. Under a constant load the
 stress is constant, and the viscous strain grows to H s T in a period: with
 tensor components, (1 + nu) s_12 / E T / tau for the shear."""
 
@@ -29,10 +29,20 @@ end
 E, NU, GROWTH = 13000, 0.2, 600 / 60
 
 
+def read(results):
+    """The mesh at the end of the run, tensors by components as well."""
+    mesh = meshio.read(results.directory / "solution_0000.0.vtu")
+    for name in [name for name, values in mesh.point_data.items()
+                 if values.shape[1:] == (6,)]:
+        # ParaView's order.
+        for component, column in zip(("11", "22", "33", "12", "23", "13"),
+                                     mesh.point_data[name].T):
+            mesh.point_data[f"{name}_{component}"] = column
+    return mesh
+
+
 def fields_of(name, settings=()):
-    results = run(SCENE, name, settings)
-    # The end of the run.
-    return meshio.read(results.directory / "solution_0000.0.vtu")
+    return read(run(SCENE, name, settings))
 
 
 def difference(values, expected, what):
@@ -54,7 +64,10 @@ difference(fields["second_deviator_invariant"],
            (s11**2 + s22**2 - s11 * s22) / 3 + s12**2, "J_2")
 difference(fields["principal_stress_1"],
            (s11 + s22) / 2 + numpy.hypot((s11 - s22) / 2, s12), "s_1")
+difference(fields["von_mises_stress"],
+           numpy.sqrt(s11**2 + s22**2 - s11 * s22 + 3 * s12**2), "von Mises")
 check_below(numpy.abs(fields["contact_pressure"]).max(), 1e-9, "open: pressure")
+check("temperature" not in fields, "the body is not heated")
 
 mesh = fields_of("closed", ["Loads/Traction=0; -10"])
 x, y = mesh.points[:, 0], mesh.points[:, 1]
@@ -62,6 +75,31 @@ on_lip = (y < 1e-6) & (x > 0.499)
 check(on_lip.any(), "no lip")
 check(len(mesh.points) == 9 * 5, "cells share their points")
 difference(mesh.point_data["contact_pressure"], 10. * on_lip, "pressure")
+difference(mesh.point_data["von_mises_stress"], numpy.full(45, 10.), "uniform")
+check_below(abs(mesh.point_data["opening"]).max(), 1e-15, "closed: opening")
+
+# At the end of a run with a gap, heated, as at its probes.
+probes = {"mouth": (1, 0), "lip": (0.75, 0), "inside": (0.375, 0.5)}
+results = run(SCENE, "probed", [
+    "Boundary/Gap=-1e-3*x", "Loads/Temperature=x + 2*y + cos(2*pi*t/600)",
+    "Material/Thermal expansion=1e-5", "Output/Probes=" + "; ".join(
+        f"{name}: {x}, {y}" for name, (x, y) in probes.items())])
+mesh = read(results)
+values = mesh.point_data
+x, y = mesh.points[:, 0], mesh.points[:, 1]
+for name, place in probes.items():
+    probe = results.table(f"probe_{name}.csv")
+    at = numpy.hypot(x - place[0], y - place[1]).argmin()
+    for column, value in [(f"s_{c}", values[f"stress_{c}"][at])
+                          for c in ("11", "22", "33", "12")] + (
+                              [("opening", values["opening"][at])]
+                              if "opening" in probe else []):
+        size = 1e-2 if column == "opening" else 10
+        check_below(abs(value - probe[column][-1]) / size, 1e-6, f"{name}: {column}")
+tip = numpy.hypot(x - 0.5, y).argmin()
+difference(values["opening"][tip], numpy.float64(0.5e-3), "opening at the tip")
+check_below(abs(values["opening"][y > 0.1]).max(), 1e-15, "opening inside")
+difference(values["temperature"], x + 2 * y + 1, "temperature")
 
 
 # Two bars side by side under the same strain: the stress jumps between them, and
@@ -101,7 +139,7 @@ for degree, height, settings in ((1, 0.5, []), (2, 0.5, []), (1, 0.25, TIP),
     results = run(BARS, "bars", [f"Discretisation/Degree={degree}", *settings,
                                  f"Output/Probes=between: 0.5, {height}; end: 1, "
                                  f"{height}; above: 0.5, 0.75"])
-    mesh = meshio.read(results.directory / "solution_0000.0.vtu")
+    mesh = read(results)
     n = 4 * degree + 1
     check(settings or len(mesh.points) == n * (n + 1), "points are shared in a bar")
     y, stress = mesh.points[:, 1], mesh.point_data["stress_11"].ravel()
@@ -121,7 +159,7 @@ for degree, height, settings in ((1, 0.5, []), (2, 0.5, []), (1, 0.25, TIP),
 results = run(BARS, "many", ["Material/Young modulus=10^floor(4*y)",
                              "Loads/Traction=10^floor(4*y); 0",
                              "Output/Probes=between: 0.5, 0.75"])
-mesh = meshio.read(results.directory / "solution_0000.0.vtu")
+mesh = read(results)
 for y, value in zip(mesh.points[:, 1], mesh.point_data["stress_11"].ravel()):
     check_below(min(abs(value / 10**math.floor(4 * (y + side)) - 1)
                     for side in (-1e-3, 1e-3)), 1e-9, f"s_11 at y = {y}")

@@ -51,13 +51,13 @@ namespace Crevasse
                 entry->second;
               if (!is_new)
                 continue;
-              materials.push_back(cell->material_id());
               for (unsigned int d = 0; d < 3; ++d)
                 coordinates.push_back(d < dim ? nodes.quadrature_point(i)[d]
                                               : 0.);
             }
           for (const unsigned int i : corners_of_cell)
             corners.push_back(point(cell, i));
+          materials.resize(corners.size() >> dim, cell->material_id());
         }
     }
 
@@ -114,28 +114,25 @@ namespace Crevasse
       return array;
     }
 
-    /** The material ids of the mesh; nothing if there is one only. Collective.
-     */
-    std::vector<PointArray>
-    material() const
+    /** Of values at the points. */
+    PointArray
+    tensor(const std::string                   &name,
+           const std::vector<VoigtVector<dim>> &values) const
     {
-      float least = std::numeric_limits<float>::max(), largest = 0;
-      for (const float id : materials)
-        {
-          least   = std::min(least, id);
-          largest = std::max(largest, id);
-        }
-      const MPI_Comm communicator = recovery.dof_handler.get_communicator();
-      if (dealii::Utilities::MPI::min(least, communicator) >=
-          dealii::Utilities::MPI::max(largest, communicator))
-        return {};
-      return {{"material", 1, materials}};
+      constexpr unsigned int n = 6;
+      // 11, 22, 33, 12, 13, 23 in VTK's order; those that vanish are 0.
+      constexpr std::array<unsigned int, n> position = {{0, 1, 2, 3, 5, 4}};
+      PointArray array{name, n, std::vector<float>(n * n_points())};
+      for (std::size_t p = 0; p < n_points(); ++p)
+        for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
+          array.values[n * p + position[c]] = values[p][c];
+      return array;
     }
 
     VtuGrid
     file() const
     {
-      return VtuGrid(coordinates, corners, 1 << dim);
+      return VtuGrid(coordinates, corners, 1 << dim, materials);
     }
 
   private:
@@ -171,8 +168,9 @@ namespace Crevasse
     const StressRecovery<dim> &recovery;
     const std::size_t          nodes_per_cell;
     std::vector<unsigned int>  points; ///< of nodes, by active cell index
-    std::vector<float>         coordinates, materials;
+    std::vector<float>         coordinates;
     std::vector<std::int32_t>  corners;
+    std::vector<std::int32_t>  materials; ///< of the linear cells
   };
 } // namespace Crevasse
 

@@ -8,6 +8,7 @@
 #include <crevasse/model/body.h>
 #include <crevasse/postprocess/field_grid.h>
 #include <crevasse/time/observer.h>
+#include <crevasse/time/step_list.h>
 
 
 namespace Crevasse
@@ -21,16 +22,27 @@ namespace Crevasse
                    const ContactBoundary<dim> &lip,
                    const std::vector<double>  &contact_forces);
 
+  /** Nodal opening of the lips, u_N − gap, the smaller one where two lips meet;
+   * zero off the lips. Collective.
+   * @param displacement Space::nodal_values() */
+  template <int dim>
+  Vector
+  lip_opening(const Space<dim>           &space,
+              const StressRecovery<dim>  &recovery,
+              const ContactBoundary<dim> &lip,
+              const Vector               &displacement);
+
   /**
    * Fields for ParaView at chosen instants of the last period and at the end
    * of the run. Which period is the last is known only after it, so that the
    * states are kept in memory and written by summarise().
    *
-   * Point data, named as here: displacement; stress_11, …, the components of
-   * the recovered stress; viscous_strain_11, …, those of the tensor r (the
-   * shear component r_12 is half the engineering shear strain 2 r_12);
-   * principal_stress_1, … and principal_direction_1, … in the plane of the
-   * mesh, the largest first; second_deviator_invariant; contact_pressure.
+   * Point data, named as here: displacement; stress, recovered, and
+   * viscous_strain, the tensor r (the shear component r_12 is half the
+   * engineering shear strain 2 r_12), as symmetric tensors; principal_stress_1,
+   * … and principal_direction_1, … in the plane of the mesh, the largest first;
+   * second_deviator_invariant; von_mises_stress; contact_pressure and opening;
+   * temperature, recovered like the stress. Cell data: material_id.
    */
   template <int dim>
   class FieldWriter : public Observer
@@ -39,12 +51,14 @@ namespace Crevasse
     /** @param instants those of steps within the period, its end included. */
     FieldWriter(const Body<dim>           &body,
                 const StressRecovery<dim> &recovery,
+                const StepList            &steps,
                 const std::set<double>    &instants,
                 const std::string         &directory,
                 Log                       &log)
-      : space(body.space)
+      : body(body)
+      , space(body.space)
       , recovery(recovery)
-      , lip(body.lip)
+      , steps(steps)
       , wanted(instants)
       , directory(directory)
       , log(log)
@@ -64,7 +78,7 @@ namespace Crevasse
   private:
     struct Snapshot
     {
-      double time;
+      double time, instant;
       State  state;
       Vector viscous_strain;
     };
@@ -72,12 +86,18 @@ namespace Crevasse
     std::vector<PointArray>
     arrays_of(const Snapshot &snapshot, const FieldGrid<dim> &grid) const;
 
-    const Space<dim>           &space;
-    const StressRecovery<dim>  &recovery;
-    const ContactBoundary<dim> &lip;
-    std::set<double>            wanted;
-    const std::string           directory;
-    Log                        &log;
+    /** At quadrature points, in the place of the first component of a stress.
+     */
+    Vector
+    temperature(const double t) const;
+
+    const Body<dim>           &body;
+    const Space<dim>          &space;
+    const StressRecovery<dim> &recovery;
+    const StepList            &steps;
+    std::set<double>           wanted;
+    const std::string          directory;
+    Log                       &log;
 
     /** By instant, so that a period replaces the one before. */
     std::map<double, Snapshot> snapshots;

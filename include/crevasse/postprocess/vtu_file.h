@@ -13,8 +13,9 @@ namespace Crevasse
   /** Numbers at the points of a grid. */
   struct PointArray
   {
-    std::string        name;
-    unsigned int       n_components; ///< 1, or 3 of a vector
+    std::string name;
+    /** 1, 3 of a vector, or 6 of a symmetric tensor: XX, YY, ZZ, XY, YZ, XZ. */
+    unsigned int       n_components;
     std::vector<float> values;
   };
 
@@ -29,10 +30,12 @@ namespace Crevasse
   public:
     /** @param points three coordinates of each.
      * @param corners of all cells, in VTK's order.
-     * @param n_corners of a cell: 4 of a quadrilateral, 8 of a hexahedron. */
+     * @param n_corners of a cell: 4 of a quadrilateral, 8 of a hexahedron.
+     * @param materials of the cells, for "material_id". */
     VtuGrid(const std::vector<float>        &points,
             const std::vector<std::int32_t> &corners,
-            const unsigned int               n_corners);
+            const unsigned int               n_corners,
+            const std::vector<std::int32_t> &materials);
 
     /** @throw FileError */
     void
@@ -41,7 +44,7 @@ namespace Crevasse
           const std::vector<PointArray> &arrays) const;
 
   private:
-    std::string text; ///< of points and cells
+    std::string text; ///< of points, cells and their materials
   };
 
   /** A .pvtu file, which makes one grid of those of all processes. The arrays'

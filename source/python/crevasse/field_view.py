@@ -26,13 +26,14 @@ NOISE = 1e-6  # of the largest value of a kind: rounding
 
 Entry = collections.namedtuple("Entry", "rank, label, kind")
 # Arrays in the order of the menu, their labels, and what is as large as they are.
-ARRAYS = (("von_mises", "von Mises stress", "stress"),
+ARRAYS = (("von_mises_stress", "von Mises stress", "stress"),
           (r"principal_stress_(\d)", "principal stress s{}", "stress"),
           (r"stress_(\d\d)", "stress s{}", "stress"),
           (r"viscous_strain_(\d\d)", "viscous strain r{}", "strain"),
           (r"viscous_strain_branch_(\d+)_(\d\d)", "viscous strain {} r{}", "strain"),
           (r"displacement_(\d)", "displacement u{}", "displacement"),
           ("contact_pressure", "contact pressure", "stress"),
+          ("opening", "opening of the lip", "displacement"),
           (r"(?!principal_direction|second_deviator)(.*)", "{}", "{}"))
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
@@ -53,8 +54,6 @@ def components(data, dimension):
     for name, values in data.items():
         if name == "displacement":
             found |= {f"displacement_{k + 1}": values[:, k] for k in range(dimension)}
-        elif name == "second_deviator_invariant":
-            found["von_mises"] = numpy.sqrt(3 * numpy.maximum(values, 0))
         elif values.ndim == 1 and entry(name):
             found[name] = values
     return found

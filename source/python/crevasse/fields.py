@@ -14,6 +14,10 @@ import numpy
 
 from crevasse.results import ResultsError, read_xml
 
+# Components of the tensors in the file, in its order; in the plane the rest is 0.
+# In VTK's order; in the plane the first four.
+COMPONENTS = ("11", "22", "33", "12", "23", "13")
+
 
 class Fields:
     """Nodal fields on a conforming set of nodes: the program writes a point for each
@@ -176,7 +180,9 @@ def read_pieces(path, dimension=2):
 
 
 def read_whole(path):
-    """The mesh of a .vtu, or of all processes in a .pvtu."""
+    """The mesh of a .vtu, or of all processes in a .pvtu; a tensor "stress" as
+    "stress_11" and so on, and the materials of cells as "material" of their points,
+    if there are several."""
     files = [path]
     if path.suffix == ".pvtu":
         files = [path.parent / piece.get("Source")
@@ -188,10 +194,21 @@ def read_whole(path):
             cells[block.type].append(block.data.astype(numpy.int64) + shift)
         points.append(mesh.points.astype(float))
         for name, values in mesh.point_data.items():
-            data[name].append(values.astype(float))
+            if values.shape[1:] == (6,):
+                n = 6 if mesh.cells[0].type == "hexahedron" else 4
+                for component, column in zip(COMPONENTS[:n], values.T):
+                    data[f"{name}_{component}"].append(column.astype(float))
+            else:
+                data[name].append(values.astype(float))
+        ids = numpy.zeros(len(mesh.points))
+        for block, of_cells in zip(mesh.cells, mesh.cell_data.get("material_id", ())):
+            ids[block.data] = of_cells[:, None]
+        data["material"].append(ids)
         shift += len(mesh.points)
     if not cells:
         raise ResultsError(f"{path}: has no cells.")
+    if len(numpy.unique(numpy.concatenate(data["material"]))) == 1:
+        del data["material"]
     return meshio.Mesh(
         numpy.concatenate(points),
         {name: numpy.concatenate(parts) for name, parts in cells.items()},
