@@ -54,8 +54,9 @@ namespace Crevasse
     {
       static const std::regex ours(
         "summary\\.json(\\.part)?|log\\.txt|solution\\.pvd|used\\.prm|"
-        "solution_[0-9.]+\\.p?vtu|(probe_.*|contact|periods|relaxation|"
-        "load_work|crack_tip(_[0-9]+)?)\\.csv|report\\.html");
+        "solution_[0-9.]+\\.p?vtu|show_in_paraview\\.py|(probe_.*|contact|lip|"
+        "periods|relaxation|load_work|(crack_tip|creep_integral)(_[0-9]+)?|"
+        "crack_front)\\.csv|report\\.html");
       std::vector<fs::path> found;
       for (const fs::directory_entry &entry : fs::directory_iterator(directory))
         {

@@ -310,6 +310,10 @@ namespace Crevasse
                   lip.force,
                   lip.largest_pressure};
         }));
+    const LipClosure<dim> *closure = nullptr;
+    if (body.effects.contact.on)
+      closure =
+        add(std::make_unique<LipClosure<dim>>(body, tables.path("lip.csv")));
     if (!body.space.roles.crack.empty())
       add(std::make_unique<SlipWhileClosed<dim>>(body, log));
     const auto motion = add(std::make_unique<SecularMotion<dim>>(work));
@@ -323,22 +327,25 @@ namespace Crevasse
           unsigned int number = 0;
           for (const auto &tip : setup.crack_tips)
             if (tip->intensity.region.tip.two_lips)
-              add(std::make_unique<MixedModeTable>(
-                *tip,
-                squares,
-                work.steps,
-                work.start.flow,
-                tables.table("crack_tip_" + std::to_string(++number) + ".csv",
-                             MixedModeTable::columns(*tip)),
-                log));
+              add(
+                std::make_unique<MixedModeTable>(
+                  *tip,
+                  squares,
+                  work.steps,
+                  work.start.flow,
+                  tables.table("crack_tip_" + std::to_string(++number) + ".csv",
+                               MixedModeTable::columns(*tip)),
+                  log))
+                ->closure = closure;
             else
               add(std::make_unique<CrackTipTable>(
-                *tip,
-                squares,
-                work.steps,
-                work.start.flow,
-                tables.table("crack_tip.csv", CrackTipTable::columns(*tip)),
-                log));
+                    *tip,
+                    squares,
+                    work.steps,
+                    work.start.flow,
+                    tables.table("crack_tip.csv", CrackTipTable::columns(*tip)),
+                    log))
+                ->closure = closure;
         }
     if constexpr (dim == 2)
       for (unsigned int i = 0; i < setup.creep_integrals.size(); ++i)

@@ -145,7 +145,7 @@ def shown(runs):
         check(frame["overflow"] <= 0 and not frame["trouble"], f"{frame}")
         check(re.fullmatch(r"stress s₂₂: colours from \S+ to \S+ in steps of \S+",
                            frame["bar"]) and " at (" in frame["value"], f"{frame}")
-        check({"von_mises", "stress_22", "displacement_2", "viscous_strain_11"}
+        check({"von_mises_stress", "stress_22", "displacement_2", "viscous_strain_11"}
               <= set(frame["menu"]), f"{frame}")
     check("stress_13" in found[-1]["menu"] and "stress_33" not in found[0]["menu"],
           "components")

@@ -113,6 +113,7 @@ namespace Crevasse
                           energy,
                           summary,
                           log);
+      summarise_closure(history, "  crack tip: ", tip);
       analysis.summarise_growth(history, "  crack tip: ", tip, log);
     }
 

@@ -37,14 +37,21 @@ namespace Crevasse
   }
 
   /** A node is closed where its opening vanishes against the largest
-   * displacement of the body; with no displacement at all the lip touches.
-   * Collective. */
+   * displacement of the body: up to this one. With no displacement at all the
+   * lip touches. Collective. */
+  inline double
+  largest_opening_of_closed(const State &state)
+  {
+    return 1e-10 * state.displacement.linfty_norm();
+  }
+
+  /** Collective. */
   template <int dim>
   LipState
   lip_state(const ContactBoundary<dim> &lip, const State &state)
   {
     const MPI_Comm communicator = state.displacement.get_mpi_communicator();
-    const double   touching     = 1e-10 * state.displacement.linfty_norm();
+    const double   touching     = largest_opening_of_closed(state);
 
     std::vector<double> sums = {0., contact_force(lip, state.contact_forces)};
     std::vector<double> maxima(2);

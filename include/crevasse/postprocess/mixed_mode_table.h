@@ -185,7 +185,8 @@ namespace Crevasse
       return {*least, *most};
     }
 
-    /** C* and what the law makes of the equivalent intensity. */
+    /** What lives are computed from, C*, and what the law makes of the
+     * equivalent intensity. */
     void
     summarise_growth(Summary &tip, const std::string &title)
     {
@@ -193,6 +194,7 @@ namespace Crevasse
       history.instants = instants;
       for (const Values &values : of_last_period)
         history.intensity.push_back(values.equivalent);
+      summarise_closure(history, title, tip);
       history.c_star = analysis.c_star(flow ? &*flow : nullptr);
       analysis.summarise_growth(history, title, tip, log);
     }

@@ -11,6 +11,7 @@
 #include <crevasse/model/elastic_displacement.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/crack_tip_analysis.h>
+#include <crevasse/postprocess/lip_closure.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -148,7 +149,27 @@ namespace Crevasse
     {
     }
 
+    /** Of the lips; null without contact. Must outlive this object. */
+    const LipClosure<2> *closure = nullptr;
+
   protected:
+    /** What lives are computed from, of a history of K.
+     * @param title of the line in the log. */
+    void
+    summarise_closure(const TipHistory  &history,
+                      const std::string &title,
+                      Summary           &tip) const
+    {
+      Crevasse::summarise_closure(history,
+                                  closure == nullptr
+                                    ? nullptr
+                                    : &closure->steps_of_lip_at(
+                                        analysis.intensity.region.tip.position),
+                                  title,
+                                  tip,
+                                  log);
+    }
+
     const CrackTipAnalysis           &analysis;
     const StepList                   &steps;
     const std::optional<SecularFlow> &flow;

@@ -1,0 +1,168 @@
+"""How long the lip is closed, and at which intensity it opens: against closed forms
+of elastic bodies, on two ranks, resumed, and for each of several cracks."""
+
+import math
+
+from cracked import BOTTOM, CRACK, PLATE, TOP, steps, write_block
+from crevasse_run import check, check_below, check_close, run, run_on
+from interrupted_runs import SCENE as RAOUS
+from interrupted_runs import (COMMON, REDISTRIBUTES, finish, fresh, interrupt,
+                              reference)
+
+ELASTIC = PLATE + """
+subsection Geometry
+  set Subdivisions = 8, 4
+end
+subsection Material
+  set Viscosity = none
+end
+subsection Loads
+  set Traction = 0; 10*(sin(2*pi*t/600) + 0.3)
+end
+subsection Time integration
+  set Steps per period = 50
+end
+subsection Periodic state
+  set Maximum periods = 2
+  set Tolerance       = 0
+end
+subsection Crack tip
+  set Stress intensity = true
+end
+subsection Output
+  set Probes = mouth: 1, 0
+end
+"""
+
+
+TWO_CRACKS = f"""
+subsection Geometry
+  set Shape     = mesh file
+  set Mesh file = two.msh
+end
+subsection Boundary
+  set Crack        = {CRACK}
+  set Loaded       = {BOTTOM}, {TOP}
+  set Fixed points = 0, -1; 2, -1: 2
+end
+subsection Material
+  set Young modulus = 13000
+  set Viscosity     = none
+end
+subsection Loads
+  set Period   = 600
+  set Traction = 0; 10*(1 - x)*sin(2*pi*t/600)*if(y > 0, 1, -1)
+end
+subsection Periodic state
+  set Maximum periods = 2
+  set Tolerance       = 0
+end
+subsection Crack tip
+  set Stress intensity = true
+end
+"""
+
+
+def test_uniform():
+    """Uniform traction closes all of the lip at once, where it is negative."""
+    results = run(ELASTIC, "uniform")
+    tip, lip = results.summary["crack_tip"], results.table("lip.csv")
+    expected = math.acos(0.3) / math.pi
+    check_close(tip["closed_part"]["wholly"], expected, 2e-3, "closed part")
+    check_below(tip["closed_part"]["partly"], 1e-9, "partly")
+    check(lip["x"] == [0.625, 0.75, 0.875, 1] and set(lip["y"]) == {0}
+          and set(lip["lip"]) == {1}, f"nodes of the lip: {lip}")
+    for part, pressure in zip(lip["closed_part"], lip["largest_pressure"]):
+        check_close(part, expected, 2e-3, "closed part of a node")
+        check_close(pressure, 7, 0.03, "largest pressure")
+    check_close(lip["largest_opening"][-1],
+                max(results.table("probe_mouth.csv")["opening"]), 1e-14, "opening")
+    largest = tip["K_I"]["largest"]
+    check_below(abs(tip["K_opening"]) / largest, 3e-3, "K_op")
+    check_close(tip["Delta_K_eff"], largest - tip["K_opening"], 1e-9, "Delta K_eff")
+    check_close(tip["Delta_K"], largest - tip["K_I"]["smallest"], 1e-9, "Delta K")
+
+
+def test_gap():
+    """Until it touches at the mouth, all is proportional to the load."""
+    gap = 1e-3
+    results = run(ELASTIC, "gap", [f"Boundary/Gap=-{gap}"])
+    tip, lip = results.summary["crack_tip"], results.table("lip.csv")
+    mouth = results.table("probe_mouth.csv")["opening"]
+    expected = -tip["K_I"]["largest"] * gap / (max(mouth) - gap)
+    largest = tip["K_I"]["largest"]
+    check(expected < -0.1 * largest, "it opens under compression")
+    check_close(tip["K_opening"] / largest, expected / largest, 5e-3, "K_op")
+    check_close(tip["Delta_K_eff"], largest - tip["K_opening"], 1e-9, "Delta K_eff")
+    check_close(tip["opening_ratio"], tip["K_opening"] / largest, 1e-12, "ratio")
+    parts = lip["closed_part"]
+    check(parts == sorted(parts) and 0 < parts[-1] < 0.5, f"the mouth first: {parts}")
+    check_close(tip["closed_part"]["wholly"] + tip["closed_part"]["partly"],
+                parts[-1], 1e-12, "closed at all")
+    check_close(tip["closed_part"]["wholly"], parts[0], 1e-12, "wholly closed")
+
+
+def test_no_opening():
+    """Where there is no K_op the summary says why."""
+    tip = run(ELASTIC, "open", ["Loads/Traction=0; 10*(sin(2*pi*t/600) + 1.5)"]
+              ).summary["crack_tip"]
+    check(tip["K_opening"] is None and "throughout" in tip["no_K_opening"], f"{tip}")
+    check_close(tip["Delta_K_eff"], tip["Delta_K"], 0., "all is effective")
+    check(tip["closed_part"] == {"wholly": 0, "partly": 0}, f"{tip}")
+    tip = run(ELASTIC, "closed", ["Loads/Traction=0; 10*(sin(2*pi*t/600) - 1.5)"]
+              ).summary["crack_tip"]
+    check(tip["K_opening"] is None and "wholly open" in tip["no_K_opening"]
+          and tip["Delta_K_eff"] is None, f"{tip}")
+    check_close(tip["closed_part"]["wholly"], 1, 1e-12, "closed")
+
+
+def same(one, other, what):
+    for key in ("Delta_K", "K_opening", "Delta_K_eff"):
+        a, b = (r.summary["crack_tip"][key] for r in (one, other))
+        check_below(abs(a - b) / abs(a), 1e-9, f"{what}: {key}")
+    mine, theirs = one.table("lip.csv"), other.table("lip.csv")
+    for column in mine:
+        size = max(map(abs, mine[column])) or 1
+        check_below(max(abs(a - b) for a, b in zip(mine[column], theirs[column],
+                                                   strict=True)) / size,
+                    1e-9, f"{what}: {column}")
+
+
+def test_ranks_and_resume():
+    settings = REDISTRIBUTES + COMMON + [
+        "Periodic state/Maximum periods=2", "Crack tip/Stress intensity=true",
+        "Geometry/Subdivisions=14, 14", "Time integration/Steps per period=32"]
+    alone, _ = reference("alone", settings)
+    check(0 < alone.table("lip.csv")["closed_part"][-1] < 1, "it opens and closes")
+    same(alone, run_on(2, RAOUS, "two_ranks", settings), "two ranks")
+    directory = fresh("resumed")
+    code, error = interrupt(directory, settings, "stop file", 32 + 15)
+    check(code in (0, 5), error)
+    same(alone, finish(directory, settings), "resumed")
+
+
+def test_two_cracks():
+    """Bent, one of two cracks opens where the other one closes."""
+    axes = steps(0, 2, 32), steps(-1, 1, 32)
+
+    def is_crack(middle, normal):
+        return (normal == 1 and middle[1] == 0
+                and (0.25 < middle[0] < 0.75 or 1.25 < middle[0] < 1.75))
+    write_block("two.msh", axes, is_crack)
+    results = run(TWO_CRACKS, "two")
+    tips, lip = results.summary["crack_tips"], results.table("lip.csv")
+    check(len(tips) == 4 and set(lip["lip"]) == {1, 2}, "two lips with four tips")
+    for tip in tips:
+        check_close(tip["closed_part"]["wholly"], 0.5, 2e-3, "closed part")
+        check_close(tip["Delta_K_eff"] / tip["equivalent_intensity"]["largest"], 1,
+                    6e-3, "Delta K_eff")
+    for number, begin in ((1, 0.25), (2, 1.25)):
+        x = [x for lip_number, x in zip(lip["lip"], lip["x"]) if lip_number == number]
+        check(x == sorted(x) and begin < x[0] and x[-1] < begin + 0.5, f"{x}")
+
+
+test_uniform()
+test_gap()
+test_no_opening()
+test_ranks_and_resume()
+test_two_cracks()
