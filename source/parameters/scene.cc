@@ -295,7 +295,11 @@ namespace Crevasse
         check(TimeIntegrationParameters::section,
               "Steps",
               scene.time_integration.steps);
-      check(OutputParameters::section, "Field times", scene.output.field_times);
+      const auto &field_times = scene.output.field_times;
+      Checker(OutputParameters::section, problems)
+        .demand_valid("Field times", field_times);
+      if (field_times.is_valid())
+        check(OutputParameters::section, "Field times", field_times->listed);
       check(RefinementParameters::section,
             "Instants",
             scene.refinement.instants);

@@ -172,10 +172,49 @@ namespace Crevasse
 
 
   template <int dim>
+  bool
+  FieldWriter<dim>::is_wanted(const Sample &sample)
+  {
+    const double now       = sample.instant;
+    const auto   is_chosen = [this](const double instant) {
+      return wanted.all || wanted.chosen.count(instant) == 1;
+    };
+    if (sample.step == 0)
+      {
+        opening = force = {0., 0.};
+        for (auto entry = snapshots.begin(); entry != snapshots.end();)
+          entry = wanted.chosen.count(entry->first) == 1
+                    ? std::next(entry)
+                    : snapshots.erase(entry);
+      }
+    bool       is_extreme = false;
+    const auto follow =
+      [&](Extreme &extreme, const Extreme &other, const double value) {
+        if (value <= extreme.value)
+          return;
+        if (const double before = extreme.instant;
+            extreme.value > 0. && !is_chosen(before) &&
+            (other.value == 0. || before != other.instant))
+          snapshots.erase(before);
+        extreme    = {value, now};
+        is_extreme = true;
+      };
+    if (wanted.lip != nullptr)
+      {
+        follow(opening, force, wanted.lip->largest_opening);
+        if (wanted.lip->closed_nodes > 0)
+          follow(force, opening, wanted.lip->force);
+      }
+    return is_extreme || is_chosen(now);
+  }
+
+
+
+  template <int dim>
   void
   FieldWriter<dim>::observe(const Sample &sample)
   {
-    if (wanted.count(sample.instant) == 0)
+    if (!is_wanted(sample))
       return;
     Snapshot &snapshot = snapshots[sample.instant];
     snapshot           = {sample.time,
@@ -198,7 +237,12 @@ namespace Crevasse
   FieldWriter<dim>::serialize(StateArchive &archive)
   {
     archive.section("fields");
-    archive.common(wanted);
+    archive.common(wanted.chosen);
+    for (Extreme *extreme : {&opening, &force})
+      {
+        archive.common(extreme->value);
+        archive.common(extreme->instant);
+      }
     std::vector<double> instants;
     for (const auto &snapshot : snapshots)
       instants.push_back(snapshot.first);

@@ -173,7 +173,8 @@ namespace Crevasse
     const Body<dim>         body(scene, current);
     const StepList          steps(scene.time_integration,
                          scene.loads.period,
-                         scene.output.field_times);
+                         scene.output.field_times->instants(
+                           scene.loads.period));
     ContactSystemCache<dim> systems(scene,
                                     body,
                                     choose_solvers(scene, body),

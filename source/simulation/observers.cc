@@ -259,11 +259,15 @@ namespace Crevasse
 
     template <int dim>
     std::unique_ptr<FieldWriter<dim>>
-    make_field_writer(const Workspace<dim> &work)
+    make_field_writer(const Workspace<dim> &work, const LipState &lip)
     {
-      std::set<double> instants = {work.steps.period()}; // the end of the run
-      for (const double t : work.setup.scene.output.field_times)
-        instants.insert(work.steps.instant(work.steps.nearest(t)));
+      const FieldTimes &times = *work.setup.scene.output.field_times;
+      const bool        has_extremes =
+        times.of_extremes && work.setup.body.effects.contact.on;
+      FieldInstants instants{times.all, {}, has_extremes ? &lip : nullptr};
+      instants.chosen.insert(work.steps.period()); // the end of the run
+      for (const double t : times.instants(work.steps.period()))
+        instants.chosen.insert(work.steps.instant(work.steps.nearest(t)));
       return std::make_unique<FieldWriter<dim>>(work.setup.body,
                                                 work.setup.recovery,
                                                 work.steps,
@@ -366,7 +370,7 @@ namespace Crevasse
       add(std::make_unique<CrackFrontTable>(
         *setup.crack_front, work.steps, tables.path("crack_front.csv"), log));
     if (body.effects.field_output.on)
-      add(make_field_writer(work));
+      add(make_field_writer(work, extremes->lip));
     if (setup.scene.output.load_work)
       add(make_load_work_table(work, tables));
     if (work.output.stress_record)

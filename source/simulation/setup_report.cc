@@ -19,6 +19,18 @@ namespace Crevasse
 
   namespace
   {
+    template <int dim>
+    double
+    n_instants_of_fields(const RunSetup<dim> &setup)
+    {
+      const FieldTimes &times = *setup.scene.output.field_times;
+      return 1. + (times.of_extremes ? 2. : 0.) +
+             (times.all ? setup.steps.n_steps()
+                        : times.instants(setup.steps.period()).size());
+    }
+
+
+
     /** What is kept at quadrature points and unknowns, on this rank. */
     template <int dim>
     double
@@ -42,9 +54,8 @@ namespace Crevasse
         values += n_steps * (strain + 2. * vector);
       // Instants of the output, and one being written: patches and text.
       if (body.effects.field_output.on)
-        values +=
-          (1. + scene.output.field_times.size()) * (vector + stress + strain) +
-          10. * stress;
+        values += n_instants_of_fields(setup) * (vector + stress + strain) +
+                  10. * stress;
       return sizeof(double) * values;
     }
 

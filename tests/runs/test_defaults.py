@@ -2,6 +2,7 @@
 is made where it applies, with its reason in the summary."""
 
 import pathlib
+import re
 
 from crevasse_run import check, check_below, execute, overrides, run
 
@@ -114,6 +115,36 @@ def test_asked_for_or_not():
         check(code == 2 and "is not the same on all sides" in error, error)
 
 
+def test_field_times():
+    """Of the last period: those of the extremes, all, or equally spaced ones."""
+    short = ["Periodic state/Method=march", "Periodic state/Maximum periods=2",
+             "Periodic state/Tolerance=0", "Time integration/Steps per period=16",
+             "Loads/Traction=0; 10*sin(2*pi*t/600) - 3"]
+    steps = [600 + 37.5 * k for k in range(17)]
+    for name, settings, wanted in (
+            ("automatic", [], None), ("all", ["Output/Field times=all"], steps),
+            ("equal", ["Output/Field times=4 instants"], steps[::4]),
+            ("listed", ["Output/Field times=150, 301"], [750, 900, 1200]),
+            ("none", ["Output/Field times="], [1200])):
+        results = run_defaults(f"field_times_{name}", short + settings)
+        text = (results.directory / "solution.pvd").read_text()
+        times = [float(t) for t in re.findall(r'timestep="([^"]*)"', text)]
+        if wanted is None:
+            lip, mouth = results.table("contact.csv"), results.table("probe_mouth.csv")
+            last = [k for k, t in enumerate(lip["t"]) if t >= 600]
+            wanted = sorted({lip["t"][max(last, key=values.__getitem__)]
+                             for values in (lip["force"], mouth["opening"])} | {1200})
+            check(len(wanted) == 3, f"extremes at {wanted}")
+        check(times == wanted, f"{name}: fields at {times} instead of {wanted}")
+    scene = pathlib.Path("field_times.prm")
+    scene.write_text(SCENE)
+    for value in ("often", "0 instants", "-1", "700"):
+        code, _, error = execute("--check", scene, "--set",
+                                 f"Output/Field times={value}")
+        check(code == 2 and "[Output] Field times" in error, f"{value}: {error}")
+
+
+test_field_times()
 test_ten_lines()
 test_choices()
 test_schemes()

@@ -6,6 +6,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/parameters/boundary_roles.h>
+#include <crevasse/parameters/field_times.h>
 #include <crevasse/parameters/formulas.h>
 #include <crevasse/parameters/probe_list.h>
 #include <crevasse/parameters/selections.h>
@@ -338,9 +339,8 @@ namespace Crevasse
     static constexpr const char *section = "Output";
 
     Parsed<std::vector<NamedPoint>> probes{"automatic", parse_probes};
-    /** Instants within the period of the field output of the last period. */
-    std::vector<double> field_times;
-    FieldFormat         fields = FieldFormat::vtu;
+    Parsed<FieldTimes>              field_times{"automatic", parse_field_times};
+    FieldFormat                     fields = FieldFormat::vtu;
     /** Of the last period's stress with the elastic one. */
     ComparedLip elastic_comparison = ComparedLip::none;
     bool        load_work          = false;

@@ -7,6 +7,7 @@
 #include <crevasse/base/log.h>
 #include <crevasse/model/body.h>
 #include <crevasse/postprocess/field_grid.h>
+#include <crevasse/postprocess/lip_state.h>
 #include <crevasse/time/observer.h>
 #include <crevasse/time/step_list.h>
 
@@ -32,6 +33,16 @@ namespace Crevasse
               const ContactBoundary<dim> &lip,
               const Vector               &displacement);
 
+  /** Where in a period a FieldWriter keeps the state. */
+  struct FieldInstants
+  {
+    bool             all;    ///< steps
+    std::set<double> chosen; ///< of steps, the end of the period included
+    /** Of the sample that is observed: that of the largest opening and that of
+     * the largest force are kept; null: neither is. */
+    const LipState *lip;
+  };
+
   /**
    * Fields for ParaView at chosen instants of the last period and at the end
    * of the run. Which period is the last is known only after it, so that the
@@ -48,11 +59,11 @@ namespace Crevasse
   class FieldWriter : public Observer
   {
   public:
-    /** @param instants those of steps within the period, its end included. */
+    /** References must outlive this object. */
     FieldWriter(const Body<dim>           &body,
                 const StressRecovery<dim> &recovery,
                 const StepList            &steps,
-                const std::set<double>    &instants,
+                const FieldInstants       &instants,
                 const std::string         &directory,
                 Log                       &log)
       : body(body)
@@ -83,6 +94,10 @@ namespace Crevasse
       Vector viscous_strain;
     };
 
+    /** Whether the sample is kept; forgets another one that was so far. */
+    bool
+    is_wanted(const Sample &sample);
+
     std::vector<PointArray>
     arrays_of(const Snapshot &snapshot, const FieldGrid<dim> &grid) const;
 
@@ -95,12 +110,19 @@ namespace Crevasse
     const Space<dim>          &space;
     const StressRecovery<dim> &recovery;
     const StepList            &steps;
-    std::set<double>           wanted;
+    FieldInstants              wanted;
     const std::string          directory;
     Log                       &log;
 
     /** By instant, so that a period replaces the one before. */
     std::map<double, Snapshot> snapshots;
+
+    /** Of the period so far. */
+    struct Extreme
+    {
+      double value, instant;
+    };
+    Extreme opening{0., 0.}, force{0., 0.};
   };
 } // namespace Crevasse
 

@@ -39,7 +39,7 @@ namespace Crevasse
           make_probes(Crevasse::probes(scene), body.space, recovery, body.lip))
       , steps(scene.time_integration,
               scene.loads.period,
-              scene.output.field_times)
+              scene.output.field_times->instants(scene.loads.period))
       , integrator(make_integrator())
     {
       // The instants at which a run evaluates formulas, and some between.
