@@ -4,6 +4,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/checker.h>
+#include <crevasse/parameters/effects.h>
 #include <crevasse/parameters/scene.h>
 
 
@@ -32,10 +33,14 @@ namespace Crevasse
                      "Subdivisions",
                      "must begin with at least 2, along x, because the crack "
                      "tip is a vertex of the mesh");
-      constexpr double most  = 2e7;
-      double           cells = 1.;
+      constexpr double         most  = 2e7;
+      double                   cells = 1.;
+      std::vector<std::string> factors;
       for (const unsigned int n_along : n)
-        cells *= n_along;
+        {
+          cells *= n_along;
+          factors.push_back(std::to_string(n_along));
+        }
       const double refined =
         cells * std::pow(2., n.size() * geometry.refinements);
       checker.demand(cells <= most,
@@ -44,8 +49,8 @@ namespace Crevasse
                        " cells; more than 2e7 are refused");
       checker.demand(cells > most || refined <= most,
                      "Refinements",
-                     "makes " + Text::from_number(refined) + " cells of " +
-                       Text::from_number(cells) +
+                     "makes " + Text::from_number(refined) +
+                       " cells of Subdivisions = " + Text::join(factors, ", ") +
                        "; more than 2e7 are refused");
     }
 

@@ -161,7 +161,9 @@ def test_edited_table():
     settings, whole = kept_march()
     interrupted = copy(whole.directory, "edited")
     (interrupted / "summary.json").unlink()
-    before = {path.name: path.read_bytes() for path in interrupted.glob("*.csv")}
+    # lip.csv is written anew, when a run ends.
+    before = {path.name: path.read_bytes() for path in interrupted.glob("*.csv")
+              if path.name != "lip.csv"}
     for table, content in before.items():
         place = len(content) // 2
         changed = content[:place] + bytes([content[place] ^ 1]) + content[place + 1:]

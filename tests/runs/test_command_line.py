@@ -472,7 +472,9 @@ def test_many_starts():
 
 
 def test_round_trips():
-    results = run(SCENE, "first")
+    path = pathlib.Path("first.prm")
+    path.write_text(SCENE)
+    results = run(path, "first")
     again = run(results.directory / "used.prm", "again")
     check_same_tables(results, again, "used.prm")
     check((results.directory / "used.prm").read_bytes()

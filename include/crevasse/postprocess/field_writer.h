@@ -7,6 +7,7 @@
 #include <crevasse/base/log.h>
 #include <crevasse/model/body.h>
 #include <crevasse/postprocess/field_grid.h>
+#include <crevasse/postprocess/lip_fields.h>
 #include <crevasse/postprocess/lip_state.h>
 #include <crevasse/time/observer.h>
 #include <crevasse/time/step_list.h>
@@ -14,25 +15,6 @@
 
 namespace Crevasse
 {
-  /** Nodal contact pressure: g / weight, that of a neighbour at held nodes
-   * (see ContactBoundary), zero off the lip. */
-  template <int dim>
-  Vector
-  contact_pressure(const Space<dim>           &space,
-                   const StressRecovery<dim>  &recovery,
-                   const ContactBoundary<dim> &lip,
-                   const std::vector<double>  &contact_forces);
-
-  /** Nodal opening of the lips, u_N − gap, the smaller one where two lips meet;
-   * zero off the lips. Collective.
-   * @param displacement Space::nodal_values() */
-  template <int dim>
-  Vector
-  lip_opening(const Space<dim>           &space,
-              const StressRecovery<dim>  &recovery,
-              const ContactBoundary<dim> &lip,
-              const Vector               &displacement);
-
   /** Where in a period a FieldWriter keeps the state. */
   struct FieldInstants
   {
