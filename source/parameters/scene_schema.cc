@@ -40,8 +40,15 @@ namespace Crevasse
            Catalogue::object(
              {{"type", "string"}, {"pattern", "^[-+.0-9eE]+$"}})});
       if (std::regex_match(pattern, parts, selection))
-        return Catalogue::array(
-          {Catalogue::object({{"enum", Text::split(parts[1], '|')}})});
+        {
+          Catalogue names = Text::split(parts[1], '|');
+          for (const bool value : {false, true})
+            if (std::count(names.begin(),
+                           names.end(),
+                           value ? "true" : "false"))
+              names.push_back(value);
+          return Catalogue::array({Catalogue::object({{"enum", names}})});
+        }
       if (pattern == "[Bool]")
         return Catalogue::array({Catalogue::object(
           {{"enum", Catalogue::array({true, false, "true", "false"})}})});

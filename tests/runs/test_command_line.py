@@ -367,13 +367,14 @@ def test_schema():
             jsonschema.Draft7Validator(schema).iter_errors(scene))
         check(error is None, f"{path}: {error}")
     check(fits(json.loads(succeed("--print-parameters", "json"))), "defaults")
-    named = {"$schema": "./crevasse.schema.json", **JSON_SCENE}
+    named = {"$schema": "./crevasse.schema.json", **JSON_SCENE,
+             "Crack tip": {"Stress intensity": True}}
     check(fits(named), "a scene by hand")
     succeed("--check", write_scene("named.json", json.dumps(named)))
 
     for section, values in {
             "Geometry": {"Crak length": 0.3, "Width": -1, "Shape": "edge",
-                         "Refinements": 1.5, "Subdivisions": [0, 4]},
+                         "Refinements": 1.5},
             "Crack tip": {"Stress intensity": "yes"},
             "Periodic state": {"Method": "Anderson", "Tolerance": "small"},
             "Geometri": {"Width": 1}, "Dimension": {"": 4}}.items():
@@ -386,7 +387,7 @@ def test_schema():
 
     geometry = schema["properties"]["Geometry"]["properties"]
     check(geometry["Crack length"]["default"] == 0.5
-          and geometry["Subdivisions"]["default"] == [14, 4]
+          and geometry["Subdivisions"]["default"] == "automatic"
           and geometry["Shape"]["default"] == "edge crack"
           and "mesh file" in geometry["Shape"]["enum"]
           and "less than Width" in geometry["Crack length"]["description"]

@@ -13,7 +13,7 @@ from crevasse_run import SOURCE, check, check_below, run
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import field_view, report as make_report  # noqa: E402
-from crevasse.run import Run  # noqa: E402
+from crevasse.run_reader import Run  # noqa: E402
 from crevasse.skin import OUTLINE, mixed  # noqa: E402
 
 PAPER = SOURCE / "prm" / "raous1980.prm"

@@ -15,7 +15,7 @@ from crevasse import field_figures, front_figure, probe_figures, tip_figure
 from crevasse.fields import Fields
 from crevasse.plotting import round_number, write_png
 from crevasse.results import ResultsError, number
-from crevasse.run import Run
+from crevasse.run_reader import Run
 
 Picture = collections.namedtuple("Picture", "title, data, style")
 # In scenes of the paper, and in others.
