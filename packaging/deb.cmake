@@ -21,6 +21,7 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS "libjs-chart.js, libjs-three, python3-h5py, \
 python3-jinja2, python3-matplotlib, python3-meshio, python3-pandas")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libopenblas0-serial)
 
+include(GNUInstallDirs)
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/prm
