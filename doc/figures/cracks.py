@@ -6,11 +6,9 @@
 scenes of prm/ with two lips and draws the stress s_22. A run that is done is not
 done again."""
 
-import subprocess
-
 import numpy
 
-from study import ROOT, study_options  # first: finds the package
+from study import run_once, study_options  # first: finds the package
 
 from crevasse.fields import Fields
 from crevasse.level_curves import draw_level_curves
@@ -26,10 +24,7 @@ def main():
     figure, panels = pyplot.subplots(2, 3, figsize=(12, 10.5),
                                      constrained_layout=True)
     for name, column in zip(SCENES, panels.T):
-        results = options.output / name
-        if not (results / "summary.json").exists():
-            subprocess.run([options.program, "--quiet", ROOT / f"prm/{name}.prm",
-                            "--output", results], check=True)
+        results = run_once(options, name)
         for number, (axes, what) in enumerate(zip(column, INSTANTS)):
             fields = Fields(results / f"solution_{number:04}.pvtu")
             stress = fields["stress_22"]

@@ -7,6 +7,7 @@ command lines, tables."""
 import argparse
 import os
 import pathlib
+import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -30,6 +31,18 @@ def print_table(header, rows):
     for row in rows:
         print("| " + " | ".join(row) + " |")
     print(flush=True)
+
+
+def run_once(options, scene, name=None, settings=()):
+    """The results of a scene of prm/ with these settings; a run that is done is not
+    done again."""
+    results = options.output / (name or scene)
+    if not (results / "summary.json").exists():
+        changes = [word for setting in settings for word in ("--set", setting)]
+        subprocess.run([options.program, "--quiet", "--force",
+                        ROOT / f"prm/{scene}.prm", "--output", results, *changes],
+                       check=True)
+    return results
 
 
 def study_options(description, name, kept="runs are", studies=None):
