@@ -79,6 +79,8 @@ def main():
                                                 dither=Image.Dither.NONE)
     pictures = [picture.quantize(palette=palette, dither=Image.Dither.NONE)
                 for picture in pictures]
+    # Where it is not played, the first picture stands: with an open crack.
+    pictures = pictures[COUNT // 4:] + pictures[:COUNT // 4]
     path = options.figures / "opening_crack.gif"
     pictures[0].save(path, save_all=True, append_images=pictures[1:], duration=150,
                      loop=0, optimize=False, disposal=1)

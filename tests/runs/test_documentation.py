@@ -1,6 +1,6 @@
 """What the documentation tells a newcomer to type works as it stands there, and
-prints what is shown: every command of README.md and doc/getting_started.md, and
-the scenes of doc/scenes.md. doc/parameters.md is what the program prints, and
+prints what is shown: every command of README.md, doc/getting_started.md and
+doc/tutorial.md, and the scenes of doc/scenes.md. doc/parameters.md is what the program prints, and
 doc/output.md speaks of every column, key and array that runs write."""
 
 import functools
@@ -9,7 +9,7 @@ import re
 import shlex
 import shutil
 
-from crevasse_run import SOURCE, check, execute, overrides, run
+from crevasse_run import SOURCE, check, execute, full, overrides, run
 
 
 def page(name):
@@ -70,10 +70,10 @@ def test_readme():
               f"there are no results of {name}")
 
 
-def test_getting_started():
-    """What it shows is what is printed."""
-    text = page("doc/getting_started.md")
-    pathlib.Path("first.prm").write_text(FIRST_SCENE)
+def check_shown(name, least):
+    """What the page shows is what is printed by its commands; at least so many
+    lines."""
+    text = page(name)
     printed = set()
     for arguments, status in program_commands(text):
         output = output_of(arguments, status)
@@ -81,9 +81,20 @@ def test_getting_started():
     shown = [line for block in blocks(text, "text")
              for line in map(without_measurements, block.splitlines())
              if line not in ("", "…")]
-    check(len(shown) > 30, "lines of output are found")
+    check(len(shown) > least, f"{name}: lines of output are found")
     for line in shown:
-        check(line in printed, f"doc/getting_started.md: not printed: {line}")
+        check(line in printed, f"{name}: not printed: {line}")
+
+
+def test_getting_started():
+    pathlib.Path("first.prm").write_text(FIRST_SCENE)
+    check_shown("doc/getting_started.md", 30)
+
+
+@full
+def test_tutorial():
+    """After test_readme, which copies prm/."""
+    check_shown("doc/tutorial.md", 20)
 
 
 def test_parameters():
@@ -237,6 +248,7 @@ test_parameters()
 test_scenes_named()
 test_readme()
 test_getting_started()
+test_tutorial()
 test_first_scene()
 test_own_mesh()
 test_all_kinds()
