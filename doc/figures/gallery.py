@@ -90,7 +90,7 @@ def draw_box(axes, results):
         facecolor=numpy.tile(colours, (2, 1))[shown]))
     low, high = faces.min(axis=(0, 1)), faces.max(axis=(0, 1))
     axes.set(xlim=(low[2], high[2]), ylim=(low[0], high[0]), zlim=(low[1], high[1]))
-    axes.set_box_aspect((high - low)[[2, 0, 1]], zoom=1.3)
+    axes.set_box_aspect((high - low)[[2, 0, 1]], zoom=1.15)
     axes.view_init(elev=18, azim=38)
     axes.axis("off")
 
