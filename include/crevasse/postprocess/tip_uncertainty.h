@@ -80,8 +80,8 @@ namespace Crevasse
     if (least < -10. * error && title.back() == 'I' &&
         title[title.size() - 2] == '_')
       log.line(
-        "    negative: the stress ahead of the tip is compressive, while "
-        "creep keeps the crack open");
+        "    negative: the stress ahead of the tip is compressive, as "
+        "creep leaves it");
   }
 
 
