@@ -299,8 +299,13 @@ namespace Crevasse
           std::set<std::string> distinct;
           const std::size_t     first = points.first_point(cell);
           for (unsigned int q = 0; q < space.quadrature(cell).size(); ++q)
-            distinct.insert(key_of(
-              {values[first + q].begin_raw(), values[first + q].end_raw()}));
+            {
+              std::vector<double> entries;
+              for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+                for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
+                  entries.push_back(values[first + q][i][j]);
+              distinct.insert(key_of(entries));
+            }
           // Where moduli vary within cells, these are one material.
           const bool is_constant = distinct.size() == 1;
           constant += is_constant ? 1 : -1;
