@@ -102,13 +102,8 @@ def tips_of(summary):
     """What is known of each crack tip, or of the crack fronts in space together."""
     tips = summary.get("crack_tips") or [
         tip for tip in (summary.get("crack_tip"), front(summary)) if tip]
-    tips = [{**creep, **tip} for tip, creep in itertools.zip_longest(
+    return [{**creep, **tip} for tip, creep in itertools.zip_longest(
         tips, summary.get("creep_integrals", ()), fillvalue={})]
-    for tip in tips:
-        ends = [at(tip, ("K_I", end)) for end in ("largest", "smallest")]
-        if None not in ends:  # K_I < 0 counts as 0, as in laws of growth
-            tip["Delta_K"] = max(ends[0], 0) - max(ends[1], 0)
-    return tips
 
 
 def front(summary):
