@@ -69,26 +69,27 @@ namespace Crevasse
 
 
 
-  std::string
+  SingularFunctionObstacle
   obstacle_to_singular_functions(const Scene &scene)
   {
+    const char *const in_the_plane =
+      ": they are those of a crack tip in the "
+      "plane; use [Refinement] Strategy = tip";
     if (scene.dimension == 3)
-      return "Dimension = 3: they are those of a crack tip in the plane; use "
-             "[Refinement] Strategy = tip";
+      return {"Dimension = 3", in_the_plane};
     if (scene.is_axisymmetric())
-      return "[Material] Plane state = axisymmetric: they are those of a crack "
-             "tip in the plane; use [Refinement] Strategy = tip";
+      return {"[Material] Plane state = axisymmetric", in_the_plane};
     if (scene.discretisation.volumetric_strain == VolumetricStrain::mean)
-      return "Volumetric strain = mean; use Degree = 2 instead of mean "
-             "dilatations";
+      return {"Volumetric strain = mean",
+              "; use Degree = 2 instead of mean dilatations"};
     if (const auto type = scene.linear_solver.type; traits(type).is_multigrid)
-      return "[Linear solver] Type = " + name_of(type) +
-             ": they couple all unknowns; use automatic, cholesky or mumps";
+      return {"[Linear solver] Type = " + name_of(type),
+              ": they couple all unknowns; use automatic, cholesky or mumps"};
     if (const auto &gap = scene.boundary.gap; gap.is_valid() && !gap->is_zero())
-      return "[Boundary] Gap = " + gap.text() +
-             ": a crack that is open without load may close at its tip, which "
-             "the bound of the singular function forbids";
-    return "";
+      return {"[Boundary] Gap = " + gap.text(),
+              ": a crack that is open without load may close at its tip, which "
+              "the bound of the singular function forbids"};
+    return {};
   }
 
 
@@ -101,8 +102,7 @@ namespace Crevasse
     if (chosen != SingularFunctionNumber::automatic)
       return {static_cast<unsigned int>(chosen),
               "[Discretisation] Singular functions = " + name_of(chosen)};
-    std::string against = obstacle_to_singular_functions(scene);
-    against             = against.substr(0, against.find_first_of(":;"));
+    std::string against = obstacle_to_singular_functions(scene).setting;
     if (against.empty())
       against = reason_against_singular_functions(scene);
     if (against.empty())

@@ -48,9 +48,6 @@ namespace Crevasse
                      "crack and ligament must each be at least 1e-8 of " +
                        of_width);
     }
-
-
-
   } // namespace
 
 
@@ -59,20 +56,15 @@ namespace Crevasse
   GeometryParameters::check(Problems &problems) const
   {
     const Checker checker(section, problems);
-    if (traits(shape).has_crack)
-      {
-        if (!problems.concern(section, "Width") &&
-            !problems.concern(section, "Crack length"))
-          check_crack_length(*this, checker);
-      }
+    if (traits(shape).has_crack && !problems.concern(section, "Width") &&
+        !problems.concern(section, "Crack length"))
+      check_crack_length(*this, checker);
     if (shape != Shape::mesh_file)
-      {
-        checker.demand(mesh_file.empty(),
-                       "Mesh file",
-                       "is allowed only for the shape \"mesh file\"; the shape "
-                       "is \"" +
-                         name_of(shape) + "\"");
-      }
+      checker.demand(mesh_file.empty(),
+                     "Mesh file",
+                     "is allowed only for the shape \"mesh file\"; the shape "
+                     "is \"" +
+                       name_of(shape) + "\"");
     else if (mesh_file.empty())
       checker.demand(false,
                      "Mesh file",

@@ -303,12 +303,10 @@ namespace Crevasse
     field_times.add_parameter(
       "Field times",
       "Instants within the last period at which the fields are written, "
-      "besides "
-      "the end of the run, in units of time. \"automatic\": those of the "
-      "largest opening and of the largest contact force. Allowed: automatic, "
-      "all, a number of equally spaced instants such as 12 instants, or "
-      "numbers "
-      "from 0 to the period, separated by commas",
+      "besides the end of the run, in units of time. \"automatic\": those of "
+      "the largest opening and of the largest contact force. Allowed: "
+      "automatic, all, a number of equally spaced instants such as 12 "
+      "instants, or numbers from 0 to the period, separated by commas",
       prm);
     add_selection("Fields", fields, prm);
     add_selection("Elastic comparison", elastic_comparison, prm);

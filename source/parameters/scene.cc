@@ -150,10 +150,10 @@ namespace Crevasse
                      "and nothing locks; it must be full, or [Material] Plane "
                      "state = plane strain");
 
-      const std::string obstacle = obstacle_to_singular_functions(scene);
-      checker.demand(obstacle.empty() || singular_functions(scene).n == 0,
+      const auto [setting, advice] = obstacle_to_singular_functions(scene);
+      checker.demand(setting.empty() || singular_functions(scene).n == 0,
                      "Singular functions",
-                     "must be 0 with " + obstacle);
+                     "must be 0 with " + setting + advice);
     }
 
 

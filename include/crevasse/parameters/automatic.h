@@ -30,9 +30,15 @@ namespace Crevasse
   SingularFunctionChoice
   singular_functions(const Scene &scene);
 
-  /** The first reason against any number of singular functions, "Dimension =
-   * 3: ..."; nothing if there is none. */
-  std::string
+  /** A setting that allows no singular functions, "Dimension = 3", and why not
+   * or what to do, with the punctuation before it; empty: there is none. */
+  struct SingularFunctionObstacle
+  {
+    std::string setting, advice;
+  };
+
+  /** The first one. */
+  SingularFunctionObstacle
   obstacle_to_singular_functions(const Scene &scene);
 
   /** [Output] Probes: one at the mouth of a built-in crack. */
