@@ -288,10 +288,8 @@ namespace Crevasse
       log.line("  linear solver: " + setup.solvers.linear.describe());
     if (setup.body.effects.contact.on)
       log.line("  contact solver: " + setup.solvers.contact.describe());
-    const std::string automatic = "automatic: ";
-    if (const auto &K = setup.stress_intensity;
-        !K.on && K.why.compare(0, automatic.size(), automatic) == 0)
-      log.line("  crack tip: no K_I, for " + K.why.substr(automatic.size()));
+    if (setup.body.effects.stress_intensity.on && !setup.stress_intensity.on)
+      log.line("  crack tip: no K_I (" + setup.stress_intensity.why + ")");
     for (const auto &tip : setup.crack_tips)
       log.line(tip->describe());
     for (const auto &integral : setup.creep_integrals)

@@ -103,8 +103,12 @@ namespace Crevasse
       tip["energy_release_rate"] = {{"largest", most_release},
                                     {"smallest", least_release}};
       tip["strain_energy"]       = {{"largest", energy}};
-      log_intensity(
-        "  crack tip: K_I", history.least(), history.largest(), error, log);
+      log_intensity("  crack tip: K_I",
+                    CrackMode::opening,
+                    history.least(),
+                    history.largest(),
+                    error,
+                    log);
       warn_of_uncertainty(analysis,
                           "K_I",
                           {std::max(std::abs(history.largest()),

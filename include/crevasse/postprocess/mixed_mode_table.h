@@ -97,7 +97,12 @@ namespace Crevasse
             range([mode](const Values &v) { return v.error[mode]; }).second;
           tip[name]            = {{"largest", most}, {"smallest", least}};
           tip[name + "_error"] = error;
-          log_intensity(title + name, least, most, error, log);
+          log_intensity(title + name,
+                        mode == 0 ? CrackMode::opening : CrackMode::sliding,
+                        least,
+                        most,
+                        error,
+                        log);
         }
       const auto [least_release, most_release] =
         range([](const Values &v) { return v.release_rate; });

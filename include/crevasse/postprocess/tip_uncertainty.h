@@ -63,6 +63,7 @@ namespace Crevasse
    * @param title "crack tip: K_I" */
   inline void
   log_intensity(const std::string &title,
+                const CrackMode    mode,
                 const double       least,
                 const double       largest,
                 const double       error,
@@ -77,8 +78,7 @@ namespace Crevasse
                    largest,
                    error,
                    size > 0. ? 100. * error / size : 0.));
-    if (least < -10. * error && title.back() == 'I' &&
-        title[title.size() - 2] == '_')
+    if (least < -10. * error && mode == CrackMode::opening)
       log.line(
         "    negative: the stress ahead of the tip is compressive, as "
         "creep leaves it");
