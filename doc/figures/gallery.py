@@ -20,7 +20,6 @@ from bodies import draw_bands, even_bands, symmetric_bound
 from crevasse.fields import Fields, read_pieces
 from crevasse.plotting import pyplot, write_png
 from crevasse.skin import Skin
-from crevasse.scripting import read
 
 
 @dataclasses.dataclass

@@ -5,7 +5,7 @@ curved part meshed by Gmsh."""
 import math
 import random
 
-from hard_case import (HERE, accuracy, check, check_below, column,
+from hard_case import (HERE, accuracy, check_below, column,
                        compute, largest_difference)
 from mesh_writer import write
 

@@ -9,7 +9,7 @@ import re
 import shlex
 import shutil
 
-from crevasse_run import SOURCE, check, execute, full, overrides, run
+from crevasse_run import SOURCE, check, execute, full, run
 
 
 def page(name):

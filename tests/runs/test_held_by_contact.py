@@ -3,7 +3,7 @@ load that tips them over, and what is refused."""
 
 import math
 
-from cracked import (BACK, BOTTOM, CRACK, FRONT, LEFT, TOP, steps, write_block)
+from cracked import BOTTOM, CRACK, FRONT, LEFT, TOP, steps, write_block
 from crevasse_run import (check, check_below, check_close, execute, overrides, plain,
                           run, run_on, tier)
 

@@ -342,7 +342,7 @@ def weighted_pressure_error(results):
     for probe, expected in zip(PROBES, secular_pressures(results)):
         t = last_period(results, f"probe_{probe}.csv", "t")
         p = last_period(results, f"probe_{probe}.csv", "pressure")
-        begin, n = t[0], len(t)
+        begin = t[0]
         weighted = [x / math.sqrt(1 + (s - begin) / 200) for s, x in zip(t, p)]
         # eta_0 is 2 at the end of the period.
         ends = weighted[1:] + [p[0] / 2]

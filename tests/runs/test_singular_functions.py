@@ -3,7 +3,7 @@
 are unknowns like the others for contact solvers, schemes, periodic methods,
 units, processes and hanging nodes."""
 
-from crevasse_run import (SOURCE, check, check_below, check_close, execute,
+from crevasse_run import (SOURCE, check, check_below, execute,
                           run, run_on, tier)
 
 K_I, ENERGY = 35.41196, 9.71931251e-3
