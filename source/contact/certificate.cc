@@ -97,9 +97,9 @@ namespace Crevasse
   Certificate::describe() const
   {
     std::ostringstream text;
-    text << std::setprecision(3) << "penetration " << penetration << ", tension " << tension
-         << ", complementarity " << complementarity << ", residual "
-         << residual;
+    text << std::setprecision(3) << "penetration " << penetration
+         << ", tension " << tension << ", complementarity " << complementarity
+         << ", residual " << residual;
     return text.str();
   }
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace Crevasse
@@ -104,8 +104,8 @@ namespace Crevasse
   PeriodicContactCertificate::describe() const
   {
     std::ostringstream text;
-    text << std::setprecision(3) << "certificate: penetration " << penetration << ", tension "
-         << tension << ", complementarity " << complementarity
+    text << std::setprecision(3) << "certificate: penetration " << penetration
+         << ", tension " << tension << ", complementarity " << complementarity
          << ", defect of the mean " << mean_defect;
     return text.str();
   }

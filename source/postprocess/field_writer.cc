@@ -142,10 +142,7 @@ namespace Crevasse
     if (!is_wanted(sample))
       return;
     Snapshot &snapshot = snapshots[sample.instant];
-    snapshot           = {sample.time,
-                          sample.instant,
-                          sample.state,
-                          sample.viscous_strain};
+    snapshot           = {sample.time, sample.state, sample.viscous_strain};
     if (sample.secular_flow != nullptr)
       {
         snapshot.state.displacement.add(sample.time,
@@ -176,7 +173,6 @@ namespace Crevasse
       {
         Snapshot &snapshot = snapshots[instant];
         archive.common(snapshot.time);
-        snapshot.instant = instant;
         snapshot.state.serialize(archive);
         archive.at_points(snapshot.viscous_strain);
       }
@@ -199,7 +195,7 @@ namespace Crevasse
         const Snapshot   &snapshot = entry.second;
         const std::string name =
           "solution_" + Utilities::int_to_string(records.size(), 4);
-        const auto arrays = arrays_of(snapshot, grid);
+        const auto arrays = arrays_of(entry.first, snapshot, grid);
         collectively(communicator, [&]() {
           const auto piece = [&name](const unsigned int of_rank) {
             return name + '.' + std::to_string(of_rank) + ".vtu";
@@ -236,7 +232,8 @@ namespace Crevasse
 
   template <int dim>
   std::vector<PointArray>
-  FieldWriter<dim>::arrays_of(const Snapshot       &snapshot,
+  FieldWriter<dim>::arrays_of(const double          instant,
+                              const Snapshot       &snapshot,
                               const FieldGrid<dim> &grid) const
   {
     std::vector<PointArray> arrays;
@@ -276,7 +273,7 @@ namespace Crevasse
     if (!body.temperature.is_zero())
       {
         const auto theta =
-          grid.recovered(temperature(steps.within_period(snapshot.instant)));
+          grid.recovered(temperature(steps.within_period(instant)));
         arrays.push_back(grid.scalar("temperature", [&theta](const auto p) {
           return theta[p][0];
         }));

@@ -43,8 +43,8 @@ namespace Crevasse
   Command
   parse_command_line(const int argc, const char *const *argv);
 
-  /** "; did you mean ...?" for a scene file that does not exist: a command, or a
-   * scene of its folder or of prm; or nothing. */
+  /** "; did you mean ...?" for a scene file that does not exist: a command, or
+   * a scene of its folder or of prm; or nothing. */
   std::string
   similar_to(const std::string &scene_file);
 } // namespace Crevasse

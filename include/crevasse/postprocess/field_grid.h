@@ -7,7 +7,6 @@
 #include <crevasse/discretisation/stress_recovery.h>
 #include <crevasse/postprocess/vtu_file.h>
 
-#include <limits>
 #include <unordered_map>
 
 namespace Crevasse
@@ -49,11 +48,10 @@ namespace Crevasse
                 of_material.emplace(dofs[i], n_points());
               points[cell->active_cell_index() * nodes_per_cell + i] =
                 entry->second;
-              if (!is_new)
-                continue;
-              for (unsigned int d = 0; d < 3; ++d)
-                coordinates.push_back(d < dim ? nodes.quadrature_point(i)[d]
-                                              : 0.);
+              if (is_new)
+                for (unsigned int d = 0; d < 3; ++d)
+                  coordinates.push_back(d < dim ? nodes.quadrature_point(i)[d]
+                                                : 0.);
             }
           for (const unsigned int i : corners_of_cell)
             corners.push_back(point(cell, i));

@@ -71,7 +71,7 @@ namespace Crevasse
   private:
     struct Snapshot
     {
-      double time, instant;
+      double time;
       State  state;
       Vector viscous_strain;
     };
@@ -81,7 +81,9 @@ namespace Crevasse
     is_wanted(const Sample &sample);
 
     std::vector<PointArray>
-    arrays_of(const Snapshot &snapshot, const FieldGrid<dim> &grid) const;
+    arrays_of(const double          instant,
+              const Snapshot       &snapshot,
+              const FieldGrid<dim> &grid) const;
 
     /** At quadrature points, in the place of the first component of a stress.
      */

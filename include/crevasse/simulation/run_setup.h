@@ -65,21 +65,22 @@ namespace Crevasse
       solvers          = choose_solvers(scene, body);
       stress_intensity = body.effects.stress_intensity;
       if constexpr (dim == 2)
-        find_crack_tips();
-      if constexpr (dim == 2)
-        if (scene.crack_tip.creep_integral)
-          for (const CrackTip &tip :
-               Crevasse::crack_tips(body.space.mesh(),
-                                    body.space.roles,
-                                    "[Crack tip] Creep integral = true"))
-            {
-              creep_integrals.push_back(std::make_unique<const CreepIntegral>(
-                scene, body, tip, recovery));
-              require_no_force_at_tip(scene,
-                                      body,
-                                      creep_integrals.back()->region,
-                                      steps);
-            }
+        {
+          find_crack_tips();
+          if (scene.crack_tip.creep_integral)
+            for (const CrackTip &tip :
+                 Crevasse::crack_tips(body.space.mesh(),
+                                      body.space.roles,
+                                      "[Crack tip] Creep integral = true"))
+              {
+                creep_integrals.push_back(std::make_unique<const CreepIntegral>(
+                  scene, body, tip, recovery));
+                require_no_force_at_tip(scene,
+                                        body,
+                                        creep_integrals.back()->region,
+                                        steps);
+              }
+        }
       if constexpr (dim == 3)
         if (body.effects.stress_intensity.on)
           crack_front =
