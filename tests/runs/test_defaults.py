@@ -3,8 +3,12 @@ is made where it applies, with its reason in the summary."""
 
 import pathlib
 import re
+import sys
 
-from crevasse_run import check, check_below, execute, overrides, run
+from crevasse_run import SOURCE, check, check_below, execute, overrides, run
+
+sys.path.insert(0, str(SOURCE / "source" / "python"))
+from crevasse.run_reader import Run  # noqa: E402
 
 SCENE = """subsection Geometry
   set Shape        = edge crack
@@ -87,6 +91,10 @@ def test_choices():
               f"{name}: stress intensity {effects['stress intensity']}")
         tables = (results.directory / "crack_tip.csv").exists()
         check(tables == intensity, f"{name}: crack_tip.csv")
+        read = Run(results.directory)
+        probes = {path.name for path in results.directory.glob("probe_*.csv")}
+        check({f"probe_{probe}.csv" for probe in read.probes} == probes
+              and not read.damages, f"{name}: {read.probes}, {read.damages}")
 
 
 def test_schemes():
@@ -102,6 +110,19 @@ def test_schemes():
         check(code == 0, error)
         line, = (line for line in output.splitlines() if "  time:" in line)
         check(scheme in line, f"{settings}: {line}")
+
+
+def test_automatic_probe():
+    """Sweeps and pictures know of the probe at the mouth."""
+    scene, steps = pathlib.Path("probe.prm"), "Time integration/Steps per period="
+    scene.write_text(SCENE)
+    code, _, error = execute("sweep", scene, "--vary", steps + "10,20", "--reference",
+                             steps + "40", "--output", "results/probe")
+    check(code == 0, error)
+    header = pathlib.Path("results/probe/sweep.csv").read_text().splitlines()[0]
+    check("error:probe_mouth/u" in header, header)
+    code, output, error = execute("figures", "results/probe/reference")
+    check(code == 0 and "figure3_opening" in output, output + error)
 
 
 def test_asked_for_or_not():
@@ -147,5 +168,6 @@ def test_field_times():
 test_field_times()
 test_ten_lines()
 test_choices()
+test_automatic_probe()
 test_schemes()
 test_asked_for_or_not()

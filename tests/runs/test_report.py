@@ -203,7 +203,7 @@ def other_runs():
                                "Output/Fields=none", "Geometry/Subdivisions=4, 2"])
     page, _ = report(bare.directory)
     check_pictures(page, 0)
-    check_says(page, "[Output] Probes = C: 1, 0",
+    check_says(page, "[Output] Probes = automatic",
                "[Output] Fields = vtu with Field times = 150", "No probes")
     check(titles(page)[0] == "Contact force on the lip", f"bare: {titles(page)}")
     table = run(SOURCE / "prm" / "raous1980_table1.prm", "table",

@@ -21,7 +21,7 @@ from crevasse.advise_runs import Runs
 from crevasse.advise_search import Search
 from crevasse.command import CommandError, Log, Parser, Stop, taken
 from crevasse.program import Program
-from crevasse.results import named_points, number, parse_parameters
+from crevasse.results import number, parse_parameters, probes_of
 
 ERROR_OF_BASE = 0.1  # of the steps with which meshes are compared
 EPILOG = """Files in DIR:
@@ -69,8 +69,8 @@ class Advice:
         overrides = dict(text.partition("=")[::2] for text in options.set)
         self.scene = parse_parameters(
             program.parameters(options.scene, overrides))[0]
-        probes = dict(named_points(self.scene["Output/Probes"]))
-        quantities = choose_quantities(options.quantities, self.scene, probes)
+        quantities = choose_quantities(options.quantities, self.scene,
+                                       probes_of(self.scene))
         self.directory = options.output or pathlib.Path(
             (self.scene["Output directory"] or f"results/{options.scene.stem}")
             + "_advice")

@@ -16,7 +16,7 @@ import numpy
 
 from crevasse.fields import node_areas, read_pieces
 from crevasse.level_curves import even_levels, range_without_peaks
-from crevasse.plotting import round_number
+from crevasse.plotting import magnification
 from crevasse.results import ResultsError
 from crevasse.skin import Skin
 
@@ -78,7 +78,7 @@ def pack(run):
               "quads": text_of(zigzag(numpy.diff(skin.quads.astype(numpy.int32), axis=0,
                                                  prepend=0), 32)),
               "marks": text_of(marks),
-              "factor": default_factor(skin, displacements),
+              "factor": magnification(skin.points, displacements, 0.06),
               "first": int(abs(displacements).max(axis=(1, 2)).argmax()),
               "components": list(pack_components(skin, fields))}
     return thinned(packed)
@@ -101,14 +101,6 @@ def read(run, files):
                 values[skin.kept].astype(numpy.float32))
     return skin, {name: numpy.stack(values) for name, values in fields.items()
                   if len(values) == len(files)}
-
-
-def default_factor(skin, displacements):
-    """A round one, by which the largest displacement, the mean of each instant apart,
-    is some 5 % of the body."""
-    moved = abs(displacements - displacements.mean(axis=1, keepdims=True)).max()
-    size = numpy.ptp(skin.points, axis=0).max()
-    return float(round_number(0.06 * size / moved)) if moved > 1e-12 * size else 1.
 
 
 def pack_components(skin, fields):

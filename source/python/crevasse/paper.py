@@ -8,13 +8,12 @@ import base64
 import collections
 import io
 
-import numpy
 from matplotlib import pyplot
 
 from crevasse import field_figures, front_figure, probe_figures, tip_figure
 from crevasse.fields import Fields
-from crevasse.plotting import round_number, write_png
-from crevasse.results import ResultsError, number
+from crevasse.plotting import magnification, write_png
+from crevasse.results import ResultsError, mouth_of_crack, number
 from crevasse.run_reader import Run
 
 Picture = collections.namedtuple("Picture", "title, data, style")
@@ -110,15 +109,9 @@ def probe_pictures(run, missing):
 
 
 def name_of_place(run, probe):
-    x, y, *_ = run.probes[probe]
-    mouth = number(mouth_of_crack(run) or "")
-    return "the crack mouth" if (x, y) == (mouth, 0) else f"probe {probe}"
-
-
-def mouth_of_crack(run):
-    """Its x on the plane y = 0; None if the shape does not tell."""
-    return {"edge crack": run.parameter("Geometry/Width"),
-            "centre crack": "0"}.get(run.parameter("Geometry/Shape"))
+    mouth = mouth_of_crack(run.parameters)
+    at_mouth = mouth and run.probes[probe][:2] == mouth[:2]
+    return "the crack mouth" if at_mouth else f"probe {probe}"
 
 
 def on_lip(run, probe):
@@ -134,11 +127,8 @@ def probe_of_paper(run):
 
 def probe_advice(run):
     """A probe at the mouth of the crack."""
-    point = mouth_of_crack(run)
-    if point is None:
-        return "[Output] Probes with a point of the lip"
-    rest = ", 0, 0" if run.dimension == 3 else ", 0"
-    return f"[Output] Probes = C: {point}{rest}"
+    mouth = mouth_of_crack(run.parameters)
+    return "[Output] Probes " + ("= automatic" if mouth else "with a point of the lip")
 
 
 def field_pictures(run, missing):
@@ -175,8 +165,8 @@ def draw_instant(run, missing):
         missing.append(f"Figures 4 to 6 are drawn for t = {t:g}, the stored "
                        f"instant nearest to T/4; [Output] Field times = {quarter:g} "
                        "gives the paper's.")
-    for name, figure in field_figures.draw_fields(run, fields, t,
-                                                  magnification(fields)):
+    factor = magnification(fields.points, fields["displacement"], 0.1)
+    for name, figure in field_figures.draw_fields(run, fields, t, factor):
         yield name, figure, t
     ahead = tip_figure.stress_ahead(run, fields, t)
     if ahead is not None:
@@ -195,12 +185,3 @@ def wanted_instant(run):
 def field_advice(run):
     fields = "" if run.parameter("Output/Fields") == "vtu" else "Fields = vtu with "
     return f"[Output] {fields}Field times = {run.period / 4:g}"
-
-
-def magnification(fields):
-    """A round factor by which the largest displacement, its mean apart, is a
-    tenth of the body."""
-    u = fields["displacement"]
-    moved = numpy.abs(u - u.mean(axis=0)).max()
-    size = numpy.ptp(fields.points, axis=0).max()
-    return round_number(0.1 * size / moved) if moved > 1e-12 * size else 1

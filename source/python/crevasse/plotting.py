@@ -52,6 +52,14 @@ def round_up(value):
                if m * power >= value * (1 - 1e-9))
 
 
+def magnification(points, displacements, part):
+    """A round factor by which the largest displacement, the mean of each instant apart,
+    is about that part of the body."""
+    moved = abs(displacements - displacements.mean(axis=-2, keepdims=True)).max()
+    size = numpy.ptp(points, axis=0).max()
+    return float(round_number(part * size / moved)) if moved > 1e-12 * size else 1.
+
+
 def ladder(low, high, mantissas=(1, 2, 5)):
     """The numbers m times 10^k between two positive ones."""
     powers = range(int(numpy.floor(numpy.log10(low))),

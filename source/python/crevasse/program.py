@@ -18,6 +18,7 @@ import tempfile
 import time
 
 from crevasse.command import CommandError
+from crevasse.results import at
 
 # mpirun starts the runs if it started this process. They must not inherit its
 # variables.
@@ -284,11 +285,5 @@ def read_summary(folder):
 
 def costs_in(summary):
     """By their names in tables; what a summary lacks is left out."""
-    costs = {}
-    for name, place in COSTS.items():
-        value = summary
-        for key in place:
-            value = value.get(key) if isinstance(value, dict) else None
-        if value is not None:
-            costs[name] = value
-    return costs
+    return {name: value for name, path in COSTS.items()
+            if (value := at(summary, path)) is not None}

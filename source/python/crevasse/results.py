@@ -28,6 +28,13 @@ def shortest(value):
     return min(format(digits, "f"), f"{value:.{places}e}", key=len)
 
 
+def at(value, path):
+    """What dictionaries within each other have at the end of a path; None if nothing."""
+    for key in path:
+        value = value.get(key) if isinstance(value, dict) else None
+    return value
+
+
 def read_parameters(path):
     """See below. Titles and names of files may be of any encoding."""
     try:
@@ -68,6 +75,23 @@ def named_points(text):
             yield name.strip(), tuple(map(float, point.split(",")))
         except ValueError:
             pass  # a formula or a form of a later version: not drawn
+
+
+def probes_of(parameters):
+    """{name: point}, also of the probe that is automatic."""
+    text = parameters.get("Output/Probes", "")
+    mouth = mouth_of_crack(parameters)
+    if text == "automatic":
+        return {"mouth": mouth} if mouth else {}
+    return dict(named_points(text))
+
+
+def mouth_of_crack(parameters):
+    """That of a built-in crack; None without one. As in parameters/automatic.cc."""
+    x = number({"edge crack": parameters.get("Geometry/Width", ""), "centre crack": "0"
+                }.get(parameters.get("Geometry/Shape"), ""))
+    return None if x is None else (x, 0., 0.) if parameters.get(
+        "Dimension") == "3" else (x, 0.)
 
 
 def read_xml(path):

@@ -11,7 +11,7 @@ import re
 import numpy
 
 from crevasse import summary_file
-from crevasse.results import (ResultsError, named_points, number, read_parameters,
+from crevasse.results import (ResultsError, at, number, probes_of, read_parameters,
                               read_xml)
 
 Period = collections.namedtuple("Period", "number, begin, end")
@@ -68,8 +68,7 @@ class Run:
         if self.finished:
             self.require_tables()
             self.compare_lengths()
-        self.probes = {name: point for name, point
-                       in named_points(self.parameter("Output/Probes"))
+        self.probes = {name: point for name, point in probes_of(self.parameters).items()
                        if f"probe_{name}.csv" in self.tables}
 
     def parameter(self, name):
@@ -165,8 +164,7 @@ class Run:
         if self.summary.get("periods") == 0:
             return
         names = ["periods.csv"]
-        names += [f"probe_{name}.csv" for name, _ in
-                  named_points(self.parameter("Output/Probes"))]
+        names += [f"probe_{name}.csv" for name in probes_of(self.parameters)]
         names += [of_dimension[self.dimension - 2]
                   for effect, of_dimension in TABLES_OF_EFFECTS.items()
                   if self.summary.get("effects", {}).get(effect, {}).get("on")]
@@ -237,9 +235,7 @@ class Run:
 
     def summary_number(self, *names):
         """A number of the summary by its path; None if there is none."""
-        value = self.summary
-        for name in names:
-            value = value.get(name) if isinstance(value, dict) else None
+        value = at(self.summary, names)
         return value if isinstance(value, (int, float)) and not isinstance(
             value, bool) else None
 

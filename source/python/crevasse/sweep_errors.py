@@ -12,7 +12,7 @@ import numpy
 from crevasse.command import CommandError
 from crevasse.quantities import (PROBE, SAME_INSTANT, TABLES, common_instants,
                                  did_you_mean, has_lip, kind, selects)
-from crevasse.results import ResultsError, named_points
+from crevasse.results import ResultsError, probes_of
 from crevasse.sweep_plan import quote, require_none, shorten, split, squeeze
 
 STRESS = "stress"
@@ -25,7 +25,7 @@ def choose_quantities(options, scenes, program):
     reference but no --error, the stress, u and s of every probe, and the contact
     force; nothing without a reference. The reference's scene is the first."""
     probes = list(dict.fromkeys(
-        name for scene in scenes for name, _ in named_points(scene["Output/Probes"])))
+        name for scene in scenes for name in probes_of(scene)))
     tables = TABLES | {f"probe_{probe}": PROBE for probe in probes}
     problems, chosen = [], {}
     if options.error:
