@@ -2,8 +2,8 @@
 # Copyright (C) 2026 by the Crevasse authors
 
 """Packs the fields of the stored instants for the view of a report. Each component is
-rounded to 65536 values between its extremes over all instants; what is left of a value
-after a guess from its neighbours is compressed. templates/field_view.js unpacks it."""
+rounded to 65536 values between its extremes over all instants; the differences from
+point to point are compressed. templates/field_data.js unpacks them."""
 
 import base64
 import collections
@@ -109,11 +109,11 @@ def pack_components(skin, fields):
     for name, values in fields.items():
         kind = entries[name].kind
         largest[kind] = max(largest[kind], abs(values).max())
-    parents, areas = predictor(skin), node_areas(skin.points, skin.quads)
+    areas = node_areas(skin.points, skin.quads)
     for name in sorted(fields, key=lambda name: (entries[name].rank, name)):
         values, kind = fields[name], entries[name].kind
         if name == "material":
-            yield pack_materials(values, parents)
+            yield pack_materials(values)
             continue
         low, high = float(values.min()), float(values.max())
         if kind != "displacement" and high - low <= NOISE * largest[kind]:
@@ -122,7 +122,7 @@ def pack_components(skin, fields):
         weights = numpy.broadcast_to(areas, values.shape)
         packed = {"name": name, "label": entries[name].label,
                   "low": low, "quantum": quantum,
-                  "values": [encode(row, low, quantum, parents) for row in values]}
+                  "values": [encode(row, low, quantum) for row in values]}
         if name == "contact_pressure":
             packed["threshold"] = max(NOISE * largest[kind], quantum)
             presses = values > packed["threshold"]
@@ -133,14 +133,14 @@ def pack_components(skin, fields):
         yield packed | scale(values, weights)
 
 
-def pack_materials(ids, parents):
+def pack_materials(ids):
     """Numbers from 0 on, each with a band of its own."""
     names, numbers = numpy.unique(ids, return_inverse=True)
     quantum = max(len(names) - 1, 1) / 65535
     rows = numbers.reshape(ids.shape)
     colours = [to_hex(colormaps["Pastel1"](int(name) % 9)) for name in names]
     return {"name": "material", "label": "material", "low": 0., "quantum": quantum,
-            "values": [encode(row, 0., quantum, parents) for row in rows],
+            "values": [encode(row, 0., quantum) for row in rows],
             "names": [f"{name:g}" for name in names],
             "levels": (numpy.arange(len(names) + 1) - 0.5).tolist(),
             "colours": [colours[0], *colours, colours[-1]]}
@@ -172,25 +172,10 @@ def band_colours(levels):
             for middle, depth in zip(middles, depths)]
 
 
-def predictor(skin):
-    """Indices of the two neighbours and of the opposite corner from which a point's
-    value is guessed, in the last quadrilateral of which it is the last point."""
-    last = skin.quads.argmax(axis=1)
-    ahead = (last[:, None] + [1, 2, 3]) % 4
-    parents = numpy.tile(numpy.arange(len(skin.points))[:, None] - 1, 3)
-    parents[0] = 0
-    rows = numpy.arange(len(skin.quads))
-    parents[skin.quads[rows, last]] = skin.quads[rows[:, None], ahead]
-    return parents
-
-
-def encode(values, low, quantum, parents):
-    q = numpy.rint((values.astype(float) - low) / quantum)
-    q = q.clip(0, 65535).astype(numpy.uint16)
-    next_, opposite, previous = q[parents].T
-    guess = next_ - opposite + previous
-    guess[0] = 0
-    return text_of(zigzag((q - guess).view(numpy.int16), 16))
+def encode(values, low, quantum):
+    q = numpy.rint((values.astype(float) - low) / quantum).clip(0, 65535)
+    differences = numpy.diff(q.astype(numpy.uint16), prepend=numpy.uint16(0))
+    return text_of(zigzag(differences.view(numpy.int16), 16))
 
 
 def zigzag(differences, bits):

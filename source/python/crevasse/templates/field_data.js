@@ -32,23 +32,10 @@ class FieldData {
     for (let i = 0; i < this.quads.length; ++i)
       this.quads[i] = FieldData.signed(this.quads[i]) + (i < 4 ? 0 : this.quads[i - 4]);
     this.marks = await FieldData.numbers(this.marks, 1);
-    this.guessFrom();
     const heights = (points) =>
       points.reduce((sum, i) => sum + this.rest[3 * i + 1], 0) / points.length;
     this.lip = (this.component("contact_pressure") || { lip: [] }).lip;
     this.lipBelow = heights(this.lip) < heights([...Array(this.count).keys()]);
-  }
-
-  // The neighbours from which Python guessed a value: see predictor() there.
-  guessFrom() {
-    this.parents = new Int32Array(3 * this.count);
-    for (let i = 0; i < this.parents.length; ++i) this.parents[i] = Math.floor(i / 3) - 1;
-    for (let q = 0; q < this.quads.length; q += 4) {
-      let last = 0;
-      for (let k = 1; k < 4; ++k) if (this.quads[q + k] > this.quads[q + last]) last = k;
-      for (let k = 0; k < 3; ++k)
-        this.parents[3 * this.quads[q + last] + k] = this.quads[q + (last + 1 + k) % 4];
-    }
   }
 
   static signed(z) { return (z >>> 1) ^ -(z & 1); }
@@ -65,10 +52,7 @@ class FieldData {
   async values(name, instant) {
     const { low, quantum, values } = this.component(name);
     const q = await FieldData.numbers(values[instant], 2);
-    const p = this.parents;
-    q[0] = FieldData.signed(q[0]) & 65535;
-    for (let i = 1; i < q.length; ++i)
-      q[i] = (FieldData.signed(q[i]) + q[p[3 * i]] - q[p[3 * i + 1]] + q[p[3 * i + 2]]) & 65535;
+    for (let i = 0, last = 0; i < q.length; ++i) q[i] = last = (last + FieldData.signed(q[i])) & 65535;
     return Float32Array.from(q, (x) => low + quantum * x);
   }
 
