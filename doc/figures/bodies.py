@@ -7,6 +7,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.tri import Triangulation
 import numpy
 
+from crevasse.level_curves import range_without_peaks
 from crevasse.plotting import INK, deformed, round_up
 
 
@@ -17,11 +18,7 @@ def even_bands(bound, count=16):
 
 def symmetric_bound(fields, values, share=0.02):
     """A round bound of all values but the largest: at a crack tip they have none."""
-    areas = fields.areas()
-    order = numpy.abs(values).argsort()
-    part = areas[order].cumsum()
-    place = min(numpy.searchsorted(part, (1 - share) * part[-1]), len(order) - 1)
-    return round_up(numpy.abs(values[order][place]))
+    return round_up(range_without_peaks(numpy.abs(values), fields.areas(), share)[1])
 
 
 def draw_bands(axes, fields, values, levels, magnify, mirrored=False, colours="RdBu_r",

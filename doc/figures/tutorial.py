@@ -73,18 +73,11 @@ def mesh_figure(options, results):
     save(figure, "tutorial_mesh", options.figures, options.formats)
 
 
-def temperature(points, t):
-    """That of the scene."""
-    radius = numpy.hypot(*points.T)
-    return (100 * (1 - numpy.cos(2 * numpy.pi * t / PERIOD))
-            * (1 - numpy.log(radius / 10) / numpy.log(7.5)))
-
-
 def field_figure(options, results):
     cold, hot = (Fields(results / f"solution_{k:04}.pvtu") for k in (0, 1))
     figure, panels = pyplot.subplots(1, 3, figsize=(12, 4.4), constrained_layout=True)
     for axes, fields, values, levels, colours, title, label in (
-            (panels[0], hot, temperature(hot.points, 12), numpy.linspace(0, 200, 11),
+            (panels[0], hot, hot["temperature"], numpy.linspace(0, 200, 11),
              "YlOrRd", "t = 12 h: temperature", "K"),
             (panels[1], hot, hot["stress_22"], even_bands(160), "RdBu_r",
              "t = 12 h, hot: $s_{22}$", "MPa"),
