@@ -68,6 +68,12 @@ def ladder(low, high, mantissas=(1, 2, 5)):
             if low <= m * 10.0 ** k <= high]
 
 
+def line_style(k):
+    """Of the k-th of several lines with points."""
+    return {"color": (BLUE, VERMILION, GREEN, INK, GREY)[k % 5],
+            "marker": MARKERS[k % len(MARKERS)], "markersize": 4.5}
+
+
 def name_numbers(axes):
     """Of a logarithmic axis to the right, without powers of ten: 1, 2, 5, 10, ..."""
     low, high = axes.get_xlim()

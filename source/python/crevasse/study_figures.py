@@ -5,8 +5,7 @@
 combination of the parameters that are not followed along a line."""
 
 from crevasse import findings, sweep_table
-from crevasse.plotting import (BLUE, GREEN, GREY, INK, MARKERS, VERMILION, name_numbers,
-                               pyplot)
+from crevasse.plotting import line_style, name_numbers, pyplot
 
 
 def draw(rows, name, numbers, along=None):
@@ -18,13 +17,11 @@ def draw(rows, name, numbers, along=None):
         shown = [row for row in members if row["point"] in numbers]
         x = [float(row[along]) if numeric else row[along] for row in shown]
         y = [numbers[row["point"]] for row in shown]
-        colour = (BLUE, VERMILION, GREEN, INK, GREY)[i % 5]
-        axes.plot(x, y, label=label, color=colour, marker=MARKERS[i % len(MARKERS)],
-                  markersize=4.5, linestyle="-" if numeric else "")
+        style = line_style(i)
+        axes.plot(x, y, label=label, linestyle="-" if numeric else "", **style)
         unsettled = [k for k, row in enumerate(shown) if row["status"] != "done"]
         axes.plot([x[k] for k in unsettled], [y[k] for k in unsettled], linestyle="",
-                  marker=MARKERS[i % len(MARKERS)], markersize=4.5, color=colour,
-                  markerfacecolor="white")
+                  **style | {"markerfacecolor": "white"})
     axes.set(xlabel=along.split("/")[-1],
              ylabel=f"{findings.label(name)} ({findings.unit(name)})")
     axes.grid(True, which="major", alpha=0.25, linewidth=0.6)

@@ -16,8 +16,6 @@ from crevasse.results import ResultsError, number
 from crevasse.run_reader import Run
 
 MARKERS = ("circle", "rect", "triangle", "rectRot", "crossRot", "star")
-COSTS = {"seconds": "wall time (s)", "vi_solves": "contact problems",
-         "linear_solves": "linear solves"}
 
 
 def page(directory):
@@ -106,9 +104,10 @@ def study(rows, lines, quantity):
     for cost in chosen_costs(rows):
         series, best = work_precision_series(rows, lines, quantity, cost)
         if series:
-            charts.append({"kind": "points", "x": COSTS[cost], "log": ["x", "y"],
+            label = sweep_table.COSTS[cost]
+            charts.append({"kind": "points", "x": label, "log": ["x", "y"],
                            "y": "relative error", "series": series,
-                           "title": f"Error of {quantity} against {COSTS[cost]}"})
+                           "title": f"Error of {quantity} against {label}"})
             fronts[cost] = {row["point"] for row in best}
     return {"quantity": quantity, "charts": charts, "fronts": fronts}
 

@@ -9,7 +9,7 @@ import math
 from crevasse import findings
 from crevasse.results import ResultsError, number
 
-COSTS = {"vi_solves": "variational inequalities",
+COSTS = {"vi_solves": "contact problems",
          "linear_solves": "linear solves",
          "seconds": "wall time (s)",
          "processor_seconds": "CPU time (s)",

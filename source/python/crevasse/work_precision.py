@@ -4,8 +4,7 @@
 """Errors of a sweep against their costs, one line for each combination of the
 parameters that are not followed along a line."""
 
-from crevasse.plotting import (BLUE, GREEN, GREY, INK, MARKERS, VERMILION, name_numbers,
-                               pyplot)
+from crevasse.plotting import GREY, line_style, name_numbers, pyplot
 from crevasse.results import ResultsError, number
 from crevasse.sweep_table import COSTS, lines_of
 
@@ -21,12 +20,11 @@ def draw(rows, cost, quantity, along=None):
         if not points:
             print(f"{label or 'the points'}: nothing to draw")
             continue
-        colour = (BLUE, VERMILION, GREEN, INK, GREY)[i % 5]
-        axes.loglog(*zip(*[point[:2] for point in points]), label=label,
-                    color=colour, marker=MARKERS[i % len(MARKERS)], markersize=4.5)
+        style = line_style(i)
+        axes.loglog(*zip(*[point[:2] for point in points]), label=label, **style)
         for x, y, value in points:
-            axes.annotate(value, (x, y), xytext=(4, 4), fontsize=6.5, color=colour,
-                          textcoords="offset points")
+            axes.annotate(value, (x, y), xytext=(4, 4), fontsize=6.5,
+                          color=style["color"], textcoords="offset points")
         drawn += len(points)
     if not drawn:
         raise ResultsError(f"No point has an error of {quantity} and {COSTS[cost]}; "
