@@ -8,6 +8,8 @@ import sys
 from crevasse_run import SOURCE, check, check_below, execute, overrides, run
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
+from crevasse.advise_errors import choose_quantities  # noqa: E402
+from crevasse.results import read_parameters  # noqa: E402
 from crevasse.run_reader import Run  # noqa: E402
 
 SCENE = """subsection Geometry
@@ -112,8 +114,8 @@ def test_schemes():
         check(scheme in line, f"{settings}: {line}")
 
 
-def test_automatic_probe():
-    """Sweeps and pictures know of the probe at the mouth."""
+def test_scripts():
+    """Sweeps, pictures and advice know what automatic choices give."""
     scene, steps = pathlib.Path("probe.prm"), "Time integration/Steps per period="
     scene.write_text(SCENE)
     code, _, error = execute("sweep", scene, "--vary", steps + "10,20", "--reference",
@@ -123,6 +125,8 @@ def test_automatic_probe():
     check("error:probe_mouth/u" in header, header)
     code, output, error = execute("figures", "results/probe/reference")
     check(code == 0 and "figure3_opening" in output, output + error)
+    used, _ = read_parameters(pathlib.Path("results/probe/reference/used.prm"))
+    check(choose_quantities("crack_tip/K_I", used, {}) == ["crack_tip/K_I"], "advice")
 
 
 def test_asked_for_or_not():
@@ -168,6 +172,6 @@ def test_field_times():
 test_field_times()
 test_ten_lines()
 test_choices()
-test_automatic_probe()
+test_scripts()
 test_schemes()
 test_asked_for_or_not()

@@ -58,7 +58,8 @@ def problem_of(name, scene, tables):
         return f"there is no such column; columns are: {', '.join(columns)}."
     if table == "contact" and not has_lip(scene):
         return "the scene has no contact."
-    if table.startswith("crack_tip") and scene["Crack tip/Stress intensity"] != "true":
+    if table.startswith("crack_tip") and (
+            scene["Crack tip/Stress intensity"] == "false" or not has_lip(scene)):
         return "set [Crack tip] Stress intensity = true."
     if table == "load_work" and scene["Output/Load work"] != "true":
         return "set [Output] Load work = true."
