@@ -20,12 +20,18 @@ namespace Crevasse
 
   namespace
   {
+    template <int dim>
+    using PrincipalStresses =
+      std::pair<std::array<double, dim>, std::array<double, dim * dim>>;
+
+
+
     /** Principal stresses in the plane (space) of the mesh in ascending order,
      * and rows of their directions. By LAPACK, for the name that deal.II's
      * eigenvectors() has in a library compiled by GCC is not the one that Clang
      * looks for. */
     template <int dim>
-    std::pair<std::array<double, dim>, std::array<double, dim * dim>>
+    PrincipalStresses<dim>
     principal_stresses(const SymmetricTensor<2, 3> &stress)
     {
       std::array<double, dim>       values;
@@ -60,37 +66,33 @@ namespace Crevasse
                    const std::vector<VoigtVector<dim>> &stresses,
                    std::vector<PointArray>             &arrays)
     {
-      using Values = std::vector<float>;
-      std::array<Values, dim> principal, direction;
-      principal.fill(Values(grid.n_points()));
-      direction.fill(Values(3 * grid.n_points()));
-      for (std::size_t p = 0; p < grid.n_points(); ++p)
-        {
-          const auto [values, vectors] =
-            principal_stresses<dim>(stress_tensor<dim>(stresses[p]));
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              const unsigned int ascending = dim - 1 - d;
-              principal[d][p]              = values[ascending];
-              for (unsigned int c = 0; c < dim; ++c)
-                direction[d][3 * p + c] = vectors[ascending * dim + c];
-            }
-        }
+      std::vector<PrincipalStresses<dim>> principal;
+      for (const VoigtVector<dim> &stress : stresses)
+        principal.push_back(
+          principal_stresses<dim>(stress_tensor<dim>(stress)));
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const std::string number = std::to_string(d + 1);
-          arrays.push_back({"principal_stress_" + number, 1, principal[d]});
-          arrays.push_back({"principal_direction_" + number, 3, direction[d]});
+          const unsigned int ascending = dim - 1 - d;
+          const std::string  number    = std::to_string(d + 1);
+          arrays.push_back(
+            grid.array("principal_stress_" + number, 1, [&](auto p, auto) {
+              return principal[p].first[ascending];
+            }));
+          arrays.push_back(
+            grid.array("principal_direction_" + number, 3, [&](auto p, auto c) {
+              return c < dim ? principal[p].second[ascending * dim + c] : 0.;
+            }));
         }
-      const auto J_2 = [&stresses](const std::size_t p) {
+      const auto J_2 = [&stresses](const std::size_t p, const unsigned int) {
         const SymmetricTensor<2, 3> s =
           deviator(stress_tensor<dim>(stresses[p]));
         return 0.5 * (s * s);
       };
-      arrays.push_back(grid.scalar("second_deviator_invariant", J_2));
-      arrays.push_back(grid.scalar("von_mises_stress", [&](const auto p) {
-        return std::sqrt(3. * J_2(p));
-      }));
+      arrays.push_back(grid.array("second_deviator_invariant", 1, J_2));
+      arrays.push_back(
+        grid.array("von_mises_stress", 1, [&](const auto p, const auto c) {
+          return std::sqrt(3. * J_2(p, c));
+        }));
     }
   } // namespace
 
@@ -100,37 +102,31 @@ namespace Crevasse
   bool
   FieldWriter<dim>::is_wanted(const Sample &sample)
   {
-    const double now       = sample.instant;
-    const auto   is_chosen = [this](const double instant) {
-      return wanted.all || wanted.chosen.count(instant) == 1;
-    };
     if (sample.step == 0)
-      {
-        opening = force = {0., 0.};
-        for (auto entry = snapshots.begin(); entry != snapshots.end();)
-          entry = wanted.chosen.count(entry->first) == 1
-                    ? std::next(entry)
-                    : snapshots.erase(entry);
-      }
-    bool       is_extreme = false;
-    const auto follow =
-      [&](Extreme &extreme, const Extreme &other, const double value) {
-        if (value <= extreme.value)
-          return;
-        if (const double before = extreme.instant;
-            extreme.value > 0. && !is_chosen(before) &&
-            (other.value == 0. || before != other.instant))
-          snapshots.erase(before);
-        extreme    = {value, now};
-        is_extreme = true;
-      };
+      opening = force = {0., 0.};
+    const auto follow = [&sample](Extreme &extreme, const double value) {
+      if (value > extreme.value)
+        extreme = {value, sample.instant};
+    };
     if (wanted.lip != nullptr)
       {
-        follow(opening, force, wanted.lip->largest_opening);
+        follow(opening, wanted.lip->largest_opening);
         if (wanted.lip->closed_nodes > 0)
-          follow(force, opening, wanted.lip->force);
+          follow(force, wanted.lip->force);
       }
-    return is_extreme || is_chosen(now);
+    const auto is_kept = [this](const double instant) {
+      const auto is_at = [instant](const Extreme &extreme) {
+        return extreme.value > 0. && extreme.instant == instant;
+      };
+      return wanted.chosen.count(instant) == 1 || is_at(opening) ||
+             is_at(force);
+    };
+    // With all of them, those of the period before may be at other instants.
+    if (!wanted.all || sample.step == 0)
+      for (auto entry = snapshots.begin(); entry != snapshots.end();)
+        entry =
+          is_kept(entry->first) ? std::next(entry) : snapshots.erase(entry);
+    return wanted.all || is_kept(sample.instant);
   }
 
 
@@ -185,9 +181,9 @@ namespace Crevasse
   FieldWriter<dim>::summarise(Summary &)
   {
     const Stopwatch      watch("fields", snapshots.size());
-    const MPI_Comm       communicator = space.communicator();
+    const MPI_Comm       communicator = body.space.communicator();
     const unsigned int   rank = Utilities::MPI::this_mpi_process(communicator);
-    const FieldGrid<dim> grid(space, recovery);
+    const FieldGrid<dim> grid(body.space, recovery);
     const VtuGrid        file = grid.file();
     std::vector<std::pair<double, std::string>> records;
     for (const auto &entry : snapshots)
@@ -225,7 +221,7 @@ namespace Crevasse
     log.line("  fields of " + std::to_string(records.size()) +
              (records.size() == 1 ? " instant in " : " instants in ") +
              file_name +
-             "; paraview --script=show_in_paraview.py there shows them");
+             "; to see them there: paraview --script=show_in_paraview.py");
   }
 
 
@@ -236,6 +232,7 @@ namespace Crevasse
                               const Snapshot       &snapshot,
                               const FieldGrid<dim> &grid) const
   {
+    const Space<dim>       &space = body.space;
     std::vector<PointArray> arrays;
     const Vector displacement = space.nodal_values(snapshot.state.displacement);
     arrays.push_back(
@@ -274,7 +271,7 @@ namespace Crevasse
       {
         const auto theta =
           grid.recovered(temperature(steps.within_period(instant)));
-        arrays.push_back(grid.scalar("temperature", [&theta](const auto p) {
+        arrays.push_back(grid.array("temperature", 1, [&theta](auto p, auto) {
           return theta[p][0];
         }));
       }
@@ -289,13 +286,13 @@ namespace Crevasse
   {
     Vector theta;
     body.points.initialize(theta);
-    for (const auto &cell : owned_cells(space.mesh()))
+    for (const auto &cell : owned_cells(body.space.mesh()))
       {
         std::size_t place = body.points.offset(cell);
-        for (const Point<dim> &point : space.quadrature(cell).get_points())
+        for (const Point<dim> &point : body.space.quadrature(cell).get_points())
           {
             theta.local_element(place) = body.temperature.value(
-              space.mapping.transform_unit_to_real_cell(cell, point), t);
+              body.space.mapping.transform_unit_to_real_cell(cell, point), t);
             place += n_stress_components<dim>;
           }
       }

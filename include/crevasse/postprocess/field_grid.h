@@ -101,14 +101,17 @@ namespace Crevasse
       return values;
     }
 
-    /** @param component value(number of the point) */
-    template <typename Component>
+    /** @param value of the number of a point and that of a component */
+    template <typename Value>
     PointArray
-    scalar(const std::string &name, const Component &component) const
+    array(const std::string &name,
+          const unsigned int n,
+          const Value       &value) const
     {
-      PointArray array{name, 1, std::vector<float>(n_points())};
+      PointArray array{name, n, {}};
       for (std::size_t p = 0; p < n_points(); ++p)
-        array.values[p] = component(p);
+        for (unsigned int c = 0; c < n; ++c)
+          array.values.push_back(value(p, c));
       return array;
     }
 
@@ -117,14 +120,12 @@ namespace Crevasse
     tensor(const std::string                   &name,
            const std::vector<VoigtVector<dim>> &values) const
     {
-      constexpr unsigned int n = 6;
-      // 11, 22, 33, 12, 13, 23 in VTK's order; those that vanish are 0.
-      constexpr std::array<unsigned int, n> position = {{0, 1, 2, 3, 5, 4}};
-      PointArray array{name, n, std::vector<float>(n * n_points())};
-      for (std::size_t p = 0; p < n_points(); ++p)
-        for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
-          array.values[n * p + position[c]] = values[p][c];
-      return array;
+      // 11, 22, 33, 12, 23, 13 in VTK's order; those that vanish are 0.
+      constexpr std::array<unsigned int, 6> component = {{0, 1, 2, 3, 5, 4}};
+      return array(name, 6, [&](const std::size_t p, const unsigned int c) {
+        return component[c] < n_stress_components<dim> ? values[p][component[c]]
+                                                       : 0.;
+      });
     }
 
     VtuGrid

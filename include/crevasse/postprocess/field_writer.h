@@ -49,7 +49,6 @@ namespace Crevasse
                 const std::string         &directory,
                 Log                       &log)
       : body(body)
-      , space(body.space)
       , recovery(recovery)
       , steps(steps)
       , wanted(instants)
@@ -76,7 +75,7 @@ namespace Crevasse
       Vector viscous_strain;
     };
 
-    /** Whether the sample is kept; forgets another one that was so far. */
+    /** Whether the sample is kept; forgets those that no longer are. */
     bool
     is_wanted(const Sample &sample);
 
@@ -91,7 +90,6 @@ namespace Crevasse
     temperature(const double t) const;
 
     const Body<dim>           &body;
-    const Space<dim>          &space;
     const StressRecovery<dim> &recovery;
     const StepList            &steps;
     FieldInstants              wanted;
