@@ -304,20 +304,21 @@ namespace Crevasse
       add(std::make_unique<ProbeTables<dim>>(setup.probes,
                                              std::move(of_probes),
                                              body.space.communicator()));
-    if (body.effects.contact.on)
-      add(std::make_unique<SampleTable>(
-        tables.table("contact.csv",
-                     {"t", "closed_nodes", "force", "largest_pressure"}),
-        [&lip = extremes->lip](const Sample &sample) -> std::vector<double> {
-          return {sample.time,
-                  double(lip.closed_nodes),
-                  lip.force,
-                  lip.largest_pressure};
-        }));
     const LipClosure<dim> *closure = nullptr;
     if (body.effects.contact.on)
-      closure =
-        add(std::make_unique<LipClosure<dim>>(body, tables.path("lip.csv")));
+      {
+        add(std::make_unique<SampleTable>(
+          tables.table("contact.csv",
+                       {"t", "closed_nodes", "force", "largest_pressure"}),
+          [&lip = extremes->lip](const Sample &sample) -> std::vector<double> {
+            return {sample.time,
+                    double(lip.closed_nodes),
+                    lip.force,
+                    lip.largest_pressure};
+          }));
+        closure =
+          add(std::make_unique<LipClosure<dim>>(body, tables.path("lip.csv")));
+      }
     if (!body.space.roles.crack.empty())
       add(std::make_unique<SlipWhileClosed<dim>>(body, log));
     const auto motion = add(std::make_unique<SecularMotion<dim>>(work));
@@ -328,28 +329,22 @@ namespace Crevasse
         {
           const auto squares =
             elastic_error_squares(setup.scene, body, work.systems, work.steps);
-          unsigned int number = 0;
+          const TipContext context{work.steps, work.start.flow, closure, log};
+          unsigned int     number = 0;
           for (const auto &tip : setup.crack_tips)
             if (tip->intensity.region.tip.two_lips)
-              add(
-                std::make_unique<MixedModeTable>(
-                  *tip,
-                  squares,
-                  work.steps,
-                  work.start.flow,
-                  tables.table("crack_tip_" + std::to_string(++number) + ".csv",
-                               MixedModeTable::columns(*tip)),
-                  log))
-                ->closure = closure;
+              add(std::make_unique<MixedModeTable>(
+                *tip,
+                squares,
+                context,
+                tables.table("crack_tip_" + std::to_string(++number) + ".csv",
+                             MixedModeTable::columns(*tip))));
             else
               add(std::make_unique<CrackTipTable>(
-                    *tip,
-                    squares,
-                    work.steps,
-                    work.start.flow,
-                    tables.table("crack_tip.csv", CrackTipTable::columns(*tip)),
-                    log))
-                ->closure = closure;
+                *tip,
+                squares,
+                context,
+                tables.table("crack_tip.csv", CrackTipTable::columns(*tip))));
         }
     if constexpr (dim == 2)
       for (unsigned int i = 0; i < setup.creep_integrals.size(); ++i)

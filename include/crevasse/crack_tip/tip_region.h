@@ -4,6 +4,7 @@
 #ifndef crevasse_crack_tip_tip_region_h
 #define crevasse_crack_tip_tip_region_h
 
+#include <crevasse/base/summary.h>
 #include <crevasse/crack_tip/auxiliary_field.h>
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
@@ -22,6 +23,16 @@ namespace Crevasse
     std::vector<double>           weight; ///< JxW
     std::vector<unsigned int>     cell;   ///< active cell index
   };
+
+
+
+  /** For the summary. */
+  inline Summary
+  place_of(const CrackTip &tip)
+  {
+    return {{"position", {tip.position[0], tip.position[1]}},
+            {"direction", {tip.ahead[0], tip.ahead[1]}}};
+  }
 
 
 

@@ -4,11 +4,17 @@
 #ifndef crevasse_postprocess_crack_tip_table_h
 #define crevasse_postprocess_crack_tip_table_h
 
-#include <crevasse/base/format.h>
-#include <crevasse/postprocess/tip_uncertainty.h>
+#include <crevasse/postprocess/tip_table.h>
 
 namespace Crevasse
 {
+  struct CrackTipValues : StressIntensity::Estimate
+  {
+    double of_singular_function, release_rate, energy;
+  };
+
+
+
   /**
    * crack_tip.csv: what is read off at the crack tip at each accepted step.
    *
@@ -19,15 +25,9 @@ namespace Crevasse
    * if that is larger; where integral and fit differ by more, up to four times
    * this. It is no bound.
    */
-  class CrackTipTable : public TipTable
+  class CrackTipTable : public TipTable<CrackTipValues>
   {
   public:
-    /** The numbers of a step. */
-    struct Values : StressIntensity::Estimate
-    {
-      double of_singular_function, release_rate, energy;
-    };
-
     using TipTable::TipTable;
 
     static std::vector<std::string>
@@ -41,99 +41,56 @@ namespace Crevasse
       return columns;
     }
 
-    void
-    observe(const Sample &sample) override
-    {
-      const Values values = evaluate(sample);
-      if (sample.step == 0)
-        {
-          history.instants.clear();
-          history.intensity.clear();
-          of_last_period.clear();
-        }
-      history.instants.push_back(sample.instant);
-      history.intensity.push_back(values.intensity);
-      of_last_period.push_back(values);
-      std::vector<double> row = {sample.time,
-                                 values.intensity,
-                                 values.of_stress};
-      if (analysis.has_singular_functions)
-        row.push_back(values.of_singular_function);
-      row.insert(row.end(), {values.error, values.release_rate, values.energy});
-      table.add_row(row);
-    }
-
-    void
-    serialize(StateArchive &archive) override
-    {
-      archive.section("crack tip");
-      archive.common(history.instants);
-      archive.common(history.intensity);
-      archive.common_list(of_last_period);
-    }
-
     /** Adds "crack_tip" to the summary and prints a few lines. */
     void
     summarise(Summary &summary) override
     {
-      history.c_star = analysis.c_star(flow ? &*flow : nullptr);
-      if (history.instants.empty())
+      if (instants.empty())
         return;
-      double least_release = of_last_period.front().release_rate;
-      double most_release = least_release, error = 0., energy = 0.;
-      for (const Values &values : of_last_period)
-        {
-          least_release = std::min(least_release, values.release_rate);
-          most_release  = std::max(most_release, values.release_rate);
-          error         = std::max(error, values.error);
-          energy        = std::max(energy, values.energy);
-        }
-
-      auto &tip                  = summary["crack_tip"];
-      tip["method"]              = analysis.intensity.method();
-      tip["why"]                 = analysis.intensity.why_no_integral();
-      tip["position"]            = {analysis.intensity.region.tip.position[0],
-                                    analysis.intensity.region.tip.position[1]};
-      tip["direction"]           = {analysis.intensity.region.tip.ahead[0],
-                                    analysis.intensity.region.tip.ahead[1]};
-      tip["radius"]              = analysis.intensity.radius();
-      tip["K_I"]                 = {{"largest", history.largest()},
-                                    {"smallest", history.least()}};
-      tip["K_I_error"]           = error;
-      tip["energy_release_rate"] = {{"largest", most_release},
-                                    {"smallest", least_release}};
-      tip["strain_energy"]       = {{"largest", energy}};
-      log_intensity("  crack tip: K_I",
-                    CrackMode::opening,
-                    history.least(),
-                    history.largest(),
-                    error,
-                    log);
-      warn_of_uncertainty(analysis,
-                          "K_I",
-                          {std::max(std::abs(history.largest()),
-                                    std::abs(history.least())),
-                           error},
-                          energy,
-                          summary,
-                          log);
-      summarise_closure(history, "  crack tip: ", tip);
-      analysis.summarise_growth(history, "  crack tip: ", tip, log);
+      using Values         = CrackTipValues;
+      const auto intensity = [](const Values &v) { return v.intensity; };
+      const auto error     = [](const Values &v) { return v.error; };
+      Summary    tip       = place_and_method();
+      tip["why"]           = analysis.intensity.why_no_integral();
+      summarise_intensity(
+        CrackMode::opening, "  crack tip: ", intensity, error, tip);
+      tip["energy_release_rate"] =
+        extremes([](const Values &v) { return v.release_rate; });
+      tip["strain_energy"] = {
+        {"largest", largest([](const Values &v) { return v.energy; })}};
+      warn_of_uncertainty(
+        "K_I",
+        [](const Values &v) { return std::abs(v.intensity); },
+        error,
+        summary);
+      summarise_growth(intensity, "  crack tip: ", tip);
+      summary["crack_tip"] = tip;
     }
 
   private:
-    Values
-    evaluate(const Sample &sample)
+    std::vector<double>
+    numbers_of(const CrackTipValues &values) const override
     {
-      const double           t        = steps.within_period(sample.instant);
+      std::vector<double> row = {values.intensity, values.of_stress};
+      if (analysis.has_singular_functions)
+        row.push_back(values.of_singular_function);
+      row.insert(row.end(), {values.error, values.release_rate, values.energy});
+      return row;
+    }
+
+    CrackTipValues
+    evaluate(const Sample &sample) const override
+    {
+      const double           t = context.steps.within_period(sample.instant);
       const MaterialState<2> material = analysis.body.material.at(t);
       const PlaneElasticity  at_tip   = analysis.intensity.elasticity(t);
-      Values values{analysis.intensity.evaluate(t, sample, material, at_tip),
-                    analysis.of_singular_function(CrackMode::opening,
-                                                  sample.state.displacement,
-                                                  material),
-                    0.,
-                    0.};
+      CrackTipValues         values{
+        analysis.intensity.evaluate(t, sample, material, at_tip),
+        analysis.of_singular_function(CrackMode::opening,
+                                      sample.state.displacement,
+                                      material),
+        0.,
+        0.};
       values.error =
         std::max(values.error, relative_error * std::abs(values.intensity));
       // The fit may be far less accurate than the integral.
@@ -149,9 +106,6 @@ namespace Crevasse
                                             sample.viscous_strain);
       return values;
     }
-
-    TipHistory          history; ///< of the last period
-    std::vector<Values> of_last_period;
   };
 } // namespace Crevasse
 

@@ -103,16 +103,14 @@ namespace Crevasse
       std::size_t last = C.size() - 1;
       while (std::isnan(C[last])) // a jump
         --last;
-      const CrackTip   &place = integral.region.tip;
       const std::string title =
-        "  crack tip " + Text::from_point(place.position) + ": ";
-      Summary tip{{"position", {place.position[0], place.position[1]}},
-                  {"direction", {place.ahead[0], place.ahead[1]}},
-                  {"radius", integral.radius()},
+        "  crack tip " + Text::from_point(integral.region.tip.position) + ": ";
+      Summary tip = place_of(integral.region.tip);
+      tip.update({{"radius", integral.radius()},
                   {"largest", *largest},
                   {"error_of_largest", errors[largest - C.begin()]},
                   {"last", C[last]},
-                  {"error_of_last", errors[last]}};
+                  {"error_of_last", errors[last]}});
       log.line(
         Text::format("%sC(t) at most %.6g in the last period, %.6g at "
                      "its end, estimated errors %.1e and %.1e",

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Crevasse authors
+
+#ifndef crevasse_postprocess_tip_table_h
+#define crevasse_postprocess_tip_table_h
+
+#include <crevasse/base/csv_table.h>
+#include <crevasse/base/format.h>
+#include <crevasse/base/text.h>
+#include <crevasse/discretisation/stress_estimator.h>
+#include <crevasse/model/elastic_displacement.h>
+#include <crevasse/model/largest_load.h>
+#include <crevasse/postprocess/crack_tip_analysis.h>
+#include <crevasse/postprocess/lip_closure.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+namespace Crevasse
+{
+  /** Of each cell, the square of the relative error of the energy norm, of the
+   * elastic body at the extreme loads. Collective. */
+  inline dealii::Vector<float>
+  elastic_error_squares(const Scene           &scene,
+                        const Body<2>         &body,
+                        ContactSystemCache<2> &systems,
+                        const StepList        &steps)
+  {
+    StressEstimator<2> estimator(body.space,
+                                 body.points,
+                                 body.lip,
+                                 scene.loads);
+    look_at_elastic_states(body,
+                           systems,
+                           instants_of_extreme_loads(body, steps),
+                           estimator);
+    return estimator.squares();
+  }
+
+
+
+  /** Of the elastic energy, in the cells around the tip that touch no other
+   * material: what the mesh leaves. Collective.
+   * @param squares elastic_error_squares() */
+  inline double
+  relative_energy_error(const CrackTipAnalysis      &analysis,
+                        const dealii::Vector<float> &squares)
+  {
+    double sum = 0.;
+    for (const auto &cell : owned_cells(analysis.body.space.mesh()))
+      {
+        const unsigned int i            = cell->active_cell_index();
+        const auto [begin, end_of_cell] = analysis.intensity.region.reach(i);
+        if (begin == 0. || end_of_cell < analysis.intensity.largest_radius())
+          sum += squares(i);
+      }
+    return dealii::Utilities::MPI::sum(sum, analysis.body.space.communicator());
+  }
+
+
+
+  /** What the tables of all tips of a run have in common. */
+  struct TipContext
+  {
+    const StepList                   &steps;
+    const std::optional<SecularFlow> &flow;    ///< none: none was found
+    const LipClosure<2>              *closure; ///< null without contact
+    Log                              &log;
+  };
+
+
+
+  /** A table of K at a tip with a row for each accepted step, and what the
+   * summary has of the tip.
+   *
+   * @tparam Values the numbers of a step, with the strain energy. */
+  template <typename Values>
+  class TipTable : public Observer
+  {
+  public:
+    /** What is referred to must outlive this object. Collective.
+     *
+     * @param error_squares elastic_error_squares()
+     * @param table with the columns(). */
+    TipTable(const CrackTipAnalysis      &analysis,
+             const dealii::Vector<float> &error_squares,
+             const TipContext            &context,
+             CsvTable                   &&table)
+      : analysis(analysis)
+      , context(context)
+      , table(std::move(table))
+      , relative_error(relative_energy_error(analysis, error_squares))
+    {
+    }
+
+    void
+    observe(const Sample &sample) override
+    {
+      if (sample.step == 0)
+        instants.clear(), of_last_period.clear();
+      instants.push_back(sample.instant);
+      of_last_period.push_back(evaluate(sample));
+      std::vector<double> row = numbers_of(of_last_period.back());
+      row.insert(row.begin(), sample.time);
+      table.add_row(row);
+    }
+
+    void
+    serialize(StateArchive &archive) override
+    {
+      archive.section("crack tip");
+      archive.common(instants);
+      archive.common_list(of_last_period);
+    }
+
+  protected:
+    virtual Values
+    evaluate(const Sample &sample) const = 0;
+
+    /** Those of a row, behind t. */
+    virtual std::vector<double>
+    numbers_of(const Values &values) const = 0;
+
+    /** The least and the largest of the last period. */
+    template <typename Function>
+    std::pair<double, double>
+    range(const Function &f) const
+    {
+      std::vector<double> all;
+      for (const Values &values : of_last_period)
+        all.push_back(f(values));
+      const auto [least, most] = std::minmax_element(all.begin(), all.end());
+      return {*least, *most};
+    }
+
+    template <typename Function>
+    double
+    largest(const Function &f) const
+    {
+      return range(f).second;
+    }
+
+    /** range() for the summary. */
+    template <typename Function>
+    Summary
+    extremes(const Function &f) const
+    {
+      const auto [least, most] = range(f);
+      return {{"largest", most}, {"smallest", least}};
+    }
+
+    /** Adds K of a mode and its error to the summary and prints them. */
+    template <typename Intensity, typename Error>
+    void
+    summarise_intensity(const CrackMode    mode,
+                        const std::string &title,
+                        const Intensity   &intensity,
+                        const Error       &error_of,
+                        Summary           &tip) const
+    {
+      const std::string name   = mode == CrackMode::opening ? "K_I" : "K_II";
+      const auto [least, most] = range(intensity);
+      const double error       = largest(error_of);
+      const double size        = std::max(std::abs(least), std::abs(most));
+      tip[name]                = extremes(intensity);
+      tip[name + "_error"]     = error;
+      context.log.line(
+        Text::format("%s%s from %.5g to %.5g in the last period, estimated "
+                     "error %.1g (%.2g %%)",
+                     title.c_str(),
+                     name.c_str(),
+                     least,
+                     most,
+                     error,
+                     size > 0. ? 100. * error / size : 0.));
+      if (least < -10. * error && mode == CrackMode::opening)
+        context.log.line(
+          "    negative: creep has left compressive stress ahead of the tip");
+    }
+
+    /** Warns if K is uncertain.
+     * @param name "K_I" or what else is uncertain.
+     * @param size_of its size at a step, and @p error_of its error. */
+    template <typename Size, typename Error>
+    void
+    warn_of_uncertainty(const std::string &name,
+                        const Size        &size_of,
+                        const Error       &error_of,
+                        Summary           &summary) const
+    {
+      // A crack that stays closed has an intensity of rounding: the density of
+      // the energy tells of which size others of its length would be.
+      constexpr double                large = 0.1, negligible = 1e-3;
+      const dealii::Triangulation<2> &mesh = analysis.body.space.mesh();
+      const double density = largest([](const Values &v) { return v.energy; }) /
+                             dealii::GridTools::volume(mesh);
+      const double usual =
+        std::sqrt(analysis.body.law.stiffness_factor(0.) *
+                  analysis.intensity.elasticity(0.).modulus() * density *
+                  analysis.intensity.largest_radius());
+      const double size = largest(size_of), error = largest(error_of);
+      if (error <= large * size || size <= negligible * usual)
+        return;
+      const std::string warning =
+        "[Crack tip] Stress intensity: " + name + " is uncertain by about " +
+        Text::from_number(std::round(100. * error / size)) +
+        " %; refine the mesh ([Refinement])" +
+        (analysis.intensity.region.tip.two_lips
+           ? ""
+           : " or use [Discretisation] Singular functions");
+      summary["warnings"].push_back(warning);
+      context.log.line("  warning: " + warning);
+    }
+
+    /** What lives are computed from, C*, and what the law makes of an
+     * intensity. */
+    template <typename Function>
+    void
+    summarise_growth(const Function    &intensity,
+                     const std::string &title,
+                     Summary           &tip) const
+    {
+      TipHistory history;
+      history.instants = instants;
+      for (const Values &values : of_last_period)
+        history.intensity.push_back(intensity(values));
+      summarise_closure(history,
+                        context.closure == nullptr
+                          ? nullptr
+                          : &context.closure->steps_of_lip_at(
+                              analysis.intensity.region.tip.position),
+                        title,
+                        tip,
+                        context.log);
+      const auto &flow = context.flow;
+      history.c_star   = analysis.c_star(flow ? &*flow : nullptr);
+      analysis.summarise_growth(history, title, tip, context.log);
+    }
+
+    /** For the summary. */
+    Summary
+    place_and_method() const
+    {
+      Summary tip   = place_of(analysis.intensity.region.tip);
+      tip["method"] = analysis.intensity.method();
+      tip["radius"] = analysis.intensity.radius();
+      return tip;
+    }
+
+    const CrackTipAnalysis &analysis;
+    const TipContext        context;
+    CsvTable                table;
+    const double            relative_error; ///< of the elastic energy
+    std::vector<double>     instants;       ///< of the last period
+    std::vector<Values>     of_last_period;
+  };
+} // namespace Crevasse
+
+#endif
