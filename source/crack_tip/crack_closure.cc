@@ -5,7 +5,6 @@
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/crack_closure.h>
 
-#include <array>
 #include <cmath>
 
 namespace Crevasse
@@ -59,29 +58,28 @@ namespace Crevasse
       return {0., "the lip is open throughout the period"};
     }
 
-
-
-    /** The parts of the period in which the lip is closed wholly, and partly.
-     */
-    std::array<double, 2>
-    closed_parts(const std::vector<LipStep> &lip)
-    {
-      double wholly = 0., partly = 0.;
-      for (const LipStep &step : lip)
-        {
-          const double open   = std::max(0., step.open_to - step.open_from);
-          const double closed = std::max(0., step.closed_to - step.closed_from);
-          wholly += closed;
-          partly += std::max(0., step.end - step.begin - open - closed);
-        }
-      const double period = lip.back().end - lip.front().begin;
-      const auto   part   = [period](const double time) {
-        constexpr double rounding = 1e-10;
-        return time > rounding * period ? time / period : 0.;
-      };
-      return {{part(wholly), part(partly)}};
-    }
   } // namespace
+
+
+
+  std::array<double, 2>
+  closed_parts(const std::vector<LipStep> &lip)
+  {
+    double wholly = 0., partly = 0.;
+    for (const LipStep &step : lip)
+      {
+        const double open   = std::max(0., step.open_to - step.open_from);
+        const double closed = std::max(0., step.closed_to - step.closed_from);
+        wholly += closed;
+        partly += std::max(0., step.end - step.begin - open - closed);
+      }
+    const double period = lip.back().end - lip.front().begin;
+    const auto   part   = [period](const double time) {
+      constexpr double rounding = 1e-10;
+      return time > rounding * period ? time / period : 0.;
+    };
+    return {{part(wholly), part(partly)}};
+  }
 
 
 
@@ -113,12 +111,12 @@ namespace Crevasse
         tip["opening_ratio"] =
           known(is_known && largest > 0., opening / largest);
         tip["closed_part"] = {{"wholly", wholly}, {"partly", partly}};
-        line += is_known ? Text::format(", effective %.6g from K_op = %.4g on",
+        line += is_known ? Text::format(", Delta K_eff %.6g, K_op %.4g",
                                         largest - opening,
                                         opening)
                          : ", no K_op: " + why_not;
         line += Text::format(
-          "; lip closed for %.1f %% of the period, partly for %.1f %%",
+          "; lip wholly closed for %.1f %% of the period, partly for %.1f %%",
           100. * wholly,
           100. * partly);
       }

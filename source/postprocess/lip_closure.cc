@@ -31,7 +31,7 @@ namespace Crevasse
     for (const LipNode<dim> &node : body.lip.nodes)
       mine.push_back(number_of.at(node.dof));
     steps.resize(
-      lips.empty() ? 0 : 1 + *std::max_element(lips.begin(), lips.end()));
+      lips.empty() ? 1 : 2 + *std::max_element(lips.begin(), lips.end()));
   }
 
 
@@ -125,16 +125,18 @@ namespace Crevasse
         const double closed_to   = is_closed ? end : change;
         nodes[i].closed += closed_to - closed_from;
 
-        auto &of_lip = steps[nodes[i].lip];
-        if (of_lip.empty() || of_lip.back().end < end)
-          of_lip.push_back({begin, end, begin, end, begin, end});
-        LipStep &step    = of_lip.back();
-        step.closed_from = std::max(step.closed_from, closed_from);
-        step.closed_to   = std::min(step.closed_to, closed_to);
-        step.open_from = std::max(step.open_from, was_closed ? change : begin);
-        step.open_to =
-          std::min(step.open_to,
-                   is_closed ? (was_closed ? begin : change) : end);
+        const double open_from = was_closed ? change : begin;
+        const double open_to = is_closed ? (was_closed ? begin : change) : end;
+        for (auto *lip : {&steps[nodes[i].lip], &steps.back()})
+          {
+            if (lip->empty() || lip->back().end < end)
+              lip->push_back({begin, end, begin, end, begin, end});
+            LipStep &step    = lip->back();
+            step.closed_from = std::max(step.closed_from, closed_from);
+            step.closed_to   = std::min(step.closed_to, closed_to);
+            step.open_from   = std::max(step.open_from, open_from);
+            step.open_to     = std::min(step.open_to, open_to);
+          }
       }
   }
 
@@ -182,8 +184,13 @@ namespace Crevasse
 
   template <int dim>
   void
-  LipClosure<dim>::summarise(Summary &)
+  LipClosure<dim>::summarise(Summary &summary)
   {
+    if (!steps.back().empty())
+      {
+        const auto [wholly, partly] = closed_parts(steps.back());
+        summary["closed_part"]      = {{"wholly", wholly}, {"partly", partly}};
+      }
     std::vector<std::string> columns = {"lip", "x", "y", "z"};
     columns.resize(1 + dim);
     columns.insert(columns.end(),

@@ -6,6 +6,8 @@
 
 #include <crevasse/crack_tip/growth_law.h>
 
+#include <array>
+
 namespace Crevasse
 {
   /** A lip in a step of the period. */
@@ -16,6 +18,10 @@ namespace Crevasse
      * the first is the later one. */
     double open_from, open_to, closed_from, closed_to;
   };
+
+  /** The parts of the period in which a lip is closed wholly, and partly. */
+  std::array<double, 2>
+  closed_parts(const std::vector<LipStep> &lip);
 
   /**
    * What lives are computed from: ΔK, the opening intensity K_op (Elber,

@@ -34,9 +34,9 @@ namespace Crevasse
     void
     serialize(StateArchive &archive) override;
 
-    /** Writes the table. */
+    /** Writes the table, and adds "closed_part" of all lips together. */
     void
-    summarise(Summary &) override;
+    summarise(Summary &summary) override;
 
     /** Of the last period, of the lip that begins at a tip. */
     const std::vector<LipStep> &
@@ -75,7 +75,7 @@ namespace Crevasse
     std::vector<unsigned int>       places; ///< of these in LipBasis
     std::vector<unsigned int>       mine;   ///< of ContactBoundary in these
 
-    std::vector<std::vector<LipStep>> steps; ///< by lip
+    std::vector<std::vector<LipStep>> steps; ///< by lip, then of all together
 
     // openings() at this sample and the two before, as far as there are.
     std::vector<double> now, before, earlier;

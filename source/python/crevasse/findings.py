@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Crevasse authors
 
-"""The results of a run that parameter studies tabulate and draw: numbers of
-summary.json, and the part of the period in which the lip is closed."""
+"""The results of a run that parameter studies tabulate and draw: numbers of its
+summary."""
 
 import collections
 import itertools
 import math
 import re
 
-from crevasse import lip
+from crevasse.results import at
 from crevasse.run_reader import Run
 
 # Findings with the same unit are of the same kind. A path that begins with "tip" leads
@@ -39,9 +39,9 @@ FINDINGS = {name: Finding(*rest) for name, *rest in (
     ("da_dN", "da/dN", "length", ("tip", "da_dN")),
     ("opening", "largest opening", "length", ("extremes", "opening")),
     ("closed_part", "lip partly or wholly closed", "part of the period",
-     ("lip", "closed_part")),
+     ("closed_part",)),
     ("wholly_closed_part", "lip wholly closed", "part of the period",
-     ("lip", "wholly_closed_part")),
+     ("wholly_closed_part",)),
     ("largest_stress", "largest stress", "stress", ("extremes", "stress")),
     ("largest_displacement", "largest displacement", "length",
      ("extremes", "displacement")),
@@ -80,7 +80,9 @@ def read(directory):
     """{column: number} of a run; what the run does not have is left out."""
     run = Run(directory)
     tips = tips_of(run.summary)
-    places = {**run.summary, "lip": lip.closed_parts(run),
+    closed = [run.summary_number("closed_part", part) for part in ("wholly", "partly")]
+    places = {**run.summary, "closed_part": None if None in closed else sum(closed),
+              "wholly_closed_part": closed[0],
               "last_stress_change": (run.summary.get("stress_change") or [None])[-1]}
     found = {}
     for name, finding in FINDINGS.items():
@@ -90,12 +92,6 @@ def read(directory):
             if value is not None and math.isfinite(value):
                 found[f"{name}_{k}" if len(of_tips) > 1 else name] = value
     return found
-
-
-def at(value, path):
-    for key in path:
-        value = value.get(key) if isinstance(value, dict) else None
-    return value
 
 
 def tips_of(summary):

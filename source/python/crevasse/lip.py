@@ -48,28 +48,3 @@ def largest_stress(run):
             sizes += [abs(values).max() for column, values in table.items()
                       if column.startswith("s_")]
     return max(sizes)
-
-
-def share_of_states(run, intervals):
-    """Parts of the last period, or of the run, in which the lip is closed,
-    partly closed and open."""
-    t = run.tables["contact.csv"]["t"]
-    begin = last_period(t, run.period)
-    begin = t[0] if begin is None else begin
-    length = t[-1] - begin
-    if length <= 0:
-        return None
-    parts = {state: sum(max(0, min(b, t[-1]) - max(a, begin))
-                        for a, b, s in intervals if s == state) / length
-             for state in (2, 1)}
-    return {"closed": parts[2], "partly": parts[1],
-            "open": 1 - parts[1] - parts[2]}
-
-
-def closed_parts(run):
-    """The same as findings; nothing without a lip."""
-    if "contact.csv" not in run.tables:
-        return {}
-    shares = share_of_states(run, lip_intervals(run))
-    return shares and {"closed_part": round(shares["closed"] + shares["partly"], 9),
-                       "wholly_closed_part": round(shares["closed"], 9)}

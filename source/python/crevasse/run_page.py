@@ -9,7 +9,7 @@ import os
 
 from crevasse import field_view, histories, paper
 from crevasse.ending import checkpoint, ending_of
-from crevasse.lip import lip_intervals, share_of_states
+from crevasse.lip import lip_intervals
 from crevasse.page import render
 from crevasse.plotting import BLUE, GREY, VERMILION
 from crevasse.results import number
@@ -38,7 +38,6 @@ def page(directory):
         changed=changed_parameters(run), fields=fields,
         is_paper=paper.is_scene_of_paper(run), pictures=pictures, missing=missing,
         groups=groups, convergence=convergence, relaxation=relaxation,
-        shares=share_of_states(run, shades) if lip else None,
         lip=lip, presses=bool(shades),
         periods=run.tables.get("periods.csv"), costs=costs(run),
         thinned=is_thinned(charts),

@@ -15,7 +15,7 @@ SHAPES = {
     "counters": {EACH: NUMBER},
     "certificate": {EACH: NUMBER},
     "seconds": {EACH: NUMBER}, "calls": {EACH: NUMBER}, "share": {EACH: NUMBER},
-    "extremes": {EACH: NUMBER},
+    "extremes": {EACH: NUMBER}, "closed_part": {EACH: NUMBER},
     "secular": {"on": YES_OR_NO, "opening_nodes": NUMBER,
                 "per_probe": {EACH: {"beta": [NUMBER], "mean_pressure": NUMBER}}},
     "drift": {"per_probe": {EACH: [NUMBER]}},
