@@ -16,41 +16,30 @@ namespace Crevasse
 
   namespace
   {
-    /** deal.II's description of a pattern, such as "[Integer range 0...9
-     * (inclusive)]", in words. */
     std::string
     in_words(const std::string &pattern)
     {
-      std::smatch parts;
-      if (std::regex_match(pattern,
-                           parts,
-                           std::regex("\\[List of <(.*)> of.*")))
+      const std::vector<std::string> parts = parts_of_pattern(pattern);
+      const std::string             &kind  = parts[0];
+      if (kind == "List")
         return "a list separated by commas, each " + in_words(parts[1]);
-      if (std::regex_match(pattern,
-                           parts,
-                           std::regex(
-                             "\\[Integer range (.*)\\.\\.\\.(\\d+) .*")))
+      if (kind == "Integer")
         {
           const int least = std::stoi(parts[1]), most = std::stoi(parts[2]);
           if (most == std::numeric_limits<int>::max())
-            return "an integer of at least " + parts[1].str();
-          return most == least + 1 ? parts[1].str() + " or " + parts[2].str()
-                                   : "an integer from " + parts[1].str() +
-                                       " to " + parts[2].str();
+            return "an integer of at least " + parts[1];
+          return most == least + 1
+                   ? parts[1] + " or " + parts[2]
+                   : "an integer from " + parts[1] + " to " + parts[2];
         }
-      if (std::regex_match(pattern,
-                           parts,
-                           std::regex("\\[Selection (.*?) ?\\]")))
-        return (parts[1].str().find('|') == std::string::npos ? ""
-                                                              : "one of: ") +
+      if (kind == "Number")
+        return "a number " + parts[3];
+      if (kind == "Selection")
+        return (parts[1].find('|') == std::string::npos ? "" : "one of: ") +
                Text::join(Text::split(parts[1], '|'), ", ");
-      if (std::regex_match(pattern,
-                           parts,
-                           std::regex("\\[Number range \\S+ \\((.*)\\)\\]")))
-        return "a number " + parts[1].str();
-      return pattern == "[Bool]"       ? "true or false"
-             : pattern == "[Anything]" ? "any text"
-                                       : pattern;
+      return kind == "[Bool]"       ? "true or false"
+             : kind == "[Anything]" ? "any text"
+                                    : pattern;
     }
 
 
@@ -71,6 +60,21 @@ namespace Crevasse
       return entry;
     }
   } // namespace
+
+
+
+  std::vector<std::string>
+  parts_of_pattern(const std::string &description)
+  {
+    static const std::regex forms[] = {
+      std::regex("\\[(List) of <(.*)> of.*"),
+      std::regex("\\[(Integer|Number) range (.*)\\.\\.\\.(\\S+) \\((.*)\\)\\]"),
+      std::regex("\\[(Selection) (.*?) ?\\]")};
+    for (const std::regex &form : forms)
+      if (std::smatch parts; std::regex_match(description, parts, form))
+        return {std::next(parts.begin()), parts.end()};
+    return {description};
+  }
 
 
 

@@ -5,8 +5,6 @@
 #include <crevasse/base/version.h>
 #include <crevasse/parameters/scene_schema.h>
 
-#include <regex>
-
 namespace Crevasse
 {
   namespace
@@ -17,13 +15,10 @@ namespace Crevasse
     Catalogue
     ways_to_write(const std::string &pattern)
     {
-      static const std::regex list("\\[List of <(.*)> of.*"),
-        number("\\[(Integer|Number) range (.*)\\.\\.\\.(\\S+) .*\\]"),
-        selection("\\[Selection (.*?) ?\\]");
+      const std::vector<std::string> parts = parts_of_pattern(pattern);
+      const std::string             &kind  = parts[0];
       const auto text = Catalogue::object({{"type", "string"}});
-
-      std::smatch parts;
-      if (std::regex_match(pattern, parts, list))
+      if (kind == "List")
         {
           const Catalogue item = ways_to_write(parts[1])[0];
           return Catalogue::array(
@@ -31,25 +26,22 @@ namespace Crevasse
              item,
              text});
         }
-      if (std::regex_match(pattern, parts, number))
+      if (kind == "Integer" || kind == "Number")
         return Catalogue::array(
           {Catalogue::object(
-             {{"type", parts[1] == "Integer" ? "integer" : "number"},
-              {"minimum", Catalogue::parse(parts[2].str())},
-              {"maximum", Catalogue::parse(parts[3].str())}}),
+             {{"type", kind == "Integer" ? "integer" : "number"},
+              {"minimum", Catalogue::parse(parts[1])},
+              {"maximum", Catalogue::parse(parts[2])}}),
            Catalogue::object(
              {{"type", "string"}, {"pattern", "^[-+.0-9eE]+$"}})});
-      if (std::regex_match(pattern, parts, selection))
+      if (kind == "Selection")
         {
           Catalogue names = Text::split(parts[1], '|');
-          for (const bool value : {false, true})
-            if (std::count(names.begin(),
-                           names.end(),
-                           value ? "true" : "false"))
-              names.push_back(value);
+          if (std::count(names.begin(), names.end(), "true") > 0)
+            names.insert(names.end(), {false, true});
           return Catalogue::array({Catalogue::object({{"enum", names}})});
         }
-      if (pattern == "[Bool]")
+      if (kind == "[Bool]")
         return Catalogue::array({Catalogue::object(
           {{"enum", Catalogue::array({true, false, "true", "false"})}})});
 

@@ -23,6 +23,12 @@ namespace Crevasse
   Catalogue
   make_catalogue(const dealii::ParameterHandler &prm);
 
+  /** Of deal.II's description of a pattern, or NumberPattern's, such as
+   * "[Integer range 0...9 (inclusive)]": "Integer", "0", "9", "inclusive". One
+   * of another form is the only part. */
+  std::vector<std::string>
+  parts_of_pattern(const std::string &description);
+
   /** The names of sections or parameters, without the top level. */
   std::vector<std::string>
   names_in(const Catalogue &object);
