@@ -58,17 +58,37 @@ namespace Crevasse
 
 
 
-    /** Or tries to have it. */
-    bool
-    wants_stress_intensity(const Scene &scene, const BoundaryRoles &roles)
+    /** Why K is not computed unasked, or nothing. */
+    std::string
+    reason_against_intensity(const Scene &scene, const BoundaryRoles &roles)
+    {
+      if (scene.dimension == 3)
+        return "Dimension = 3";
+      if (!roles.has_lip())
+        return "no boundary has the role Contact or Crack";
+      if (scene.material.viscosity == ViscosityType::power_law)
+        return "creep by a power law has another singularity";
+      if (scene.is_axisymmetric() && !creeps_in_proportion(scene.material))
+        return "the viscosity of the ring is not in proportion to its "
+               "stiffness";
+      return "";
+    }
+
+
+
+    Effects::Effect
+    intensity(const Scene &scene, const BoundaryRoles &roles)
     {
       const StressIntensityChoice choice = scene.crack_tip.stress_intensity;
-      return choice == StressIntensityChoice::on ||
-             (choice == StressIntensityChoice::automatic &&
-              scene.dimension == 2 && roles.has_lip() &&
-              scene.material.viscosity != ViscosityType::power_law &&
-              (!scene.is_axisymmetric() ||
-               creeps_in_proportion(scene.material)));
+      if (choice != StressIntensityChoice::automatic)
+        return {"stress intensity",
+                choice == StressIntensityChoice::on,
+                "[Crack tip] Stress intensity = " + name_of(choice)};
+      const std::string against = reason_against_intensity(scene, roles);
+      return {"stress intensity",
+              against.empty(),
+              "automatic: " +
+                (against.empty() ? "a crack in the plane" : against)};
     }
 
 
@@ -131,10 +151,7 @@ namespace Crevasse
       if (force.in_volume)
         volume_forces.push_back(volume_force(force));
     singular_functions = {"singular functions", n_singular > 0, why_singular};
-    stress_intensity   = {"stress intensity",
-                          wants_stress_intensity(scene, roles),
-                          "[Crack tip] Stress intensity = " +
-                            name_of(scene.crack_tip.stress_intensity)};
+    stress_intensity   = intensity(scene, roles);
     field_output       = {"field output",
                           scene.output.fields != FieldFormat::none,
                           "[Output] Fields = " + name_of(scene.output.fields)};

@@ -89,7 +89,9 @@ def test_choices():
               f"{effects['stress intensity']}")
         check(effects["singular functions"]["on"] == singular and reason in why,
               f"{name}: singular functions {effects['singular functions']}")
-        check(effects["stress intensity"]["on"] == intensity,
+        check(effects["stress intensity"]["on"] == intensity
+              and ("a crack in the plane" in effects["stress intensity"]["why"]
+                   ) == intensity,
               f"{name}: stress intensity {effects['stress intensity']}")
         tables = (results.directory / "crack_tip.csv").exists()
         check(tables == intensity, f"{name}: crack_tip.csv")
