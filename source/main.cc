@@ -132,7 +132,7 @@ namespace
     log.open_file(directory + "/log.txt", command.resume);
     run.run(directory, command.stress_record);
     log.line("  results in " + directory);
-    log.line("  a page of them: crevasse report " + directory);
+    log.line("  to see them in a browser: crevasse report " + directory);
   }
 
 

@@ -143,7 +143,7 @@ namespace Crevasse
       return {Method::march,
               false,
               false,
-              "without viscosity one period tells all",
+              "without viscosity one period is enough",
               {}};
     PeriodicChoice choice = choose(scene, body, steps, largest_relaxation_time);
     if (scene.periodic_state.method == Method::march &&

@@ -160,7 +160,7 @@ def test_units():
 
 AUTOMATIC = {
     "elastic": (["Material/Viscosity=none"], "heun",
-                "march (without viscosity one period tells all)"),
+                "march (without viscosity one period is enough)"),
     "heun": ([], "heun", "anderson, started from fourier (automatic: nothing "
                          "but the loads depends on time"),
     "trapezoid": ([], "trapezoid",
