@@ -13,6 +13,7 @@ import meshio
 import numpy
 
 from crevasse.results import ResultsError, read_xml
+from crevasse.skin import CELL_EDGE, OUTLINE, Skin
 
 # Components of the tensors in the file, in its order; in the plane the rest is 0.
 # In VTK's order; in the plane the first four.
@@ -115,48 +116,32 @@ class Fields:
         return split, lambda values: spread(values).reshape(-1)[first]
 
     def cell_edges(self, parts=1):
-        """Edges of the cells, of which each has that many quadrilaterals."""
-        if parts < 1 or len(self.quads) % parts:
-            parts = 1
-        cells = self.quads.reshape(-1, parts, 4)
-        edges = numpy.sort(numpy.stack([cells, numpy.roll(cells, -1, 2)], -1), -1)
-        cell = numpy.arange(len(cells)).repeat(4 * parts)
-        edges = numpy.column_stack([cell, edges.reshape(-1, 2)])
-        edges, count = numpy.unique(edges, axis=0, return_counts=True)
-        return numpy.unique(edges[count == 1, 1:], axis=0)
+        """Of the cells, of which each has that many quadrilaterals."""
+        return self.marked_edges(CELL_EDGE, 1 if len(self.quads) % parts else parts)
+
+    def outline(self):
+        """Edges of the body."""
+        return self.marked_edges(OUTLINE)
+
+    def marked_edges(self, mark, parts=1):
+        skin = Skin(self.points[self.node], self.corners, parts)
+        marks = skin.mark_edges(self.node[skin.kept])
+        ends = numpy.stack([self.quads, numpy.roll(self.quads, -1, 1)], -1)
+        marked = marks[:, None] // mark >> numpy.arange(4) & 1 == 1
+        return numpy.unique(numpy.sort(ends[marked], axis=1), axis=0)
 
     def lip(self):
         """Ends of edges that contact forces act on: on an open lip some of the size of
         rounding. The two lips of a crack have points of their own."""
-        edges, count = self.count_edges(self.corners)
+        edges = numpy.stack([self.corners, numpy.roll(self.corners, -1, 1)], -1)
+        edges, count = numpy.unique(numpy.sort(edges, -1).reshape(-1, 2), axis=0,
+                                    return_counts=True)
         on_lip = (self.array("contact_pressure")[edges] != 0).all(axis=1)
         return self.node[edges[on_lip & (count == 1)]]
-
-    @staticmethod
-    def count_edges(quads):
-        edges = numpy.sort(numpy.stack([quads, numpy.roll(quads, -1, 1)], -1), -1)
-        return numpy.unique(edges.reshape(-1, 2), axis=0, return_counts=True)
 
     def areas(self):
         """Each node's share of the area."""
         return node_areas(self.points, self.quads)
-
-    def outline(self):
-        """Edges of the body. An edge with a hanging node in its middle is seen
-        from one side only, as are its halves: all three are inside."""
-        edges, count = self.count_edges(self.quads)
-        single = {tuple(edge) for edge in edges[count == 1]}
-        neighbour = collections.defaultdict(set)
-        for a, b in single:
-            neighbour[a].add(b)
-            neighbour[b].add(a)
-        for a, b in list(single):
-            for middle in neighbour[a] & neighbour[b]:
-                centre = (self.points[a] + self.points[b]) / 2
-                if numpy.abs(self.points[middle] - centre).max() < 2 * self.grid:
-                    single -= {(a, b), tuple(sorted((a, middle))),
-                               tuple(sorted((middle, b)))}
-        return numpy.array(sorted(single))
 
 
 def node_areas(points, quads):
