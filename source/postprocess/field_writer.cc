@@ -236,7 +236,7 @@ namespace Crevasse
     std::vector<PointArray> arrays;
     const Vector displacement = space.nodal_values(snapshot.state.displacement);
     arrays.push_back(
-      grid.nodal("displacement", space.dof_handler, displacement));
+      grid.nodal("displacement", 3, space.dof_handler, displacement));
     const auto stress = grid.recovered(snapshot.state.stress);
     arrays.push_back(grid.tensor("stress", stress));
     const unsigned int n_branches = // 0 in an elastic body
@@ -260,13 +260,13 @@ namespace Crevasse
 
     arrays.push_back(
       grid.nodal("contact_pressure",
-                 recovery.dof_handler,
-                 contact_pressure(
-                   space, recovery, body.lip, snapshot.state.contact_forces)));
-    arrays.push_back(
-      grid.nodal("opening",
-                 recovery.dof_handler,
-                 lip_opening(space, recovery, body.lip, displacement)));
+                 1,
+                 space.dof_handler,
+                 body.lip.pressure(snapshot.state.contact_forces)));
+    arrays.push_back(grid.nodal("opening",
+                                1,
+                                space.dof_handler,
+                                lip_opening(space, body.lip, displacement)));
     if (!body.temperature.is_zero())
       {
         const auto theta =

@@ -65,14 +65,16 @@ namespace Crevasse
       return coordinates.size() / 3;
     }
 
-    /** Of values at the nodes, with ghosts: a scalar or a vector. */
+    /** Of values at the nodes, with ghosts.
+     * @param n 3: a vector; 1: what nodes of the lip have in one of their
+     * degrees of freedom, with zeros in the others. */
     PointArray
     nodal(const std::string             &name,
+          const unsigned int             n,
           const dealii::DoFHandler<dim> &dof_handler,
           const Vector                  &values) const
     {
       const dealii::FiniteElement<dim> &fe = dof_handler.get_fe();
-      const unsigned int                n  = fe.n_components() == 1 ? 1 : 3;
       PointArray array{name, n, std::vector<float>(n * n_points())};
       std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
       for (const auto &cell : owned_cells(dof_handler))
@@ -81,7 +83,8 @@ namespace Crevasse
           for (unsigned int i = 0; i < dofs.size(); ++i)
             {
               const auto [component, node] = fe.system_to_component_index(i);
-              array.values[n * point(cell, node) + component] = values(dofs[i]);
+              if (const double value = values(dofs[i]); value != 0.)
+                array.values[n * point(cell, node) + component % n] = value;
             }
         }
       return array;

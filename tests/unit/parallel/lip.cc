@@ -94,8 +94,7 @@ namespace
     std::cout << name << ": force " << now.force << ", largest pressure "
               << now.largest_pressure << std::endl;
 
-    const Vector field =
-      contact_pressure(space, recovery, lip, state.contact_forces);
+    const Vector field = lip.pressure(state.contact_forces);
     std::cout << name << ": sum of the nodal pressures: " << field.l1_norm()
               << std::endl;
 
@@ -175,9 +174,8 @@ namespace
                 std::abs(lip_state(lip, state).force / 10. - 1.),
                 1e-10);
 
-    const Vector pressure =
-      contact_pressure(space, recovery, lip, state.contact_forces);
-    double difference = 0.;
+    const Vector pressure   = lip.pressure(state.contact_forces);
+    double       difference = 0.;
     for (const double value : pressure)
       if (value != 0.)
         difference = std::max(difference, std::abs(value / 10. - 1.));
