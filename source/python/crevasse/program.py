@@ -17,6 +17,7 @@ import subprocess
 import tempfile
 import time
 
+from crevasse import summary_file
 from crevasse.command import CommandError
 from crevasse.results import at
 
@@ -197,7 +198,7 @@ class Program:
         message, folder = message_of(call), call.folder
         if call.status == 4:
             raise CommandError(message, 4)
-        summary = read_summary(folder)
+        summary, _ = summary_file.read(folder / "summary.json")
         # A run writes used.prm when nothing is wrong with its scene and its step.
         status = ("done" if call.status == 0 else
                   "refused" if call.status > 0 and not (folder / "used.prm").exists() else
@@ -274,13 +275,6 @@ def warnings_in(folder):
 def without_numbers(text):
     """By which warnings of one kind are known."""
     return re.sub(r"\d+(\.\d*)?(e[-+]?\d+)?", "#", text)
-
-
-def read_summary(folder):
-    try:
-        return json.loads((folder / "summary.json").read_text())
-    except (OSError, ValueError):
-        return {}
 
 
 def costs_in(summary):

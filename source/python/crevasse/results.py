@@ -90,8 +90,8 @@ def mouth_of_crack(parameters):
     """That of a built-in crack; None without one. As in parameters/automatic.cc."""
     x = number({"edge crack": parameters.get("Geometry/Width", ""), "centre crack": "0"
                 }.get(parameters.get("Geometry/Shape"), ""))
-    return None if x is None else (x, 0., 0.) if parameters.get(
-        "Dimension") == "3" else (x, 0.)
+    rest = (0., 0.) if parameters.get("Dimension") == "3" else (0.,)
+    return None if x is None else (x, *rest)
 
 
 def read_xml(path):
