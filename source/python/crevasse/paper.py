@@ -137,12 +137,12 @@ def field_pictures(run, missing):
     instants = unless_damaged(run, Run.instants)
     if run.dimension == 3:
         missing.append(f"{what} are for plane bodies." + (
-            f" {field_advice(run)} lets this report show the fields of this one."
+            " [Output] Fields = vtu lets this report show the fields of this one."
             if instants == [] else ""))
         return []
     if instants == []:
         missing.append(f"{what} are missing: "
-                       + (f"this run wrote no fields; {field_advice(run)} gives "
+                       + ("this run wrote no fields; [Output] Fields = vtu gives "
                           "them." if run.finished else
                           "fields are written when a run ends."))
         return []
@@ -180,8 +180,3 @@ def wanted_instant(run):
                                     .split(",")) if value is not None]
     return min(named, key=lambda t: abs(t - run.period / 4),
                default=run.period / 4)
-
-
-def field_advice(run):
-    fields = "" if run.parameter("Output/Fields") == "vtu" else "Fields = vtu with "
-    return f"[Output] {fields}Field times = {run.period / 4:g}"
