@@ -52,10 +52,16 @@ namespace Crevasse
         values += 4. * (scene.periodic_state.anderson_depth + 2.) * strain;
       if (choice.uses_fourier())
         values += n_steps * (strain + 2. * vector);
-      // Instants of the output, and one being written: patches and text.
+      // Instants of the output, what a checkpoint collects and packs of them
+      // for each cell (measured), and one being written: patches and text.
       if (body.effects.field_output.on)
-        values += n_instants_of_fields(setup) * (vector + stress + strain) +
-                  10. * stress;
+        values +=
+          n_instants_of_fields(setup) *
+            (vector + stress + strain +
+             2.4 * (stress + strain +
+                    2. * body.space.finite_element.n_dofs_per_cell() *
+                      body.space.mesh().n_locally_owned_active_cells())) +
+          10. * stress;
       return sizeof(double) * values;
     }
 

@@ -2,13 +2,16 @@
 stress is constant, and the viscous strain grows to H s T in a period: with
 tensor components, (1 + nu) s_12 / E T / tau for the shear."""
 
+import json
 import math
+import pathlib
+import re
 
 import meshio
 import numpy
 
 from cracked import PLATE
-from crevasse_run import check, check_below, run
+from crevasse_run import SOURCE, check, check_below, full, overrides, run, start
 
 SCENE = PLATE + """
 subsection Geometry
@@ -167,3 +170,22 @@ error = run(BARS, "estimate", [
     "Refinement/Strategy=adaptive", "Refinement/Cycles=1",
     "Material/Viscosity=none"]).summary["refinement"]["meshes"][0]["estimated_error"]
 check_below(error, 1e-9, "estimated error, which no jump of s_11 is")
+
+
+@full
+def memory_of_instants_is_predicted():
+    """Half of it is what the checkpoint collects of them that a run leaves which is
+    not yet periodic. (A server's own memory would count.)"""
+    directory = pathlib.Path("results/instants")
+    status, log, error = start(
+        SOURCE / "prm/cracked_box.prm", "--output", directory, *overrides([
+            "Geometry/Subdivisions=32, 20, 20", "Linear solver/Type=gmg",
+            "Periodic state/Maximum periods=1", "Output/Field times=25 instants"]))
+    check(status == 3, error)
+    measured = json.loads((directory / "summary.json").read_text())["peak_memory_bytes"]
+    predicted = 1e6 * float(re.search(r"memory: about (\d+) MB", log)[1])
+    check_below(abs(predicted / measured - 1), 0.2,
+                f"{predicted:.3g} bytes predicted, {measured:.3g} measured")
+
+
+memory_of_instants_is_predicted()
