@@ -271,6 +271,39 @@ def test_jumps():
               and tip["last"] == table["C_t"][-1], f"{load}: {tip}")
 
 
+def test_jump_between_steps():
+    """Adaptive steps end at it, named or not; others are warned of it."""
+    load = "Loads/Traction=0; if(t < 2.3, 1, 1.5)"
+    found, named = (
+        run(SCENE, "jump", [
+            load, "Time integration/Step control=adaptive",
+            "Time integration/Relative tolerance=1e-3", "Geometry/Subdivisions=8, 8",
+            "Refinement/Strategy=none", "Crack tip/Radius=0.25",
+            f"Time integration/Steps={steps}"])
+        for steps in ("", "2.3"))
+    for value in ("largest", "last"):
+        one, other = (results.summary["creep_integrals"][0][value]
+                      for results in (found, named))
+        check_close(one / other, 1, 1e-3, f"{value} C(t) where no step is named")
+
+
+WARNED = [
+    ("jump within a step", ["Loads/Traction=0; if(t < 2.3, 1, 3)"],
+     ["Loads/Traction=0; if(t < 2, 1, 3)"]),
+    ("so that elements lock", [],
+     ["Discretisation/Degree=1", "Discretisation/Volumetric strain=mean"])]
+
+
+def test_warnings():
+    with open("warned.prm", "w") as file:
+        file.write(plain(SCENE))
+    for words, warned, mended in WARNED:
+        for settings in warned, mended:
+            status, log, _ = execute("--check", "warned.prm", *overrides(settings))
+            check(status == 0 and (words in " ".join(log.split()))
+                  == (settings is warned), f"{words}: {settings}: {log}")
+
+
 REFUSED = [
     ("maxwell", ["Material/Viscosity=relaxation time"], "Viscosity = power law"),
     ("singular", ["Discretisation/Singular functions=1"], "Singular functions = 0"),
@@ -306,4 +339,6 @@ if __name__ == "__main__":
     test_picture()
     test_growth()
     test_jumps()
+    test_jump_between_steps()
+    test_warnings()
     test_refusals()
