@@ -1,7 +1,7 @@
 """The pages of the documentation, without the program: each is reachable from
 README.md, links lead somewhere, sources that are named exist, the walk-throughs
 are patches that fit the source, nothing misleads Doxygen, and messages that
-doc/troubleshooting.md quotes are the program's."""
+doc/troubleshooting.md quotes are the program's, and all name one version."""
 
 import pathlib
 import re
@@ -94,7 +94,27 @@ def unknown_messages():
             yield f"{path.name}: the program does not say: {quote}"
 
 
+def other_versions():
+    """CMake's is that of --version, the packages and the library."""
+    def found(name, pattern):
+        return re.findall(pattern, (ROOT / name).read_text(), flags=re.M)
+
+    version, = found("CMakeLists.txt", r"project\(crevasse VERSION ([\d.]+)")
+    minor = version.rpartition(".")[0]
+    named = {"CITATION.cff": found("CITATION.cff", r"^version: ([\d.]+)"),
+             "CHANGELOG.md": found("CHANGELOG.md", r"^## ([\d.]+)")[:1]}
+    for path in PAGES:
+        named[path.name] = found(path, r"^Crevasse ([\d.]+): |crevasse_([\d.]+)_amd64")
+        libraries = found(path, r"find_package\(crevasse ([\d.]+)")
+        named[f"library of {path.name}"] = [
+            version if library == minor else library for library in libraries]
+    for name, versions in named.items():
+        for other in {"".join(other) for other in versions} - {version}:
+            yield f"{name}: version {other}, which is {version} in CMakeLists.txt"
+
+
 found = [*broken_links(), *missing_sources(), *unreachable_pages(),
-         *patches_that_do_not_fit(), *graphs_for_doxygen(), *unknown_messages()]
+         *patches_that_do_not_fit(), *graphs_for_doxygen(), *unknown_messages(),
+         *other_versions()]
 print("\n".join(found) or "All pages are in order.")
 sys.exit(1 if found else 0)
