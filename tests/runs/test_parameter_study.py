@@ -20,6 +20,7 @@ from crevasse_run import (PROGRAM, SOURCE, check, check_below, check_close, exec
                           execute_on, full, overrides, tier)
 from mpi_environment import ENVIRONMENT
 
+from crevasse.results import shortest
 from crevasse.sweep_plan import expand
 
 sys.path.insert(0, str(SOURCE / "doc/figures"))
@@ -72,6 +73,17 @@ def test_ranges():
         _, error = sweep("mistakes", HANDBOOK, "--vary", f"{LENGTH}=0.1:0.6:6",
                          "--jobs", jobs, status=2)
         check("--jobs" in error and "integer" in error, error)
+
+
+def test_numbers():
+    class Number(float):
+        """Of NumPy 2, as its repr says."""
+        def __repr__(self):
+            return f"np.float64({float(self)!r})"
+
+    for value, text in ((Number(0.25), "0.25"), (Number(1e-12), "1e-12"), (1774, "1774"),
+                        (3e8, "3e+08"), (None, "")):
+        check(shortest(value) == text, f"{text}: {shortest(value)}")
 
 
 def test_handbook():
@@ -319,9 +331,9 @@ def test_progress():
           not in log, log)
 
 
-for test in (test_ranges, test_handbook, test_mesh_files, test_closed_part, test_orders,
-             test_jobs, test_jobs_with_mpirun, test_interruption, test_crash,
-             test_progress):
+for test in (test_ranges, test_numbers, test_handbook, test_mesh_files,
+             test_closed_part, test_orders, test_jobs, test_jobs_with_mpirun,
+             test_interruption, test_crash, test_progress):
     start = time.time()
     test()
     print(f"{test.__name__}: {time.time() - start:.1f} s")

@@ -108,7 +108,7 @@ def pack_components(skin, fields):
     largest = collections.defaultdict(float)
     for name, values in fields.items():
         kind = entries[name].kind
-        largest[kind] = max(largest[kind], abs(values).max())
+        largest[kind] = max(largest[kind], float(abs(values).max()))
     areas = node_areas(skin.points, skin.quads)
     for name in sorted(fields, key=lambda name: (entries[name].rank, name)):
         values, kind = fields[name], entries[name].kind

@@ -23,6 +23,7 @@ def shortest(value):
     """The shortest text that reads back as the same number."""
     if value is None:
         return ""
+    value = float(value)  # whose repr, unlike that of NumPy 2, is a number alone
     digits = decimal.Decimal(repr(value)).normalize()
     places = len(digits.as_tuple().digits) - 1
     return min(format(digits, "f"), f"{value:.{places}e}", key=len)
