@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs crevasse_*.deb in a bare chroot of its release of Debian, and runs the
-# paper's example, a report and a sweep there (package debootstrap; as root):
+# Installs crevasse_*.deb in a bare chroot of its release of Debian, and runs two
+# scenes, a sweep and their reports there (package debootstrap; as root):
 #
 #   packaging/try_deb.sh PACKAGE.deb RELEASE FOLDER
 #
@@ -33,7 +33,10 @@ unshare --mount --pid --fork --kill-child bash -c '
   crevasse --version
   crevasse $examples/raous1980.prm
   crevasse report results/raous1980
+  crevasse $examples/two_cracks.prm
+  crevasse report results/two_cracks
   crevasse sweep $examples/crack_growth.prm --vary "Geometry/Crack length=5,10"
+  crevasse report results/crack_growth_sweep
   PYTHONPATH=/usr/share/crevasse/python python3 -c "
 import crevasse
 print(crevasse.read(\"results/raous1980\").probe(\"C\").tail())"
