@@ -7,7 +7,7 @@ coloured by the stress, over the last period. In the output directory:
     paraview --script=show_in_paraview.py
     pvpython --force-offscreen-rendering show_in_paraview.py PICTURE.png
 
-The picture is of the instant with the largest stress. Stresses beyond the limit
+(without a display after xvfb-run -a). The picture is of the instant with the largest stress. Stresses beyond the limit
 below, as at the tip of a crack, have the last colour. What follows may be changed."""
 
 import os
