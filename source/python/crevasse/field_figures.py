@@ -126,9 +126,9 @@ def principal_stresses(fields, magnify, caption):
                   textcoords="offset points")
     finish_body(axes, fields.points, place, bars, scale)
     axes.legend([Line2D([], [], **TENSION), Line2D([], [], **COMPRESSION)],
-                ["tension", "compression"], loc="lower right", borderpad=0,
-                bbox_to_anchor=(1, -0.01), ncol=2)
-    axes.text(0.5, -0.04, caption, transform=axes.transAxes, ha="center",
+                ["tension", "compression"], loc="upper center", borderpad=0,
+                bbox_to_anchor=(0.5, 0), ncol=2)
+    axes.text(0.5, -0.07, caption, transform=axes.transAxes, ha="center",
               va="top")
     return figure
 
