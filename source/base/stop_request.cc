@@ -54,8 +54,10 @@ namespace Crevasse
 
   StopRequests::~StopRequests()
   {
-    for (const auto &[signal, action] : actions_before)
-      sigaction(signal, &action, nullptr);
+    // Who asks twice gets the status of a stopped run as well.
+    if (asked_to_stop == 0)
+      for (const auto &[signal, action] : actions_before)
+        sigaction(signal, &action, nullptr);
     // There is nothing left to write; the default would kill the program.
     handle(SIGUSR1, SIG_IGN);
   }
