@@ -9,5 +9,3 @@ set(ENV{OMPI_MCA_mpi_yield_when_idle} 1)
 # longer than most runs.
 set(ENV{OMPI_MCA_pml} ob1)
 set(ENV{OMPI_MCA_btl} self,vader)
-# Numbers of NumPy 1.24 keep their type beside those of Python, as in NumPy 2.
-set(ENV{NPY_PROMOTION_STATE} weak)

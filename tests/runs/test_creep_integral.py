@@ -272,7 +272,7 @@ def test_jumps():
 
 
 def test_jump_between_steps():
-    """Adaptive steps end at it, named or not; others are warned of it."""
+    """Adaptive steps end at it, named or not; other steps cause a warning."""
     load = "Loads/Traction=0; if(t < 2.3, 1, 1.5)"
     found, named = (
         run(SCENE, "jump", [
@@ -287,7 +287,7 @@ def test_jump_between_steps():
         check_close(one / other, 1, 1e-3, f"{value} C(t) where no step is named")
 
 
-WARNED = [
+CAUSES = [
     ("jump within a step", ["Loads/Traction=0; if(t < 2.3, 1, 3)"],
      ["Loads/Traction=0; if(t < 2, 1, 3)"]),
     ("so that elements lock", [],
@@ -295,13 +295,13 @@ WARNED = [
 
 
 def test_warnings():
-    with open("warned.prm", "w") as file:
+    with open("warning.prm", "w") as file:
         file.write(plain(SCENE))
-    for words, warned, mended in WARNED:
-        for settings in warned, mended:
-            status, log, _ = execute("--check", "warned.prm", *overrides(settings))
+    for words, cause, mended in CAUSES:
+        for settings in cause, mended:
+            status, log, _ = execute("--check", "warning.prm", *overrides(settings))
             check(status == 0 and (words in " ".join(log.split()))
-                  == (settings is warned), f"{words}: {settings}: {log}")
+                  == (settings is cause), f"{words}: {settings}: {log}")
 
 
 REFUSED = [

@@ -2,11 +2,14 @@
 bodies are seen whole and without inner faces, and a browser shows them."""
 
 import json
+import os
 import pathlib
 import re
 import sys
 
-import numpy
+# Numbers of NumPy 1.24 keep their type beside those of Python, as in NumPy 2.
+os.environ["NPY_PROMOTION_STATE"] = "weak"
+import numpy  # noqa: E402
 
 from browser import open_host
 from crevasse_run import SOURCE, check, check_below, run
