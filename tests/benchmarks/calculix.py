@@ -18,19 +18,20 @@ strain = full.
 
 import csv
 import math
-import os
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 import tempfile
 
 N, PERIODS, STEPS, PERIOD = 56, 4, 40, 600.
 YOUNG, POISSON, VISCOUS, LOAD = 13000., 0.3, 780000., 10.
+COARSEST = 40  # steps of a period
 UNIT = 20.  # the stress at which all exponents creep alike
 
 
-def scene(exponent, steps, periods):
+def scene(n, exponent, steps, periods):
     law = f"""
   set Viscosity = isotropic
   set Viscous modulus = {VISCOUS}
@@ -40,7 +41,7 @@ def scene(exponent, steps, periods):
   set Creep exponent = {exponent}"""
     return f"""
 subsection Geometry
-  set Subdivisions = {N}, {N}
+  set Subdivisions = {n}, {n}
 end
 subsection Material
   set Plane state = plane strain
@@ -70,29 +71,28 @@ end
 """
 
 
-def node(i, j, k):
-    return 1 + i + (N + 1) * (j + (N + 1) * k)
-
-
-def deck(exponent, steps, periods):
+def deck(n, exponent, steps, periods):
     """One layer of bricks whose sides do not move in z: plane strain."""
-    plane = [(i, j) for j in range(N + 1) for i in range(N + 1)]
-    cells = [(i, j) for j in range(N) for i in range(N)]
-    lip = [(node(i, 0, k), i) for i in range(N // 2 + 1, N + 1) for k in (0, 1)]
-    ground = {n: 100000 + n for n, _ in lip}
-    instants = [PERIOD / steps * n for n in range(periods * steps + 1)]
-    lines = ["*NODE"] + [f"{node(i, j, k)}, {i / N}, {j / N}, {k / N}"
+    def node(i, j, k):
+        return 1 + i + (n + 1) * (j + (n + 1) * k)
+
+    plane = [(i, j) for j in range(n + 1) for i in range(n + 1)]
+    cells = [(i, j) for j in range(n) for i in range(n)]
+    lip = [(node(i, 0, k), i) for i in range(n // 2 + 1, n + 1) for k in (0, 1)]
+    ground = {one: 100000 + one for one, _ in lip}
+    instants = [PERIOD / steps * k for k in range(periods * steps + 1)]
+    lines = ["*NODE"] + [f"{node(i, j, k)}, {i / n}, {j / n}, {k / n}"
                             for k in (0, 1) for i, j in plane]
-    lines += [f"{ground[n]}, {i / N}, 0., {int(n > node(N, N, 0)) / N}"
-              for n, i in lip]
+    lines += [f"{ground[one]}, {i / n}, 0., {int(one > node(n, n, 0)) / n}"
+              for one, i in lip]
     lines += [f"*ELEMENT, TYPE={'C3D8' if exponent == 1 else 'C3D8I'}, ELSET=BODY"] + [
-        f"{1 + i + N * j}, " + ", ".join(
+        f"{1 + i + n * j}, " + ", ".join(
             str(node(i + a, j + b, k)) for k in (0, 1)
             for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))) for i, j in cells]
-    for number, (n, _) in enumerate(lip):
-        lines += [f"*ELEMENT, TYPE=GAPUNI, ELSET=G{n}",
-                  f"{10000 + number}, {ground[n]}, {n}",
-                  f"*GAP, ELSET=G{n}", "0., 0., 1., 0., , 1.e6, 1.e-6"]
+    for number, (one, _) in enumerate(lip):
+        lines += [f"*ELEMENT, TYPE=GAPUNI, ELSET=G{one}",
+                  f"{10000 + number}, {ground[one]}, {one}",
+                  f"*GAP, ELSET=G{one}", "0., 0., 1., 0., , 1.e6, 1.e-6"]
     lines += ["*MATERIAL, NAME=M", "*ELASTIC", f"{YOUNG}, {POISSON}",
               "*CREEP, LAW=NORTON", f"{UNIT ** (1 - exponent) / VISCOUS:.10e}, {exponent}., 0.",
               "*SOLID SECTION, ELSET=BODY, MATERIAL=M"]
@@ -100,27 +100,27 @@ def deck(exponent, steps, periods):
                                  for i, j in plane]
     lines += [f"{g}, 1, 3" for g in ground.values()]
     lines += [f"{node(i, 0, k)}, 2, 2" for k in (0, 1)
-              for i in range(N // 2 + 1)]
-    lines += [f"{node(N // 2, 0, k)}, 1, 1" for k in (0, 1)]
+              for i in range(n // 2 + 1)]
+    lines += [f"{node(n // 2, 0, k)}, 1, 1" for k in (0, 1)]
     lines += ["*AMPLITUDE, NAME=SINE"] + [
         f"{t}, {math.sin(2 * math.pi * t / PERIOD):.10e}"
         for t in instants]
-    lines += [f"*NSET, NSET=MOUTH\n{node(N, 0, 0)}",
+    lines += [f"*NSET, NSET=MOUTH\n{node(n, 0, 0)}",
               f"*STEP, INC={10 * len(instants)}", "*VISCO, DIRECT, CETOL=1.",
               f"{PERIOD / steps}, {periods * PERIOD}",
               "*DLOAD, AMPLITUDE=SINE"]
-    lines += [f"{1 + i + N * (N - 1)}, P5, {-LOAD}" for i in range(N)]
+    lines += [f"{1 + i + n * (n - 1)}, P5, {-LOAD}" for i in range(n)]
     lines += ["*NODE PRINT, NSET=MOUTH", "U", "*END STEP"]
     return "\n".join(lines) + "\n"
 
 
-def cpu_seconds(command, folder):
-    before = os.times()
-    subprocess.run(command, cwd=folder, check=False, stdout=subprocess.DEVNULL,
+def cpu_seconds(command, folder, output=subprocess.DEVNULL):
+    """Of the whole process, its start included."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run(command, cwd=folder, check=False, stdout=output,
                    stderr=subprocess.DEVNULL)
-    after = os.times()
-    return (after.children_user - before.children_user
-            + after.children_system - before.children_system)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
 
 
 def ours(program, folder, law):
@@ -140,7 +140,7 @@ def theirs(folder, law):
 
 
 def compare_speed(program, folder):
-    law = (1, STEPS, PERIODS)
+    law = (N, 1, STEPS, PERIODS)
     runs = [(ours(program, folder, law), theirs(folder, law)) for _ in range(3)]
     (_, mine), (_, others) = runs[0]
     n, n_all = len(others), PERIODS * STEPS
@@ -151,27 +151,32 @@ def compare_speed(program, folder):
           f"{others[STEPS // 4 - 1]:.4e} (Euler's implicit scheme)")
 
 
+def history(openings):
+    """At the instants that all have, until the lip closes."""
+    stride = len(openings) // COARSEST
+    return openings[stride - 1::stride][:COARSEST * 9 // 20]
+
+
+def differ(one, exact):
+    """Relative to the largest opening."""
+    return max(abs(a - b) for a, b in zip(one, exact)) / max(exact)
+
+
+def extrapolate(fine, coarse):
+    """The limit of steps of first order, halved once."""
+    return [2 * a - b for a, b in zip(fine, coarse)]
+
+
 def compare_errors(program, folder, exponent):
-    coarsest = 40
-
-    def history(openings):
-        """At the instants that all have, until the lip closes."""
-        stride = len(openings) // coarsest
-        return openings[stride - 1::stride][:coarsest * 9 // 20]
-
-    def differ(one, other):
-        return max(abs(a - b) for a, b in zip(one, other)) / max(exact)
-
-    exact = history(ours(program, folder, (exponent, 960, 1))[1])
+    exact = history(ours(program, folder, (N, exponent, 960, 1))[1])
     mine = {}
     for steps in (40, 80):
-        seconds, openings = ours(program, folder, (exponent, steps, 1))
+        seconds, openings = ours(program, folder, (N, exponent, steps, 1))
         mine[differ(history(openings), exact)] = seconds
     found = {}
     for steps in (40, 80, 160):
-        found[steps] = theirs(folder, (exponent, steps, 1))
-    fine, coarse = (history(found[steps][1]) for steps in (160, 80))
-    limit = [2 * a - b for a, b in zip(fine, coarse)]  # its steps are of first order
+        found[steps] = theirs(folder, (N, exponent, steps, 1))
+    limit = extrapolate(*(history(found[steps][1]) for steps in (160, 80)))
     print(f"limits differ by {differ(limit, exact):.1e} of the largest opening")
     for error, seconds in mine.items():
         print(f"Crevasse: error {error:.1e} in {seconds:.2f} s")
