@@ -83,9 +83,9 @@ def draw_box(axes):
     for number, place in ((1, (1, 0.5, 0.5)), (3, (0.5, 1, 0.5)), (6, (0.5, 0.5, 1))):
         label(axes, corner(*place), number, ROLES)
     for name, end in zip("xyz", numpy.eye(3)):
-        direction = 0.28 * corner(*end)
-        draw_arrows(axes, [(0.95, -0.42)], direction, INK)
-        axes.text(*(numpy.array([0.95, -0.42]) + 1.25 * direction), name, ha="center",
+        direction = 0.2 * corner(*end)
+        draw_arrows(axes, [(0.88, -0.44)], direction, INK)
+        axes.text(*(numpy.array([0.88, -0.44]) + 1.35 * direction), name, ha="center",
                   va="center", fontsize=9)
     axes.set_title("box; hollow: hidden sides")
 
@@ -96,7 +96,7 @@ def main():
                         default=pathlib.Path(__file__).resolve().parent,
                         help="where the figure goes")
     options = parser.parse_args()
-    figure, panels = pyplot.subplots(1, 4, figsize=(12, 3.6))
+    figure, panels = pyplot.subplots(1, 4, figsize=(10, 3.1))
     figure.subplots_adjust(0.01, 0.1, 0.99, 0.92, wspace=0.05)
     draw_plate(panels[0], "edge crack", (0.5, 1), (0.5, "tip, x fixed"))
     draw_plate(panels[1], "centre crack", (0, 0.5), (0.5, "tip"),
@@ -105,7 +105,7 @@ def main():
     draw_box(panels[3])
     for axes in panels:
         axes.axis("off")
-        axes.set(aspect="equal", xlim=(-0.45, 1.25), ylim=(-0.5, 1.3))
+        axes.set(aspect="equal", xlim=(-0.45, 1.2), ylim=(-0.5, 1.3))
     figure.legend(handles=[pyplot.Line2D([], [], color=colour, linewidth=4, label=role)
                            for role, colour in COLOURS.items()],
                   loc="lower center", ncol=4)

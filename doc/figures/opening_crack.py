@@ -59,7 +59,7 @@ def frames(results):
         fields = Fields(results / f"solution_{number:04}.pvtu")
         bands = draw_bands(body, fields, fields["stress_22"], even_bands(BOUND),
                            MAGNIFY, mirrored=True, wanted=1)
-        body.set(xlim=(-0.22, 1.06), ylim=(-1.14, 1.14))
+        body.set(xlim=(-0.22, 1.06), ylim=(-1.18, 1.18))
         if number == 0:
             figure.colorbar(bands, cax=bar, ticks=(-BOUND, 0, BOUND))
             bar.set_title("$s_{22}$", fontsize=10)

@@ -14,8 +14,8 @@ from study import ROOT, run_once, study_options  # first: finds the package
 
 from bodies import draw_bands, even_bands
 from crevasse.fields import Fields
-from crevasse.plotting import (BLUE, GREEN, GREY, INK, PURPLE, SHADE, VERMILION, pyplot,
-                               save)
+from crevasse.plotting import (BLUE, GREEN, GREY, HALO, INK, PURPLE, SHADE, VERMILION,
+                               pyplot, save)
 from crevasse.scripting import read
 
 SCENE = "plate_with_hole"
@@ -43,7 +43,8 @@ def draw_mesh(axes, path):
         axes.add_collection(PolyCollection(
             points[in_group(mesh, name, "quad9")[:, :4]], facecolor=colour,
             edgecolor=GREY, linewidth=0.5))
-        axes.text(*PLACES[name], name, ha="center", va="center")
+        axes.text(*PLACES[name], name, ha="center", va="center",
+                  path_effects=HALO)
     for name, colour in NAMES.items():
         lines = points[in_group(mesh, name, "line3")[:, [0, 2, 1]]]
         axes.add_collection(LineCollection(lines, colors=colour, linewidths=3))
