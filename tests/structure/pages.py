@@ -1,7 +1,8 @@
 """The pages of the documentation, without the program: each is reachable from
-README.md, links lead somewhere, sources that are named exist, the walk-throughs
-are patches that fit the source, nothing misleads Doxygen, and messages that
-doc/troubleshooting.md quotes are the program's, and all name one version."""
+README.md, links lead somewhere, pictures are shown and small, sources that are named
+exist, the walk-throughs are patches that fit the source, nothing misleads Doxygen, and
+messages that doc/troubleshooting.md quotes are the program's, and all
+name one version."""
 
 import pathlib
 import re
@@ -9,6 +10,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(sys.argv[1]).resolve()
+LARGEST_PICTURE = 200_000  # bytes
 PAGES = [ROOT / "README.md", *sorted((ROOT / "doc").glob("*.md"))]
 
 
@@ -27,6 +29,15 @@ def broken_links():
         for target in links(path):
             if not target.exists():
                 yield f"{path.name}: there is no {target}"
+
+
+def unused_or_large_pictures():
+    shown = {target for path in PAGES for target in links(path)}
+    for path in sorted((ROOT / "doc").rglob("*.png")):
+        if path not in shown:
+            yield f"{path.name}: no page shows it"
+        if path.stat().st_size > LARGEST_PICTURE:
+            yield f"{path.name}: has more than {LARGEST_PICTURE // 1000} kB"
 
 
 def missing_sources():
@@ -114,8 +125,8 @@ def other_versions():
             yield f"{name}: version {other}, which is {version} in CMakeLists.txt"
 
 
-found = [*broken_links(), *missing_sources(), *unreachable_pages(),
-         *patches_that_do_not_fit(), *graphs_for_doxygen(), *unknown_messages(),
-         *other_versions()]
+found = [*broken_links(), *unused_or_large_pictures(), *missing_sources(),
+         *unreachable_pages(), *patches_that_do_not_fit(), *graphs_for_doxygen(),
+         *unknown_messages(), *other_versions()]
 print("\n".join(found) or "All pages are in order.")
 sys.exit(1 if found else 0)
