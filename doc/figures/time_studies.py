@@ -154,12 +154,12 @@ def across_the_bound(studies, refinements):
 
 def stability_bound(studies, directory, formats):
     errors = {refinements: across_the_bound(studies, refinements)
-              for refinements in (0, 2, 4)}
+              for refinements in (0, 2, 3)}
     figure, panels = pyplot.subplots(1, 2, figsize=(8.2, 3.6), sharey=True,
                                      constrained_layout=True)
     for axes, scheme in zip(panels, ("euler", "heun")):
         for refinements, colour, marker in ((0, BLUE, "o"), (2, GREEN, "s"),
-                                            (4, VERMILION, "^")):
+                                            (3, VERMILION, "^")):
             points = errors[refinements][scheme]
             axes.semilogy(*zip(*points), color=colour, marker=marker,
                           markersize=4.5, linewidth=1.3,
