@@ -13,8 +13,8 @@ import sys
 
 from study import ROOT, study_options  # first: finds the package
 
-from crevasse.plotting import BLUE, GREEN, GREY, INK, PURPLE, VERMILION, pyplot, save
-from crevasse.work_precision import name_costs
+from crevasse.plotting import (BLUE, GREEN, GREY, INK, PURPLE, VERMILION, name_numbers,
+                               pyplot, save)
 
 ORANGE, SKY, BROWN = "#E69F00", "#56B4E9", "#8C510A"
 SECONDS = "CPU seconds"
@@ -67,7 +67,7 @@ def draw_lines(axes, lines, styles, x, y):
                         linewidth=1.3, label=label)
     axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
     if x == "processor_seconds":
-        name_costs(axes)
+        name_numbers(axes)
     if y == "processor_seconds":
         axes.yaxis.set_major_formatter(plain)
 

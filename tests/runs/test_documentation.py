@@ -1,13 +1,16 @@
 """What the documentation tells a newcomer to type works as it stands there, and
 prints what is shown: every command of README.md, doc/getting_started.md and
 doc/tutorial.md, and the scenes of doc/scenes.md. doc/parameters.md is what the program prints, and
-doc/output.md speaks of every column, key and array that runs write."""
+doc/output.md speaks of every column, key and array that runs write. The scripts that
+draw the pictures find what they import."""
 
 import functools
 import pathlib
 import re
 import shlex
 import shutil
+import subprocess
+import sys
 
 from crevasse_run import SOURCE, check, execute, full, run
 
@@ -244,7 +247,18 @@ def check_described(results):
     check(not silent, f"doc/output.md does not explain {silent}")
 
 
+def test_scripts_of_figures():
+    scripts = [path for path in sorted((SOURCE / "doc/figures").glob("*.py"))
+               if "def main" in path.read_text()]
+    check(len(scripts) > 12, f"only {len(scripts)} scripts of figures found")
+    for script in scripts:
+        result = subprocess.run([sys.executable, script, "--help"], text=True,
+                                capture_output=True)
+        check(result.returncode == 0, f"{script.name}: {result.stderr}")
+
+
 test_parameters()
+test_scripts_of_figures()
 test_scenes_named()
 test_readme()
 test_getting_started()
