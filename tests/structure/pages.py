@@ -1,8 +1,8 @@
 """The pages of the documentation, without the program: each is reachable from
 README.md, links lead somewhere, pictures are shown and small, sources that are named
 exist, the walk-throughs are patches that fit the source, nothing misleads Doxygen, and
-messages that doc/troubleshooting.md quotes are the program's, and all
-name one version."""
+messages that doc/troubleshooting.md quotes are the program's, and all name one
+version."""
 
 import pathlib
 import re
