@@ -40,14 +40,18 @@ namespace Crevasse
             continue;
           const double opening =
             shift + (opens_at_end ? step.end : step.open_from);
-          // From the side on which the lip is open: while the tip is closed K
-          // may be another function of time.
-          const int    first = i + (opens_at_end ? 2 : 1);
-          const int    other = first < largest ? first + 1 : first - 1;
-          const double slope = (K(other) - K(first)) / (t(other) - t(first));
-          const double value = opening > t(first - 1)
-                                 ? K(first) + slope * (opening - t(first))
-                                 : K(first - 1);
+          // While the tip is closed K may be another function of time than
+          // later. Both end here, but where the load jumps, or bends, one of
+          // them is known far better: it is taken for less rather than more.
+          const int  first = i + (opens_at_end ? 2 : 1);
+          const int  other = first < largest ? first + 1 : first - 1;
+          const auto line  = [&](const int a, const int b) {
+            return K(a) + (K(b) - K(a)) / (t(b) - t(a)) * (opening - t(a));
+          };
+          const double value =
+            opening > t(first - 1)
+              ? std::min(line(first, other), line(first - 1, first - 2))
+              : K(first - 1);
           const auto [least, most]  = std::minmax({K(first - 1), K(first)});
           constexpr double rounding = 1e-12;
           const double     bounded  = std::clamp(value, least, most);

@@ -15,8 +15,10 @@ namespace Crevasse
 
   template <int dim>
   LipClosure<dim>::LipClosure(const Body<dim>   &body,
+                              const double       largest_load,
                               const std::string &file_name)
     : body(body)
+    , negligible_force(1e-9 * largest_load)
     , file_name(file_name)
     , lips(numbers_of_lips())
   {
@@ -70,12 +72,13 @@ namespace Crevasse
     std::vector<double> values(nodes.size());
     for (unsigned int k = 0; k < mine.size(); ++k)
       {
-        const LipNode<dim> &node    = body.lip.nodes[k];
-        const double        opening = node.opening(state.displacement);
+        const LipNode<dim> &node  = body.lip.nodes[k];
+        const double        force = state.contact_forces[k];
         values[mine[k]] =
-          opening > touching
-            ? opening
-            : -std::max(0., state.contact_forces[k] / node.weight);
+          force > negligible_force &&
+              node.is_pressed(force, state.displacement, touching)
+            ? -force / node.weight
+            : std::max(0., node.opening(state.displacement));
       }
     Utilities::MPI::sum(values, body.space.communicator(), values);
     return values;
@@ -118,7 +121,7 @@ namespace Crevasse
   {
     for (unsigned int i = 0; i < nodes.size(); ++i)
       {
-        const bool   was_closed = before[i] <= 0., is_closed = now[i] <= 0.;
+        const bool   was_closed = before[i] < 0., is_closed = now[i] < 0.;
         const double change =
           was_closed == is_closed ? end : instant_of_change(i, begin, end);
         const double closed_from = was_closed ? begin : change;
@@ -151,7 +154,7 @@ namespace Crevasse
     const double last = std::abs(before[node]);
     if (last == 0.)
       return begin;
-    if (!earlier.empty() && (earlier[node] > 0.) == (before[node] > 0.) &&
+    if (!earlier.empty() && (earlier[node] < 0.) == (before[node] < 0.) &&
         std::abs(earlier[node]) > last)
       {
         const double instant =

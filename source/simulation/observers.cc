@@ -316,8 +316,8 @@ namespace Crevasse
                     lip.force,
                     lip.largest_pressure};
           }));
-        closure =
-          add(std::make_unique<LipClosure<dim>>(body, tables.path("lip.csv")));
+        closure = add(std::make_unique<LipClosure<dim>>(
+          body, setup.largest_nodal_force, tables.path("lip.csv")));
       }
     if (!body.space.roles.crack.empty())
       add(std::make_unique<SlipWhileClosed<dim>>(body, log));

@@ -31,6 +31,8 @@ subsection Output
   set Probes = mouth: 1, 0
 end
 """
+# A crack in a body that creeps, in a period of which all is found at once.
+CREEPING = ONE_CRACK.replace("set Viscosity = none", "")
 TWO_CRACKS = ELASTIC + f"""
 subsection Geometry
   set Shape     = mesh file
@@ -102,6 +104,34 @@ def test_no_opening():
     check_close(tip["closed_part"]["wholly"], 1, 1e-12, "closed")
 
 
+def test_touching():
+    """A lip that touches at an instant without pressing is always open: that of a
+    periodic motion without mean load, and one that flows open."""
+    for name, mean in (("touching", 0), ("flowing", 1.5)):
+        results = run(CREEPING, name, [
+            f"Loads/Traction=0; 10*(sin(2*pi*t/600) + {mean})",
+            "Time integration/Steps per period=20", "Periodic state/Method=fourier",
+            "Periodic state/Tolerance=1e-6"])
+        tip = results.summary["crack_tip"]
+        check(max(results.table("contact.csv")["closed_nodes"]) > 0, "it touches")
+        check(tip["K_opening"] is None and "throughout" in tip["no_K_opening"], f"{tip}")
+        check_close(tip["Delta_K_eff"], tip["Delta_K"], 0., "all is effective")
+        check(tip["closed_part"] == {"wholly": 0, "partly": 0}, f"{tip}")
+        check(set(results.table("lip.csv")["closed_part"]) == {0}, "nodes")
+
+
+def test_jumps():
+    """A closed elastic crack has K_I = 0 until it opens, also within a jump or bend.
+    """
+    for name, load in (("square", "if(t < 300, 1, -1)"),
+                       ("late_square", "if(t < 300, -1, 1)"),
+                       ("ramp", "max(-1, min(1, (t - 300)/12))"),
+                       ("bends", "if(t < 252, -1, if(t < 264, -0.5, 1))")):
+        tip = run(ONE_CRACK, name, [f"Loads/Traction=0; 10*{load}"]).summary["crack_tip"]
+        check_below(abs(tip["K_opening"]) / tip["Delta_K"], 1e-3, f"{name}: K_op")
+        check_close(tip["Delta_K_eff"] / tip["Delta_K"], 1, 1e-3, f"{name}: effective")
+
+
 def same(one, other, what):
     for key in ("Delta_K", "K_opening", "Delta_K_eff"):
         a, b = (r.summary["crack_tip"][key] for r in (one, other))
@@ -153,5 +183,7 @@ def test_two_cracks():
 test_uniform()
 test_gap()
 test_no_opening()
+test_touching()
+test_jumps()
 test_ranks_and_resume()
 test_two_cracks()

@@ -13,7 +13,9 @@ namespace Crevasse
   /**
    * lip.csv: for which part of the last period each contact node is closed,
    * and how far it opens; and the same for each lip as a whole. A node is
-   * closed as in contact.csv. Lips are what faces join.
+   * closed where it presses: a lip that touches without a force, as at rest or
+   * where its flow leaves the least opening open, is open. Lips are what faces
+   * join.
    *
    * A node changes between two samples: where the straight line through its
    * last two pressures, or openings, vanishes; half way, where that is much
@@ -25,8 +27,11 @@ namespace Crevasse
   public:
     /** Collective.
      * @param body must outlive this object.
+     * @param largest_load on a node, beside which contact forces are rounding.
      * @param file_name empty on ranks that do not write. */
-    LipClosure(const Body<dim> &body, const std::string &file_name);
+    LipClosure(const Body<dim>   &body,
+               const double       largest_load,
+               const std::string &file_name);
 
     void
     observe(const Sample &sample) override;
@@ -54,7 +59,7 @@ namespace Crevasse
     std::vector<unsigned int>
     numbers_of_lips() const;
 
-    /** Of each node the opening, or minus the pressure where it is closed.
+    /** Of each node the opening, or minus the pressure where it presses.
      * Collective. */
     std::vector<double>
     openings(const State &state) const;
@@ -69,6 +74,7 @@ namespace Crevasse
                       const double       end) const;
 
     const Body<dim>                &body;
+    const double                    negligible_force;
     const std::string               file_name;
     const std::vector<unsigned int> lips;   ///< of the nodes of LipBasis
     std::vector<Node>               nodes;  ///< those with unknowns
