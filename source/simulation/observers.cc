@@ -76,14 +76,10 @@ namespace Crevasse
       void
       summarise(Summary &summary) override
       {
-        Summary &extremes  = summary["extremes"];
-        extremes["stress"] = run.largest_stress;
-        // With singular functions some unknowns are no displacements.
-        if (body.space.singular_shapes() == nullptr)
-          {
-            extremes["displacement"] = run.largest_displacement;
-            warn_of_large_displacements();
-          }
+        Summary &extremes        = summary["extremes"];
+        extremes["stress"]       = run.largest_stress;
+        extremes["displacement"] = run.largest_displacement;
+        warn_of_large_displacements();
         if (body.effects.contact.on)
           extremes["opening"] = run.largest_opening;
         if (!body.effects.viscosity.on)

@@ -5,7 +5,8 @@ import pathlib
 import re
 import sys
 
-from crevasse_run import SOURCE, check, check_below, execute, overrides, run
+from crevasse_run import (SOURCE, check, check_below, check_close, execute, overrides,
+                          run)
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse.advise_errors import choose_quantities  # noqa: E402
@@ -142,6 +143,20 @@ def test_asked_for_or_not():
         check(code == 2 and "is not the same on all sides" in error, error)
 
 
+def test_displacements():
+    """Those of the nodes count, beside singular functions as without: the upper right
+    corner moves most. A stress of the size of the modulus is noticed."""
+    for functions in (0, 2):
+        results = run_defaults("displacements", [
+            "Material/Young modulus=10", "Output/Probes=corner: 1, 1",
+            f"Discretisation/Singular functions={functions}"])
+        table = results.table("probe_corner.csv")
+        check_close(results.summary["extremes"]["displacement"],
+                    max(map(abs, table["u_1"] + table["u_2"])), 1e-9, "largest")
+        check("Beware: displacements reach" in
+              (results.directory / "log.txt").read_text(), "not noticed")
+
+
 def test_field_times():
     """Of the last period: those of the extremes, all, or equally spaced ones."""
     short = ["Periodic state/Method=march", "Periodic state/Maximum periods=2",
@@ -177,3 +192,4 @@ test_choices()
 test_scripts()
 test_schemes()
 test_asked_for_or_not()
+test_displacements()

@@ -69,14 +69,13 @@ namespace Crevasse
     return {static_cast<unsigned int>(sums[0]), sums[1], maxima[0], maxima[1]};
   }
 
-  /** The largest component, of unknowns that are displacements and of those
-   * that the lips' are combined to: see LipBasis. Collective. */
+  /** The largest component at the nodes, where singular functions vanish: of
+   * unknowns that are displacements and of those that the lips' are combined
+   * to, see LipBasis. Collective. */
   template <int dim>
   double
   largest_displacement(const Space<dim> &space, const Vector &displacement)
   {
-    if (space.lip.n_unknowns == 0)
-      return displacement.linfty_norm();
     double largest = 0.;
     for (std::size_t i = 0; i < space.dof_handler.n_locally_owned_dofs(); ++i)
       largest = std::max(largest, std::abs(displacement.local_element(i)));
