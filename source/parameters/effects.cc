@@ -76,23 +76,6 @@ namespace Crevasse
 
 
 
-    Effects::Effect
-    intensity(const Scene &scene, const BoundaryRoles &roles)
-    {
-      const StressIntensityChoice choice = scene.crack_tip.stress_intensity;
-      if (choice != StressIntensityChoice::automatic)
-        return {"stress intensity",
-                choice == StressIntensityChoice::on,
-                "[Crack tip] Stress intensity = " + name_of(choice)};
-      const std::string against = reason_against_intensity(scene, roles);
-      return {"stress intensity",
-              against.empty(),
-              "automatic: " +
-                (against.empty() ? "a crack in the plane" : against)};
-    }
-
-
-
     void
     append(const std::vector<Expression> &more, std::vector<Expression> &all)
     {
@@ -151,7 +134,7 @@ namespace Crevasse
       if (force.in_volume)
         volume_forces.push_back(volume_force(force));
     singular_functions = {"singular functions", n_singular > 0, why_singular};
-    stress_intensity   = intensity(scene, roles);
+    stress_intensity   = stress_intensity_effect(scene, roles);
     field_output       = {"field output",
                           scene.output.fields != FieldFormat::none,
                           "[Output] Fields = " + name_of(scene.output.fields)};
@@ -167,6 +150,29 @@ namespace Crevasse
            (material.viscosity != ViscosityType::isotropic ||
             material.viscous_poisson_ratio.text() ==
               material.poisson_ratio.text());
+  }
+
+
+
+  Effects::Effect
+  stress_intensity_effect(const Scene &scene, const BoundaryRoles &roles)
+  {
+    const CrackTipParameters &tip     = scene.crack_tip;
+    const std::string         name    = "stress intensity";
+    const std::string         section = "[Crack tip] ";
+    if (tip.stress_intensity != StressIntensityChoice::automatic)
+      return {name,
+              tip.needs_stress_intensity(),
+              section + "Stress intensity = " + name_of(tip.stress_intensity)};
+    if (tip.needs_stress_intensity())
+      return {name,
+              true,
+              section + "Crack growth law = " + traits(tip.growth_law).name};
+    const std::string against = reason_against_intensity(scene, roles);
+    return {name,
+            against.empty(),
+            "automatic: " +
+              (against.empty() ? "a crack in the plane" : against)};
   }
 
 

@@ -267,8 +267,7 @@ namespace Crevasse
   {
     const Checker checker(section, problems);
     const auto   &law          = traits(growth_law);
-    const bool    is_of_C_of_t = law.has_creep_part && //
-                              creep_parameter == CreepParameter::C_of_t;
+    const bool    is_of_C_of_t = grows_by_C_of_t();
     checker.demand(growth_law == GrowthLawType::none ||
                      stress_intensity != StressIntensityChoice::off ||
                      is_of_C_of_t,
@@ -286,5 +285,23 @@ namespace Crevasse
                      Ranges::positive.contains(creep_factor),
                    "Creep factor",
                    Ranges::positive.text());
+  }
+
+
+
+  bool
+  CrackTipParameters::grows_by_C_of_t() const
+  {
+    return traits(growth_law).has_creep_part &&
+           creep_parameter == CreepParameter::C_of_t;
+  }
+
+
+
+  bool
+  CrackTipParameters::needs_stress_intensity() const
+  {
+    return stress_intensity == StressIntensityChoice::on ||
+           (growth_law != GrowthLawType::none && !grows_by_C_of_t());
   }
 } // namespace Crevasse

@@ -92,9 +92,8 @@ namespace Crevasse
                        "Crack growth law",
                        "is for Dimension = 2: in space K varies along the "
                        "front");
-      const bool has_intensity =
-        scene.crack_tip.stress_intensity == StressIntensityChoice::on;
-      crack_tip.demand(!has_intensity ||
+      crack_tip.demand(scene.crack_tip.stress_intensity !=
+                           StressIntensityChoice::on ||
                          scene.material.viscosity != ViscosityType::power_law,
                        "Stress intensity",
                        "must be false with [Material] Viscosity = power law: "
@@ -102,7 +101,7 @@ namespace Crevasse
                        "a power of the stress. Set Creep integral = true");
       crack_tip.demand(scene.material.viscosity != ViscosityType::power_law ||
                          scene.crack_tip.growth_law == GrowthLawType::none ||
-                         scene.crack_tip.creep_integral,
+                         scene.crack_tip.grows_by_C_of_t(),
                        "Crack growth law",
                        "needs, with [Material] Viscosity = power law, Creep "
                        "integral = true and Creep growth parameter = C(t)");
@@ -122,7 +121,8 @@ namespace Crevasse
                        "Method",
                        "williams fit is not for [Material] Plane state = "
                        "axisymmetric; use automatic");
-      crack_tip.demand(!has_intensity || creeps_in_proportion(scene.material),
+      crack_tip.demand(!scene.crack_tip.needs_stress_intensity() ||
+                         creeps_in_proportion(scene.material),
                        "Stress intensity",
                        "needs, with [Material] Plane state = axisymmetric, an "
                        "isotropic body that creeps with its elastic Poisson's "

@@ -190,10 +190,10 @@ namespace Crevasse
     Rules
     rules_of_results(const Scene &scene)
     {
-      const CrackTipParameters &tip = scene.crack_tip;
-      const auto               &law = traits(tip.growth_law);
-      const bool                has_intensity =
-        tip.stress_intensity != StressIntensityChoice::off;
+      const CrackTipParameters &tip       = scene.crack_tip;
+      const auto               &law       = traits(tip.growth_law);
+      const auto                intensity = stress_intensity_effect(
+        scene, resolve_roles(scene.boundary, built_in_roles(scene.geometry)));
       const RefinementStrategy strategy = scene.refinement.strategy;
       const std::string of_law = std::string("Crack growth law = ") + law.name;
       const std::string of_strategy = "Strategy = " + name_of(strategy);
@@ -205,10 +205,10 @@ namespace Crevasse
          "Instants",
          strategy != RefinementStrategy::adaptive,
          of_strategy},
-        {"Crack tip/Method", !has_intensity, "Stress intensity = false"},
+        {"Crack tip/Method", !intensity.on, intensity.why},
         {"Crack tip/Radius",
-         !has_intensity && !tip.creep_integral,
-         "Stress intensity = false"},
+         !intensity.on && !tip.creep_integral,
+         intensity.why},
         {"Crack tip/Paris factor, Paris exponent, Paris threshold",
          !law.has_paris_part,
          of_law},

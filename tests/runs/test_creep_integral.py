@@ -317,7 +317,12 @@ REFUSED = [
      "needs Creep integral = true"),
     ("sum", ["Crack tip/Crack growth law=sum", "Crack tip/Creep factor=1",
              "Crack tip/Paris factor=1", "Crack tip/Creep growth parameter=C(t)"],
-     "Crack growth law = creep")]
+     "Crack growth law = creep"),
+    ("paris", ["Crack tip/Crack growth law=paris", "Crack tip/Paris factor=1"],
+     "Creep growth parameter = C(t)"),
+    ("by K", ["Crack tip/Crack growth law=creep", "Crack tip/Creep factor=1",
+              "Crack tip/Creep growth parameter=stress intensity"],
+     "Creep growth parameter = C(t)")]
 
 
 def test_refusals():

@@ -137,10 +137,29 @@ def test_asked_for_or_not():
     settings = ["Material/Young modulus=13000*if(x<0.5,1,2)"]
     scene = pathlib.Path("asked_for.prm")
     scene.write_text(SCENE)
-    for more in (["Crack tip/Stress intensity=true"],
-                 ["Crack tip/Crack growth law=paris", "Crack tip/Paris factor=1"]):
+    paris = ["Crack tip/Crack growth law=paris", "Crack tip/Paris factor=1"]
+    for more in (["Crack tip/Stress intensity=true"], paris,
+                 ["Crack tip/Method=williams fit"]):
         code, _, error = execute("--check", scene, *overrides(settings + more))
         check(code == 2 and "is not the same on all sides" in error, error)
+    for settings, reason in (
+            (["Boundary/Contact=none", *paris], "the mesh has no crack tip"),
+            (["Material/Plane state=axisymmetric", "Material/Viscosity=isotropic",
+              "Material/Viscous Poisson ratio=0.4", *paris], "its elastic Poisson"),
+            (["Crack tip/Radius=0.9"], "[Crack tip] Radius = 0.9: must be at most")):
+        code, _, error = execute("--check", scene, *overrides(settings))
+        check(code == 2 and reason in error, f"{settings}: {error}")
+
+
+def test_not_used():
+    """How K_I is found does not matter where none is looked for."""
+    for setting in ("Radius=0.1", "Method=interaction integral"):
+        results = run_defaults("not_used", ["Geometry/Shape=rectangle",
+                                            f"Crack tip/{setting}"])
+        name, value = setting.split("=")
+        check(f"[Crack tip] {name} = {value} is not used: automatic: no boundary has the "
+              "role Contact or Crack" in results.summary["warnings"],
+              f"{results.summary['warnings']}")
 
 
 def test_displacements():
@@ -192,4 +211,5 @@ test_choices()
 test_scripts()
 test_schemes()
 test_asked_for_or_not()
+test_not_used()
 test_displacements()

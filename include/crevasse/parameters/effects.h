@@ -75,6 +75,10 @@ namespace Crevasse
   bool
   creeps_in_proportion(const MaterialParameters &material);
 
+  /** Whether K is asked for, or tried to have unasked. */
+  Effects::Effect
+  stress_intensity_effect(const Scene &scene, const BoundaryRoles &roles);
+
   /** Whether there is a change of temperature. */
   bool
   has_temperature(const LoadParameters &loads);

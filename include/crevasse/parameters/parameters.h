@@ -332,6 +332,14 @@ namespace Crevasse
     add_parameters(dealii::ParameterHandler &prm);
     void
     check(Problems &problems) const;
+
+    /** Whether what drives the growth is C(t). */
+    bool
+    grows_by_C_of_t() const;
+
+    /** Whether K is asked for, by itself or for the growth. */
+    bool
+    needs_stress_intensity() const;
   };
 
   struct OutputParameters

@@ -151,7 +151,8 @@ namespace Crevasse
     std::optional<LoadFactors> load_factors; ///< to compare by
 
   private:
-    /** "automatic" does without K where it cannot be had. */
+    /** "automatic" does without K where it cannot be had, unless something is
+     * said of how. */
     void
     find_crack_tips()
     {
@@ -163,8 +164,9 @@ namespace Crevasse
         }
       catch (const SceneError &error)
         {
-          if (scene.crack_tip.stress_intensity == StressIntensityChoice::on ||
-              scene.crack_tip.growth_law != GrowthLawType::none)
+          const CrackTipParameters &wish = scene.crack_tip;
+          if (wish.needs_stress_intensity() || wish.radius > 0. ||
+              wish.method != StressIntensityMethod::automatic)
             throw;
           stress_intensity.on  = false;
           stress_intensity.why = std::string("automatic: ") + error.what();
