@@ -160,6 +160,13 @@ def test_mesh_files():
           and len(chart["series"]) == 2, chart)
 
 
+def test_no_mesh():
+    """A file that is not there is blamed on the option that names it."""
+    _, error = sweep("no_mesh", CRACK, "--set", "Geometry/Shape=mesh file", "--vary",
+                     "Geometry/Mesh file=nowhere.msh,neither.msh", status=4)
+    check('--vary "Geometry/Mesh file=nowhere.msh"' in error, error)
+
+
 def test_closed_part():
     """An elastic crack is closed in the half of the period that presses."""
     rows, _ = sweep("closed", CRACK, "--vary", "Loads/Traction=0; sin(2*pi*t/600) | "
@@ -332,8 +339,8 @@ def test_progress():
 
 
 for test in (test_ranges, test_numbers, test_handbook, test_mesh_files,
-             test_closed_part, test_orders, test_jobs, test_jobs_with_mpirun,
-             test_interruption, test_crash, test_progress):
+             test_no_mesh, test_closed_part, test_orders, test_jobs,
+             test_jobs_with_mpirun, test_interruption, test_crash, test_progress):
     start = time.time()
     test()
     print(f"{test.__name__}: {time.time() - start:.1f} s")

@@ -52,6 +52,7 @@ def test_tables():
         "Crack tip/Stress intensity": True}, output="results/tables", force=True)
     for frame, name in ((run.probe("C"), "probe_C"), (run.contact, "contact"),
                         (run.periods, "periods"), (run.crack_tip(), "crack_tip"),
+                        (run.table("lip.csv"), "lip"),
                         (run.table("probe_C.csv"), "probe_C")):
         header, values = values_in(f"results/tables/{name}.csv")
         check(list(frame.columns) == header, f"{name}: {list(frame.columns)}")

@@ -30,12 +30,12 @@ def read_scenes(program, options, settings):
         try:
             texts.append(program.finish_parameters(calls[k]))
         except CommandError as error:
-            if error.status != 2:
-                raise
             message = re.sub(r"\A\d+ problems:\n", "", str(error))
             for text in map(shorten, own):
                 message = message.replace(f"--set \"{text}\"",
                                           f"--{'vary' if k else 'reference'} \"{text}\"")
+            if error.status != 2:
+                raise CommandError(message, error.status) from None
             mistakes += message.splitlines()
         calls[k] = None
     require_none(list(dict.fromkeys(mistakes)))
