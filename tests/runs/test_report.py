@@ -211,6 +211,13 @@ def other_runs():
     page, _ = report(table.directory)
     check_says(page, "no period was asked for", "No period was computed")
     check(len(data_of(page)["charts"][0]["series"][0]["points"]) == 3, "Table 1")
+    # The square of its stress is too large for the files of fields.
+    huge = run(PAPER, "huge", ["Boundary/Contact=none",
+                               "Crack tip/Stress intensity=automatic",
+                               "Loads/Traction=0; 1e30*sin(2*pi*t/600)"])
+    page, said = report(huge.directory, 4)
+    check("second_deviator_invariant is beyond" in said, f"huge: {said}")
+    check_says(page, "No stress intensity: automatic: no boundary has the role Contact")
     status, _, error = execute(PAPER, "--output", "results/refused", "--set",
                                "Contact/Maximum iterations=2", "--set",
                                "Contact/Relaxation factor=1")

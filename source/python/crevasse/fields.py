@@ -82,6 +82,9 @@ class Fields:
         if name not in self.data:
             raise ResultsError(f"{self.path}: there is no array {name}. Arrays: "
                                f"{', '.join(sorted(self.data)) or 'none'}.")
+        if not numpy.isfinite(self.data[name]).all():
+            raise ResultsError(f"{self.path}: {name} is beyond the range of numbers of "
+                               "four bytes.")
         return self.data[name]
 
     def triangulation(self, wanted=20000):
