@@ -9,7 +9,7 @@ import pathlib
 
 import numpy
 
-import study  # first: finds the package
+from study import ROOT  # first: finds the package
 
 from crevasse.plotting import BLUE, GREEN, GREY, INK, SHADE, VERMILION, pyplot, save
 
@@ -93,7 +93,7 @@ def draw_box(axes):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--figures", type=pathlib.Path,
-                        default=pathlib.Path(__file__).resolve().parent,
+                        default=ROOT / "doc/figures",
                         help="where the figure goes")
     options = parser.parse_args()
     figure, panels = pyplot.subplots(1, 4, figsize=(10, 3.1))

@@ -28,9 +28,9 @@ PROBES = ["Output/Probes=" + "; ".join(
 ENVIRONMENT = {name: value for name, value in os.environ.items()
                if not name.startswith("OMPI_MCA_")}
 # As Debian's /etc/openmpi has them.
-DEBIANS = {"OMPI_MCA_ess_singleton_isolated": "0", "OMPI_MCA_pml": "^ucx",
-           "OMPI_MCA_orte_create_session_dirs": "1",
-           "OMPI_MCA_btl": "^uct,openib,ofi"}
+DEBIAN = {"OMPI_MCA_ess_singleton_isolated": "0", "OMPI_MCA_pml": "^ucx",
+          "OMPI_MCA_orte_create_session_dirs": "1",
+          "OMPI_MCA_btl": "^uct,openib,ofi"}
 
 
 def measure(program, settings, more=()):
@@ -66,7 +66,7 @@ def main():
     programs = {"": sys.argv[1]}
     if len(sys.argv) > 2:
         programs["other program, "] = sys.argv[2]
-    starts = {"Debian's Open MPI": (sys.argv[1], [], DEBIANS)}
+    starts = {"Debian's Open MPI": (sys.argv[1], [], DEBIAN)}
     starts.update({name + "as it is": (program, [], {})
                    for name, program in programs.items()})
     compare(11, "start", starts)

@@ -7,8 +7,11 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "runs"))
 
-from crevasse_run import (SOURCE, check, check_below, check_close,  # noqa: E402,F401
-                          execute, overrides, run)
+from crevasse_run import (check, check_below, check_close, execute,  # noqa: E402
+                          overrides, run)
+
+__all__ = ["HERE", "MODULUS", "PERIOD", "accuracy", "check", "check_below",
+           "check_close", "column", "compute", "largest_difference", "refuse"]
 
 PERIOD = 600.
 MODULUS = 13000.
