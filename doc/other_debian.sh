@@ -53,6 +53,7 @@ packages="$(cat doc/debian-packages.txt) mold"
 case $compiler in *clang*) packages="$packages clang" ;; esac
 if [ "$(cat "$root/installed" 2>/dev/null)" != "$packages" ]; then
   inside apt-get update
+  # shellcheck disable=SC2086  # many words are meant
   inside apt-get install -y --no-install-recommends $packages
   echo "$packages" > "$root/installed"
 fi
