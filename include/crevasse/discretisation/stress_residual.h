@@ -130,7 +130,7 @@ namespace Crevasse
      * tangential, on lips also the normal traction plus the contact pressure,
      * and nothing where the body is clamped.
      *
-     * @param added(point) a stress besides that of the polynomials. */
+     * @param added of a point: a stress besides that of the polynomials. */
     template <typename Function>
     double
     at_boundary(const Cell        &cell,
