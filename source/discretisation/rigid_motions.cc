@@ -137,7 +137,7 @@ namespace Crevasse
     constraint_gram_matrix(const Space<dim>      &space,
                            const RigidParts<dim> &parts)
     {
-      constexpr unsigned int                        n_modes = parts.n_modes;
+      constexpr unsigned int n_modes = RigidParts<dim>::n_modes;
       std::map<types::global_dof_index, Point<dim>> support_points;
       DoFTools::map_dofs_to_support_points(space.mapping,
                                            space.dof_handler,
