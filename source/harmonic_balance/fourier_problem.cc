@@ -37,7 +37,7 @@ namespace Crevasse
         found.push_back("the viscosity varies in time, " +
                         effects.varying_viscosity.why + instead);
       if (body.law.is_power_law())
-        found.push_back(
+        found.emplace_back(
           "creep by a power law has no harmonics of its own; use "
           "[Periodic state] Method = march");
       if (body.law.has_spring())
@@ -48,7 +48,7 @@ namespace Crevasse
       if (!found.empty())
         return found;
       if (!has_viscosity(body))
-        found.push_back(
+        found.emplace_back(
           "the fluidity of [Material] is singular: a part of the strain does "
           "not flow; use [Periodic state] Method = march");
       return found;
@@ -162,7 +162,7 @@ namespace Crevasse
       all.push_back(what_contact_holds(body.held_by_contact) +
                     "; use [Periodic state] Method = march");
     if (scene.time_integration.step_control != StepControlType::uniform)
-      all.push_back(
+      all.emplace_back(
         "harmonics need equal steps; set [Time integration] Step "
         "control = uniform, or use [Periodic state] Method = "
         "anderson");

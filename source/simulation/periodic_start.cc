@@ -67,7 +67,7 @@ namespace Crevasse
           start.split.effect.why =
             "the mean of the samples does not vanish, "
             "though that of the load does";
-          start.warnings.push_back(
+          start.warnings.emplace_back(
             "[Time integration] Steps per period: the mean load vanishes, but "
             "not that of its samples: what flows is an error of the steps");
           log.line("  warning: " + start.warnings.back());

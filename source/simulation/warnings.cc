@@ -75,14 +75,14 @@ namespace Crevasse
     constexpr double is_jump = 0.2;
     if (setup.scene.crack_tip.creep_integral &&
         formulas_can_jump(setup.scene) && setup.missed_load > is_jump)
-      all.push_back(
+      all.emplace_back(
         "[Crack tip] Creep integral: a load seems to jump within a step, where "
         "C(t) is wrong; let a step end at the jump ([Time integration] Steps)");
     if (const auto &scene = setup.scene;
         scene.material.viscosity == ViscosityType::power_law &&
         scene.discretisation.volumetric_strain == VolumetricStrain::full &&
         (dim == 3 || scene.material.plane_state != PlaneState::plane_stress))
-      all.push_back(
+      all.emplace_back(
         "[Material] Viscosity = power law keeps the volume, so that "
         "elements lock: set [Discretisation] Volumetric strain = "
         "mean and Degree = 1");
@@ -94,7 +94,7 @@ namespace Crevasse
         "though no formula has a jump in it. Is this the period of the "
         "formulas?");
     if (singular_functions(setup.scene).n == 3 && setup.body.effects.contact.on)
-      all.push_back(
+      all.emplace_back(
         "[Discretisation] Singular functions = 3 with contact: where the lip "
         "is pressed, the third one moves it between its nodes, and pressure "
         "and K_I are off by some tenths of a per cent; 2 are not");

@@ -122,7 +122,7 @@ namespace Crevasse
       std::vector<std::string> columns = {"t", "front", "s", "x", "y", "z"};
       const auto               names   = analysis.names();
       columns.insert(columns.end(), names.begin(), names.end());
-      columns.push_back("energy_release_rate");
+      columns.emplace_back("energy_release_rate");
       for (const std::string &name : names)
         columns.push_back(name + "_error");
       CsvTable table(file_name, columns);

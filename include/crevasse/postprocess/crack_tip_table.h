@@ -35,7 +35,7 @@ namespace Crevasse
     {
       std::vector<std::string> columns = {"t", "K_I", "K_I_stress"};
       if (analysis.has_singular_functions)
-        columns.push_back("K_I_singular");
+        columns.emplace_back("K_I_singular");
       columns.insert(columns.end(),
                      {"K_I_error", "energy_release_rate", "strain_energy"});
       return columns;
