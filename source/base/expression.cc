@@ -61,10 +61,10 @@ namespace Crevasse
     join_functions(std::string formula)
     {
       const auto is_blank = [](const unsigned char c) {
-        return std::isspace(c);
+        return std::isspace(c) != 0;
       };
       const auto is_word = [](const unsigned char c) {
-        return std::isalnum(c) || c == '_';
+        return std::isalnum(c) != 0 || c == '_';
       };
       for (auto bracket = formula.begin(); bracket != formula.end(); ++bracket)
         if (*bracket == '(')

@@ -224,7 +224,7 @@ namespace Crevasse
                   if (d == component && n_sides == 1)
                     add_master(dof - component, factor);
                 }
-        n_hanging += is_hanging;
+        n_hanging += is_hanging ? 1 : 0;
       }
     // If the other side does not, the opening is not interpolated.
     if (n_hanging < n_sides)

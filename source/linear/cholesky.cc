@@ -93,7 +93,7 @@ namespace Crevasse
     // of several parts of a body need not be last then.
     for (const bool sorted : {true, false})
       {
-        common.postorder = sorted;
+        common.postorder = sorted ? 1 : 0;
         cholmod_free_factor(&analysed, &common);
         analysed = cholmod_analyze_p(
           &A, const_cast<int *>(candidate.data()), nullptr, 0, &common);

@@ -149,7 +149,7 @@ namespace Crevasse
             now[entry] += weight * u;
         }
       for (const auto &[k, entry] : bounds)
-        now[entry] = sample.state.contact_forces[k] > 0.;
+        now[entry] = sample.state.contact_forces[k] > 0. ? 1. : 0.;
       dealii::Utilities::MPI::sum(now, body.space.communicator(), now);
     }
 
