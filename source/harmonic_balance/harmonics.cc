@@ -41,14 +41,14 @@ namespace Crevasse
 
 
   std::complex<double>
-  Harmonics::integral(const unsigned int k) const
+  Harmonics::integral(const unsigned int n) const
   {
     if (rule == TimeRule::exact)
-      return {0., -period / (2. * numbers::PI * k)};
-    if (is_real(k))
+      return {0., -period / (2. * numbers::PI * n)};
+    if (is_real(n))
       return 0.;
     return {0.,
             -0.5 * period / n_instants /
-              std::tan(numbers::PI * k / n_instants)};
+              std::tan(numbers::PI * n / n_instants)};
   }
 } // namespace Crevasse

@@ -46,10 +46,9 @@ namespace Crevasse
     /** @param parameter that the formula was given for, "[Section] Name".
      * @throw SceneError with muParser's own words if the formula does not
      * parse or uses an unknown name. */
-    explicit Expression(
-      const std::string &formula,
-      const std::string &variables = Variables::space_and_time,
-      const std::string &parameter = "");
+    explicit Expression(const std::string &formula,
+                        const std::string &allowed = Variables::space_and_time,
+                        const std::string &parameter = "");
 
     /** @throw SceneError naming parameter, formula, point and instant when the
      * value is not finite: whoever evaluates a formula during a run looks at

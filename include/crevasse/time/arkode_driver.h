@@ -110,7 +110,7 @@ namespace Crevasse
     switching_functions() const;
 
     static int
-    right_hand_side(sunrealtype t, N_Vector y, N_Vector f, void *self);
+    right_hand_side(sunrealtype t, N_Vector y, N_Vector f, void *user_data);
 
     using Context =
       std::unique_ptr<std::remove_pointer_t<SUNContext>, void (*)(SUNContext)>;

@@ -72,7 +72,7 @@ namespace Crevasse
       Vector r, rate;
 
       bool
-      is_of(const double t, const Vector &r) const;
+      is_of(const double time, const Vector &strain) const;
     };
 
     /** f(r,t) with r = @p known + @p c f(r,t). Keeps it, and its r. */
