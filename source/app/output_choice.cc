@@ -127,7 +127,7 @@ namespace Crevasse
     const unsigned int allowed   = scene.periodic_state.maximum_periods;
     const double       tolerance = scene.periodic_state.tolerance;
     const Summary      converged = summary.value("converged", Summary());
-    const Summary      estimates = summary.at("stress_error_estimate");
+    const Summary     &estimates = summary.at("stress_error_estimate");
     const Summary      error = estimates.empty() ? Summary() : estimates.back();
     const bool         is_enough = converged == true && tolerance > 0. &&
                            error.is_number() && error <= tolerance;

@@ -76,7 +76,7 @@ namespace Crevasse
 
 
   int
-  StopRequests::of_signals() const
+  StopRequests::of_signals()
   {
     if (asked_to_stop != 0)
       return stop * first_request + asked_to_stop;

@@ -115,8 +115,8 @@ namespace Crevasse
 
       if (statement.empty())
         return;
-      else if (begins_with("set", "SET") && rest[0] != '=' &&
-               rest.find('=') != std::string::npos)
+      if (begins_with("set", "SET") && rest[0] != '=' &&
+          rest.find('=') != std::string::npos)
         set_parameter(rest, file);
       else if (begins_with("subsection", "SUBSECTION"))
         {

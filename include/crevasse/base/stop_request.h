@@ -95,8 +95,8 @@ namespace Crevasse
     // A request and the signal that brought it, if it was one, in one number.
     static constexpr int first_request = 64;
 
-    int
-    of_signals() const;
+    static int
+    of_signals();
 
     int
     of_file();

@@ -30,8 +30,7 @@ namespace Crevasse
     /** Collective. @throw SceneError if deal.II's indices are too short for
      * the numbers of all points. */
     explicit QuadratureField(const Space<dim> &space)
-      : n_local_points(0)
-      , offsets(space.mesh().n_active_cells(),
+      : offsets(space.mesh().n_active_cells(),
                 dealii::numbers::invalid_unsigned_int)
       , communicator(space.communicator())
     {
@@ -79,7 +78,7 @@ namespace Crevasse
     }
 
     /** Points of this rank, and of all ranks. */
-    std::size_t n_local_points;
+    std::size_t n_local_points = 0;
     std::size_t
     n_points() const
     {

@@ -119,7 +119,7 @@ namespace Crevasse
     unsigned int
     measure_dimension() const
     {
-      return roles.has_axis ? 3 : dim;
+      return roles.has_axis ? dim + 1 : dim;
     }
 
     MPI_Comm
