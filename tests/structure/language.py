@@ -55,7 +55,7 @@ NAMES = {
 
 
 def files():
-    yield ROOT / "README.md"
+    yield from (ROOT / "README.md", ROOT / "CONTRIBUTING.md")
     for folder, ends in (("doc", (".md", ".py")), ("prm", (".prm",)),
                          ("source", (".cc", ".py")), ("include", (".h",)),
                          ("tests", (".cc", ".h", ".py", ".prm"))):

@@ -11,7 +11,8 @@ import sys
 
 ROOT = pathlib.Path(sys.argv[1]).resolve()
 LARGEST_PICTURE = 200_000  # bytes
-PAGES = [ROOT / "README.md", *sorted((ROOT / "doc").glob("*.md"))]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md",
+         *sorted((ROOT / "doc").glob("*.md"))]
 
 
 def prose(path):
