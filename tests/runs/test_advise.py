@@ -143,7 +143,7 @@ def test_stop():
                          "0.001", status=5)
     check("repeat the command to continue" in error, error)
     directory, _, error = advise("stopped", "--error", TARGET, *SETTINGS,
-                                 "--wall-time", str(TIMES["target"] / 2),
+                                 "--wall-time", str(TIMES["target"] / 5),
                                  status=5)
     check("--wall-time" in error, error)
     check(list(directory.glob("runs/*/finished.json")), "nothing was finished")
