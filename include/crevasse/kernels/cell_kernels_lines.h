@@ -90,7 +90,7 @@ namespace Crevasse
     struct Line
     {
       // (As argument of a template it would lose the attribute.)
-      typedef Real V __attribute__((vector_size(CREVASSE_LANE_BYTES)));
+      using V __attribute__((vector_size(CREVASSE_LANE_BYTES))) = Real;
 
       static constexpr Basis<n, n_points> basis{};
 

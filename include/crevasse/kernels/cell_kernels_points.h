@@ -18,8 +18,8 @@ namespace Crevasse
               typename Real>
     struct PointKernel
     {
-      typedef Real V __attribute__((vector_size(CREVASSE_LANE_BYTES)));
-      typedef V    Stored __attribute__((may_alias)); ///< in arrays of Real
+      using V __attribute__((vector_size(CREVASSE_LANE_BYTES))) = Real;
+      using Stored __attribute__((may_alias)) = V; ///< in arrays of Real
 
       using Shape  = BatchGeometry::Shape;
       using Cells  = CellBatches<Real>;
@@ -94,7 +94,7 @@ namespace Crevasse
                     const Function    &f)
       {
         const BatchGeometry &of_batch = cells.geometries[batch];
-        const Stored *const  values   = reinterpret_cast<const Stored *>(
+        const auto *const    values   = reinterpret_cast<const Stored *>(
           cells.geometry_values + of_batch.start);
         // (Rings are no bricks.)
         if (of_batch.shape == Shape::brick)
@@ -209,7 +209,7 @@ namespace Crevasse
         const Real *K = moduli.values + batch * moduli.per_batch;
         for (int q = 0; q < n_points; ++q, K += moduli.per_point)
           {
-            const Stored *const k = reinterpret_cast<const Stored *>(K);
+            const auto *const k = reinterpret_cast<const Stored *>(K);
             if (moduli.is_isotropic)
               {
                 const V trace    = s[q][0] + s[q][1] + s[q][2];
