@@ -101,10 +101,13 @@ def test_ranks():
     for name in tier(("readapted",), ("anderson", "readapted", "crack tip")):
         settings = COMMON + CASES[name] + ["Contact/Tolerance=1e-13"]
         whole, _ = reference("ranks_whole", settings)
-        directory = fresh("ranks")
-        codes = [interrupt(directory, settings, "stop file",
-                           int(share * rows(whole)), n_ranks)[0]
-                 for n_ranks, share in ((1, 0.3), (2, 0.6))]
+        for _ in range(3):  # on a busy machine the run may end before
+            directory = fresh("ranks")
+            codes = [interrupt(directory, settings, "stop file",
+                               int(share * rows(whole)), n_ranks)[0]
+                     for n_ranks, share in ((1, 0.3), (2, 0.6))]
+            if 5 in codes:
+                break
         check(5 in codes, f"{name}: {codes}")
         resumed = finish(directory, settings, 1 if name == "anderson" else 3)
         check_below(largest_difference(whole, resumed), 1e-10,
