@@ -42,6 +42,8 @@ class Copy:
             CCACHE_SLOPPINESS="pch_defines,time_macros")
         if shutil.which("ccache"):
             self.environment["CMAKE_CXX_COMPILER_LAUNCHER"] = "ccache"
+        if shutil.which("mold"):  # all programs are linked for each mutant
+            self.environment["LDFLAGS"] = "-fuse-ld=mold"
         tree.mkdir(parents=True, exist_ok=True)
         for command in (("init", "-q"), ("fetch", "-q", SOURCE, "HEAD"),
                         ("checkout", "-q", "--force", "-B", "mutants", commit)):
