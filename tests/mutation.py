@@ -175,28 +175,28 @@ class Run:
 
     def go(self, count, jobs):
         self.prepare(jobs)
-        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-            if not self.facts["tests"]:
-                self.measure(pool)
-            done = {(record["file"], record["line"]) for record in self.records}
-            mutants = iter([mutant for mutant in draw(self.copies[0].tree,
-                                                      self.facts["seed"])
-                            if (mutant.file, mutant.line) not in done])
-            at_work = set()
-            while True:
-                counted = sum(record["outcome"] != "does not compile"
-                              for record in self.records)
-                n_free = min(len(self.copies), count - counted) - len(at_work)
-                for mutant in itertools.islice(mutants, max(0, n_free)):
-                    at_work.add(pool.submit(
-                        self.with_copy, Copy.judge, mutant,
-                        self.order(mutant.file.split("/")[-2])))
-                if not at_work:
-                    return
-                ended, at_work = concurrent.futures.wait(
-                    at_work, return_when=concurrent.futures.FIRST_COMPLETED)
-                for future in ended:
-                    self.record(future.result())
+        pool = concurrent.futures.ThreadPoolExecutor(jobs)
+        if not self.facts["tests"]:
+            self.measure(pool)
+        done = {(record["file"], record["line"]) for record in self.records}
+        mutants = iter([mutant for mutant in draw(self.copies[0].tree,
+                                                  self.facts["seed"])
+                        if (mutant.file, mutant.line) not in done])
+        at_work = set()
+        while True:
+            counted = sum(record["outcome"] != "does not compile"
+                          for record in self.records)
+            n_free = min(len(self.copies), count - counted) - len(at_work)
+            for mutant in itertools.islice(mutants, max(0, n_free)):
+                at_work.add(pool.submit(
+                    self.with_copy, Copy.judge, mutant,
+                    self.order(mutant.file.split("/")[-2])))
+            if not at_work:
+                return
+            ended, at_work = concurrent.futures.wait(
+                at_work, return_when=concurrent.futures.FIRST_COMPLETED)
+            for future in ended:
+                self.record(future.result())
 
 
 def as_code(line):
