@@ -9,18 +9,24 @@ import argparse
 import collections
 import json
 import pathlib
+import shutil
 import subprocess
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 
 
 def measured(build):
     """{file: {line: count}} of the program's own files, by gcovr."""
-    text = subprocess.run(
+    if not shutil.which("gcovr"):
+        sys.exit("gcovr is not installed: apt-get install gcovr")
+    if not any(build.rglob("*.gcda")):
+        sys.exit(f"No test has run in {build}: doc/testing.md, Coverage.")
+    text = subprocess.run(  # whose filters hold in the current folder
         ["gcovr", "--root", ROOT, "--object-directory", build, build, "--json", "-j", "2",
          "--filter", "source/", "--filter", "include/", "--exclude-throw-branches",
          "--gcov-ignore-parse-errors"],
-        check=True, capture_output=True, text=True).stdout
+        cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
     return {entry["file"]: {line["line_number"]: line["count"] for line in entry["lines"]
                             if not line["gcovr/noncode"]}
             for entry in json.loads(text)["files"]}
@@ -50,10 +56,11 @@ def ranges(lines):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("build", nargs="?", default=ROOT / "build-coverage")
+    parser.add_argument("build", nargs="?", type=pathlib.Path,
+                        default=ROOT / "build-coverage")
     parser.add_argument("--lines", action="store_true")
     options = parser.parse_args()
-    files = measured(options.build)
+    files = measured(options.build.resolve())
     folders = collections.defaultdict(list)
     for file, lines in files.items():
         folders[folder(file)].append(lines)
