@@ -118,6 +118,19 @@ class Copy:
             path.write_text(text)
 
 
+def records(file):
+    """Of the mutants that are done, one a line."""
+    known = []
+    for number, line in enumerate(file.read_text().splitlines()
+                                  if file.exists() else (), 1):
+        try:
+            known.append(json.loads(line))
+        except json.JSONDecodeError:
+            raise SystemExit(f"{file}:{number} is cut off. Remove the line: its mutant "
+                             "is judged again.") from None
+    return known
+
+
 class Run:
     """Copies that work side by side, and what is known so far."""
 
@@ -129,8 +142,7 @@ class Run:
                       if self.facts_file.exists() else
                       {"seed": seed, "tests": {}, "commit": subprocess.check_output(
                           ["git", "rev-parse", "HEAD"], cwd=SOURCE, text=True).strip()})
-        self.records = (list(map(json.loads, self.file.read_text().splitlines()))
-                        if self.file.exists() else [])
+        self.records = records(self.file)
         self.copies, self.free = [], queue.Queue()
 
     def with_copy(self, function, *arguments):
@@ -205,6 +217,8 @@ def as_code(line):
 
 def print_table(run):
     """As Markdown; survivors first, because they are what is to be read."""
+    if not run.records:
+        raise SystemExit(f"No mutant is done in {run.directory}.")
     mutants = [record for record in run.records if record["outcome"] != "does not compile"]
     print("| folder | mutants | killed | survived |\n|---|---|---|---|")
     for name in (*FOLDERS, "all"):
@@ -231,12 +245,18 @@ def main():
     parser.add_argument("directory", type=pathlib.Path)
     parser.add_argument("--count", type=int, default=100, help="mutants that compile")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=2, help="clones side by side")
+    parser.add_argument("--jobs", type=int, default=2, help="clones side by side",
+                        choices=range(1, max(2, os.cpu_count()) + 1))
     parser.add_argument("--table", action="store_true", help="print what is known")
     options = parser.parse_args()
     run = Run(options.directory, options.seed)
     if options.table:
         return print_table(run)
+    if run.facts["seed"] != options.seed:
+        parser.error(f"{run.facts_file} has the seed {run.facts['seed']}: give it, or "
+                     "another directory.")
+    print(f"Commit {run.facts['commit'][:9]}, {len(run.records)} mutants are done.",
+          flush=True)
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         run.go(options.count, options.jobs)
