@@ -13,9 +13,10 @@ FOLDERS = ("material", "kernels", "discretisation", "model", "linear", "contact"
 # What is no numerics: declarations, messages, checks, tolerances, memory.
 SKIPPED = re.compile(
     r"\"|<<|\d[eE]-\d|\b(template|using|operator|throw|static_assert|Assert\w*|Exc\w*|"
-    r"reserve|sizeof|\w*tolerance|epsilon)\b")
-# Operators have blanks around them, or end the line: the code is formatted.
-END = r"(?= |$)"
+    r"reserve|sizeof|memory_\w+|bytes\w*|\w*tolerance|epsilon)\b")
+# Operators have blanks around them, or end the line: the code is formatted. Arguments
+# of templates, before a > without a blank, are declarations.
+END = r"(?= |$)(?! \w+>)"
 MUTATIONS = [(kind, re.compile(pattern), after) for kind, pattern, after in (
     *(("operator", rf"(?<=[^ =(,] ){re.escape(one)}{END}", other) for one, other in (
         ("+", "-"), ("-", "+"), ("/", "*"), ("+=", "-="), ("-=", "+="), ("*=", "/="),
@@ -34,7 +35,7 @@ MUTATIONS = [(kind, re.compile(pattern), after) for kind, pattern, after in (
     ("index", r"\[\K0(?=\])", "1"), ("index", r"\[\K[12](?=\])", "0"),
     ("value", r"\btrue\b", "false"), ("value", r"\bfalse\b", "true"),
     ("extremum", r"(?<=::)max(?=\()", "min"), ("extremum", r"(?<=::)min(?=\()", "max"),
-    ("call", r"^ +\K(?!return)[\w.:>\[\]()-]+\(.*\);$", ";"),
+    ("call", r"^ +\K(?!return|[A-Z]{5})[\w.:>\[\]()-]+\(.*\);$", ";"),
 ) for pattern in [pattern.replace(r"\K", "(?P<mutated>", 1) + ")"
                   if r"\K" in pattern else f"(?P<mutated>{pattern})"]]
 
