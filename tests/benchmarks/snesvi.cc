@@ -3,8 +3,8 @@
 
 // The elastic state of a scene in the plane at the time 0, by PETSc's SNESVI
 // (reduced space, MUMPS) with the matrix and the loads of the program. Prints
-// unknowns, iterations, energy and the displacement of the mouth.
-// tests/benchmarks/compare.py compares it with others:
+// unknowns, iterations, energy and the opening of the mouth.
+// doc/figures/compare.py compares it with others:
 //
 //     snesvi SCENE.prm ["Section/Name=value" ...]
 
