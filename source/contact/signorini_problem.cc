@@ -6,8 +6,6 @@
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/linear/matrix_operator.h>
 
-#include <deal.II/base/mpi.h>
-
 namespace Crevasse
 {
   using namespace dealii;

@@ -8,7 +8,6 @@
 #include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/material/plane_elasticity.h>
-#include <crevasse/parameters/parameters.h>
 
 #include <algorithm>
 

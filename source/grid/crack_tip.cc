@@ -157,10 +157,10 @@ namespace Crevasse
 
 
 
-  CrackTip
-  only_crack_tip(const Triangulation<2> &mesh,
-                 const BoundaryRoles    &roles,
-                 const std::string      &wanted_by)
+  std::vector<CrackTip>
+  crack_tips(const Triangulation<2> &mesh,
+             const BoundaryRoles    &roles,
+             const std::string      &wanted_by)
   {
     const std::vector<CrackTip> tips = find_crack_tips(mesh, roles);
     if (tips.empty())
@@ -170,6 +170,10 @@ namespace Crevasse
                        "of the plane of symmetry ([Boundary] Symmetry), or "
                        "where the lips of a [Boundary] Crack meet. Give "
                        "the body a crack, or turn this off.");
+    if (std::all_of(tips.begin(), tips.end(), [](const CrackTip &tip) {
+          return tip.two_lips;
+        }))
+      return tips;
     for (const CrackTip &tip : tips)
       if (tip.two_lips)
         throw SceneError(wanted_by + ": the crack at " +
@@ -187,23 +191,7 @@ namespace Crevasse
                          ", where one is allowed. Model a part with one of "
                          "them, using symmetry, or turn this off.");
       }
-    return tips.front();
-  }
-
-
-
-  std::vector<CrackTip>
-  crack_tips(const Triangulation<2> &mesh,
-             const BoundaryRoles    &roles,
-             const std::string      &wanted_by)
-  {
-    const std::vector<CrackTip> tips = find_crack_tips(mesh, roles);
-    if (!tips.empty() &&
-        std::all_of(tips.begin(), tips.end(), [](const CrackTip &tip) {
-          return tip.two_lips;
-        }))
-      return tips;
-    return {only_crack_tip(mesh, roles, wanted_by)};
+    return tips;
   }
 
 

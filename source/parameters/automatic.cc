@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/text.h>
 #include <crevasse/parameters/automatic.h>
 #include <crevasse/parameters/built_in_boundary.h>
 #include <crevasse/parameters/effects.h>

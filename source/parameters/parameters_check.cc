@@ -5,7 +5,6 @@
 #include <crevasse/parameters/checker.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <cmath>
 #include <filesystem>
 
 namespace Crevasse

@@ -292,10 +292,7 @@ namespace Crevasse
                              ParameterHandler::KeepDeclarationOrder);
     else if (format == "markdown")
       print_markdown(out, prm);
-    else if (format == "schema")
-      out << make_scene_schema(make_catalogue(prm)).dump(2) << '\n';
     else
-      throw SceneError("--print-parameters " + Text::shorten(format) +
-                       ": must be prm, json, markdown or schema");
+      out << make_scene_schema(make_catalogue(prm)).dump(2) << '\n';
   }
 } // namespace Crevasse

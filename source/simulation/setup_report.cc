@@ -5,13 +5,11 @@
 #include <crevasse/base/machine_memory.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/model/largest_load.h>
 #include <crevasse/model/mesh_materials.h>
 #include <crevasse/simulation/setup_report.h>
 #include <crevasse/simulation/warnings.h>
 
 #include <deal.II/grid/grid_tools.h>
-
 
 namespace Crevasse
 {

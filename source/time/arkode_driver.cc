@@ -5,8 +5,6 @@
 #include <crevasse/parameters/parameters.h>
 #include <crevasse/time/arkode_driver.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <arkode/arkode_arkstep.h>
 #include <sstream>

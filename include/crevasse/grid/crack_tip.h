@@ -89,15 +89,10 @@ namespace Crevasse
   find_crack_tips(const dealii::Triangulation<2> &mesh,
                   const BoundaryRoles            &roles);
 
-  /** The one tip of a half model that there must be.
+  /** All tips if the lips at each are two, or else the one tip of a half model
+   * that there must be.
    * @param wanted_by the parameter that asks for it, "[Section] Name = value".
-   * @throw SceneError if there is none, more than one, or one with two lips. */
-  CrackTip
-  only_crack_tip(const dealii::Triangulation<2> &mesh,
-                 const BoundaryRoles            &roles,
-                 const std::string              &wanted_by);
-
-  /** The only_crack_tip(), or all tips if the lips at each are two. */
+   * @throw SceneError if there is none, or another one. */
   std::vector<CrackTip>
   crack_tips(const dealii::Triangulation<2> &mesh,
              const BoundaryRoles            &roles,

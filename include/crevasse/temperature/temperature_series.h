@@ -23,8 +23,6 @@ namespace Crevasse
     NumberFile(const std::string &name)
       : file_name(name)
     {
-      if (const std::string why = why_unreadable(name); !why.empty())
-        throw FileError("[Loads] Temperature = " + name + ": " + why);
       H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // messages are ours
       file = H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
       if (file < 0)

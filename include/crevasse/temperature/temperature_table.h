@@ -92,8 +92,7 @@ namespace Crevasse
       const std::string  header = dim == 2 ? "t,x,y,theta" : "t,x,y,z,theta";
       std::istringstream file(read_text_file(file_name));
       std::string        line;
-      if (!std::getline(file, line))
-        refuse_temperature(file_name, "is empty.");
+      std::getline(file, line);
       line.erase(std::remove_if(line.begin(), line.end(), ::isspace),
                  line.end());
       if (line != header)
