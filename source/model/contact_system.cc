@@ -10,7 +10,6 @@
 #include <crevasse/linear/operator_check.h>
 #include <crevasse/model/contact_system.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;
@@ -36,17 +35,16 @@ namespace Crevasse
     if (matrix_free)
       {
         if (levels == nullptr)
-          {
-            levels =
-              std::make_shared<const MultigridLevels<dim>>(space, points);
-            bytes_of_levels = levels->memory_consumption();
-          }
+          levels = std::make_shared<const MultigridLevels<dim>>(space, points);
         auto A =
           std::make_unique<StiffnessOperator<dim>>(space, points, stiffness);
         require_same_product(*A, space, points, stiffness);
         open_solver =
           std::make_unique<GmgCg<dim>>(levels, *A, stiffness, bounds.dofs);
         linear_operator = std::move(A);
+        // Now that the products have made what they share of their cells.
+        if (similar == nullptr)
+          bytes_of_levels = levels->memory_consumption();
         ++setups.multigrid_setups;
       }
     else
