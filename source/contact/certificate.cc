@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/contact/certificate.h>
 
 #include <deal.II/base/array_view.h>
@@ -10,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -96,11 +96,10 @@ namespace Crevasse
   std::string
   Certificate::describe() const
   {
-    std::ostringstream text;
-    text << std::setprecision(3) << "penetration " << penetration
-         << ", tension " << tension << ", complementarity " << complementarity
-         << ", residual " << residual;
-    return text.str();
+    return Text::Message() << std::setprecision(3) << "penetration "
+                           << penetration << ", tension " << tension
+                           << ", complementarity " << complementarity
+                           << ", residual " << residual;
   }
 
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/contact/projected_sor.h>
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -25,10 +24,8 @@ namespace Crevasse
   std::string
   ProjectedSor::description() const
   {
-    std::ostringstream text;
-    text << std::setprecision(6) << "projected SOR with relaxation factor "
-         << relaxation_factor;
-    return text.str();
+    return Text::Message() << "projected SOR with relaxation factor "
+                           << relaxation_factor;
   }
 
 

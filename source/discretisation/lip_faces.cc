@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/of_all_ranks.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/lip_faces.h>
 #include <crevasse/discretisation/space.h>
@@ -87,10 +88,7 @@ namespace Crevasse
             faces.push_back(mine);
           }
 
-    std::vector<LipFace<dim>> all;
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(space.communicator(), faces))
-      all.insert(all.end(), of_rank.begin(), of_rank.end());
+    auto all = of_all_ranks(space.communicator(), faces);
     // On the axis ∫φx₁ vanishes for quadratic φ (for linear ones it is this):
     // see ContactBoundary.
     if (space.roles.has_axis)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/discretisation/rigid_modes.h>
@@ -9,9 +10,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
-
-#include <algorithm>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -53,11 +51,10 @@ namespace Crevasse
       const auto       rounded = [&](const double x) {
         return std::abs(x) < 1e-10 * length ? 0. : x;
       };
-      std::ostringstream text;
-      text << "rotation in the plane" << planes << " about ("
-           << rounded(middle[0] - length * mode[1] / mode[2]) << ", "
-           << rounded(middle[1] + length * mode[0] / mode[2]) << ')';
-      return text.str();
+      return Text::Message()
+             << "rotation in the plane" << planes << " about ("
+             << rounded(middle[0] - length * mode[1] / mode[2]) << ", "
+             << rounded(middle[1] + length * mode[0] / mode[2]) << ')';
     }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/harmonic_balance/periodic_state.h>
 #include <crevasse/harmonic_balance/periodic_system.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -328,16 +328,14 @@ namespace Crevasse
     solution.n_gmres_iterations = system.n_iterations;
     solution.certificate        = state.certify();
     if (!is_solved || solution.certificate.worst() > options.tolerance)
-      {
-        std::ostringstream message;
-        message << "The contact problem of the periodic motion was not solved "
-                   "to "
-                << options.tolerance << " by " << solution.n_sets
-                << " active sets: " << solution.certificate.describe()
-                << ". Check the moduli of [Material] for extreme contrasts, or "
-                   "try [Periodic state] Method = anderson.";
-        throw NumericalError(message.str());
-      }
+      throw NumericalError(
+        Text::Message()
+        << "The contact problem of the periodic motion was not solved "
+           "to "
+        << options.tolerance << " by " << solution.n_sets
+        << " active sets: " << solution.certificate.describe()
+        << ". Check the moduli of [Material] for extreme contrasts, or "
+           "try [Periodic state] Method = anderson.");
     solution.forces.resize(N, LipVector(p));
     for (unsigned int j = 0; j < N; ++j)
       std::copy_n(state.forces.begin() + j * p, p, solution.forces[j].begin());

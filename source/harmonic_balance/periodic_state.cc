@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/harmonic_balance/periodic_state.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <limits>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -103,11 +103,11 @@ namespace Crevasse
   std::string
   PeriodicContactCertificate::describe() const
   {
-    std::ostringstream text;
-    text << std::setprecision(3) << "certificate: penetration " << penetration
-         << ", tension " << tension << ", complementarity " << complementarity
-         << ", defect of the mean " << mean_defect;
-    return text.str();
+    return Text::Message() << std::setprecision(3)
+                           << "certificate: penetration " << penetration
+                           << ", tension " << tension << ", complementarity "
+                           << complementarity << ", defect of the mean "
+                           << mean_defect;
   }
 
 

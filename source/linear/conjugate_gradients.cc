@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/linear/conjugate_gradients.h>
-
-#include <sstream>
 
 namespace Crevasse
 {
@@ -21,17 +20,15 @@ namespace Crevasse
       right_hand_side,
       residual_norm);
     if (end.last_check() != dealii::SolverControl::success)
-      {
-        std::ostringstream message;
-        message << "The conjugate gradients with multigrid did not reach the "
-                   "residual "
-                << residual_norm << " in " << end.last_step()
-                << " iterations: they ended at " << end.last_value()
-                << ". Check [Material] for extreme contrasts and the mesh for "
-                   "degenerate cells; raise [Contact] Tolerance; or use "
-                   "[Linear solver] Type = cholesky or mumps.";
-        throw NumericalError(message.str());
-      }
+      throw NumericalError(
+        Text::Message()
+        << "The conjugate gradients with multigrid did not reach the "
+           "residual "
+        << residual_norm << " in " << end.last_step()
+        << " iterations: they ended at " << end.last_value()
+        << ". Check [Material] for extreme contrasts and the mesh for "
+           "degenerate cells; raise [Contact] Tolerance; or use "
+           "[Linear solver] Type = cholesky or mumps.");
     return end.last_step();
   }
 } // namespace Crevasse

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/periodic/observed_periods.h>
 #include <crevasse/time/evolution.h>
-
-#include <sstream>
 
 namespace Crevasse
 {
@@ -157,11 +156,11 @@ namespace Crevasse
         }
       catch (const NumericalError &error)
         {
-          std::ostringstream where;
-          where << "In period " << so_far.periods << ", step " << k + 1
-                << " from t = " << steps.instant(k) << " to "
-                << steps.instant(k + 1) << ": ";
-          throw NumericalError(where.str() + error.what());
+          throw NumericalError(Text::Message()
+                               << "In period " << so_far.periods << ", step "
+                               << k + 1 << " from t = " << steps.instant(k)
+                               << " to " << steps.instant(k + 1) << ": "
+                               << error.what());
         }
   }
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -97,18 +96,15 @@ namespace Crevasse
             if (step_error <= 1.)
               break;
             if (length * most_steps < steps.period())
-              {
-                std::ostringstream message;
-                message
-                  << "the tolerance takes more than " << most_steps
-                  << " steps a period: from t = " << t << " on a step of "
-                  << length << " still has " << step_error
-                  << " times the error that is allowed. Choose a larger [Time "
-                     "integration] Relative tolerance; if a load or a material "
-                     "jumps at an instant, name it in Steps, so that a step "
-                     "ends there.";
-                throw NumericalError(message.str());
-              }
+              throw NumericalError(
+                Text::Message()
+                << "the tolerance takes more than " << most_steps
+                << " steps a period: from t = " << t << " on a step of "
+                << length << " still has " << step_error
+                << " times the error that is allowed. Choose a larger [Time "
+                   "integration] Relative tolerance; if a load or a material "
+                   "jumps at an instant, name it in Steps, so that a step "
+                   "ends there.");
             ++rejected;
             was_rejected = true;
             r            = saved;

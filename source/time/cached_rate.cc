@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/state_archive.h>
 #include <crevasse/time/cached_rate.h>
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace Crevasse
 {
@@ -49,13 +49,11 @@ namespace Crevasse
     else
       equation->rate(t, known, rate);
     if (!std::isfinite(rate.l1_norm()))
-      {
-        std::ostringstream message;
-        message << "At t = " << t
-                << " the rate of the viscous strain is not finite. Look at the "
-                   "formulas of [Material] and [Loads] at this instant.";
-        throw NumericalError(message.str());
-      }
+      throw NumericalError(
+        Text::Message()
+        << "At t = " << t
+        << " the rate of the viscous strain is not finite. Look at the "
+           "formulas of [Material] and [Loads] at this instant.");
     evaluation.t = t;
     evaluation.r = known;
     if (c > 0.)

@@ -124,15 +124,13 @@ namespace Crevasse
         longest = std::min(longest, part * limit * smallest_relaxation_time);
       }
     if (steps.period() > most_steps * longest)
-      {
-        std::ostringstream message;
-        message << "The smallest relaxation time allows this scheme steps of "
-                << longest << ", which are more than " << most_steps
-                << " in a period. Choose Scheme = sdirk2, which is stable with "
-                   "any step, or look at the viscosity in [Material], at "
-                   "[Loads] Period and at their units.";
-        throw NumericalError(message.str());
-      }
+      throw NumericalError(
+        Text::Message()
+        << "The smallest relaxation time allows this scheme steps of "
+        << longest << ", which are more than " << most_steps
+        << " in a period. Choose Scheme = sdirk2, which is stable with "
+           "any step, or look at the viscosity in [Material], at "
+           "[Loads] Period and at their units.");
     if (integrator.controls_steps)
       return std::make_unique<StepControl>(); // from sample to sample
     return make_adaptive_steps(
