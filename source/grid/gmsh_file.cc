@@ -110,6 +110,18 @@ namespace Crevasse
 
 
 
+    /** For messages. */
+    std::string
+    name_of(const std::pair<int, int> &entity)
+    {
+      return (entity.first == 1   ? "curve "
+              : entity.first == 2 ? "surface "
+                                  : "volume ") +
+             std::to_string(entity.second);
+    }
+
+
+
     /** The one physical group of an entity; 0 if it is in none. */
     unsigned int
     group_of(const std::pair<int, int> &entity)
@@ -118,10 +130,7 @@ namespace Crevasse
       gmsh::model::getPhysicalGroupsForEntity(entity.first,
                                               entity.second,
                                               groups);
-      const std::string what = (entity.first == 1   ? "curve "
-                                : entity.first == 2 ? "surface "
-                                                    : "volume ") +
-                               std::to_string(entity.second);
+      const std::string what = name_of(entity);
       if (groups.size() > 1)
         throw SceneError(what + " belongs to the physical groups " +
                          std::to_string(groups[0]) + " and " +
@@ -153,11 +162,10 @@ namespace Crevasse
             type, name, its_dim, order, n_nodes, coordinates, n_vertices);
           if (n_vertices != 1 << element_dim)
             throw SceneError(only_hypercubes(dim));
-          if (types.size() > 1 || order > 2 || element_dim > int(dim))
+          if (order > 2 || element_dim > int(dim))
             throw SceneError(
               "the element type " + std::to_string(type) + " (" + name +
               ") is not allowed with Dimension = " + std::to_string(dim) +
-              (types.size() > 1 ? " beside others" : "") +
               "; allowed are points, lines, quadrilaterals" +
               (dim == 3 ? ", hexahedra" : "") +
               " of one order (Gmsh: Mesh.ElementOrder = 1 or 2)");
@@ -187,7 +195,16 @@ namespace Crevasse
             types, numbers, nodes, entity.first, entity.second);
           if (types.empty())
             continue;
-          const int n_vertices     = require_allowed(types, element_dim, dim);
+          const int n_vertices = require_allowed(types, element_dim, dim);
+          // Of two orders Gmsh gives the elements of one, but counts all.
+          std::vector<std::size_t> all_numbers, no_nodes;
+          gmsh::model::mesh::preallocateElementsByType(
+            types[0], true, false, all_numbers, no_nodes, entity.second);
+          if (all_numbers.size() > numbers[0].size())
+            throw SceneError(name_of(entity) +
+                             " has elements of first and of second order; all "
+                             "must have one (Gmsh: Mesh.ElementOrder = 1 or "
+                             "2)");
           const unsigned int group = group_of(entity);
           const std::size_t  n     = nodes[0].size() / numbers[0].size();
           for (std::size_t i = 0; i < numbers[0].size(); ++i)

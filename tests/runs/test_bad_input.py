@@ -71,6 +71,33 @@ def contradiction(name):
 
 IN_SPACE = ["Dimension=3", "Geometry/Subdivisions=2, 2, 1"]
 
+TABLES = {  # of temperatures: content, message
+    "of_one_column": ("0,0,0,1\n0,0,1,1\n", "its points do not differ in coordinate 1"),
+    "without_a_row": ("0,0,0,1\n0,1,0,1\n0,0,1,1\n",
+                      "has 3 rows; 1 instants of a grid of 4 points make 4"),
+    "with_a_row_twice": ("0,0,0,1\n0,1,0,1\n0,0,1,1\n0,0,0,2\n",
+                         "has two rows for t = 0 at the same point"),
+    "with_a_text": ("0,0,0,1\n\n0,1,0,warm\n",
+                    "line 4 must be 4 numbers separated by commas, not \"0,1,0,warm\""),
+    "without_rows": ("", "has no rows below its header"),
+    "of_a_smaller_body": ("0,0,0,1\n0,1,0,1\n0,0,0.5,1\n0,1,0.5,1\n",
+                          r"the body has the point \(\S+, \S+\), which lies outside of the "
+                          r"grid from \(0, 0\) to \(1, 0\.5\)"),
+}
+
+EDITED_MESHES = {  # of edge_crack_2.msh: a line, another one for it, and the message
+    "a_node_twice": ("16 3 2 10 1 11 14 13 10", "16 3 2 10 1 11 14 13 11",
+                     "element 16: a node occurs twice"),
+    "two_orders": ("2 1 2 1 1 6 5", "2 8 2 1 1 6 5 13",
+                   "curve 1 has elements of first and of second order; all must have one"),
+    "a_negative_group": ("3 1 2 2 2 5 7", "3 1 2 -2 9 5 7",
+                         "curve 9 belongs to the physical group -2; groups must be "
+                         "numbered from 0"),
+    "a_face_of_two_groups": ("4 1 2 2 2 7 2", "4 1 2 2 2 5 6",
+                             "the nodes 5, 6 have the boundary id 2, but in the element 2 "
+                             "1; each belongs"),
+}
+
 CASES = [
     # Dimensions
     Case("dimension", 2, ["Dimension = 4: must be 2 or 3"], ["Dimension=4"]),
@@ -157,7 +184,65 @@ CASES = [
           r"\.prm or \.json"],
          suffix=".txt"),
 
+    Case("json_number", 2, ["json_number.json: must be one JSON object"],
+         scene="3\n", suffix=".json"),
+    Case("json_name_twice", 2, ['json_name_twice.json: "Width" occurs twice'],
+         scene='{"Geometry": {"Width": 1, "Width": 2}}\n', suffix=".json"),
+    Case("json_list_of_texts", 2,
+         [r"\[Geometry\] Subdivisions: must be a number, true or false, a text, or an "
+          "array of numbers"],
+         scene='{"Geometry": {"Subdivisions": [4, "2"]}}\n', suffix=".json"),
+    Case("json_comment", 2, [r"Title = a # b: must not contain \"#\", which begins"],
+         scene='{"Title": "a # b"}\n', suffix=".json"),
+    Case("json_control_character", 2, ["Title.*: must not contain control characters"],
+         scene='{"Title": "a\\u0007"}\n', suffix=".json"),
+    Case("includes_itself", 2, ['the file "includes_itself.prm" includes itself'],
+         scene="include includes_itself.prm\n\n"),
+    Case("section_in_a_section", 2,
+         [r'unknown section "Geometry/Material".*; sections do not nest, so an "end" may '
+          "be missing before it"],
+         scene="subsection Geometry\nsubsection Material\nend\nend\n"),
+    Case("unknown_parameter_at_the_top", 2,
+         [r'unknown parameter "Titel"; .*, and the sections Geometry, Boundary',
+          'did you mean "Title"'],
+         scene="set Titel = a\n\n"),
+
     # Values
+    Case("cut_between_letters", 2, [r"\[Geometry\] Width = aä+\.\.\.: must be a number"],
+         ["Geometry/Width=a" + 500 * "ä"]),
+    Case("texts_for_subdivisions", 2,
+         ["Subdivisions = 4, many: must be automatic, or as many integers of at least 1"],
+         ["Geometry/Subdivisions=4, many"]),
+    Case("boundary_that_is_no_integer", 2,
+         [r'\[Boundary\] Loaded = 3, 1\.5: must be "automatic", "none" or boundary ids'],
+         ["Boundary/Loaded=3, 1.5"]),
+    Case("fixed_points", 2,
+         [r'"0, 0: 0": after the colon the numbers of components must follow'],
+         ["Boundary/Fixed points=0, 0: 0"]),
+    Case("fixed_component", 2, ['"3" must be the number of a component, 1 to 2'],
+         ["Boundary/Fixed points=0, 0: 3"]),
+    Case("relaxation_factor", 2, ['Relaxation factor = 2: must be "automatic" or a number'],
+         ["Contact/Solver=projected sor", "Contact/Relaxation factor=2"]),
+    Case("chain_without_times", 2,
+         ['"0.5" must be "fraction: relaxation time" with a number greater than 0'],
+         ["Material/Viscosity=chain", "Material/Chain=0.5"]),
+    Case("chain_stiffer_than_the_body", 2, [r"the fractions add up to 1\.1; they must not"],
+         ["Material/Viscosity=chain", "Material/Chain=0.5: 10; 0.6: 90"]),
+    Case("empty_formula", 2, ["it is empty"], ["Loads/Traction=; 1"]),
+    Case("formula_that_assigns", 2, ['"=" assigns; use "==" to compare'],
+         ["Loads/Traction=0; t = 3"]),
+    Case("comma_in_a_number", 2, ["the comma makes it 2 formulas; numbers have a decimal"],
+         ["Loads/Traction=0; 1,5"]),
+    Case("probe_with_a_blank", 2, ['the probe name "A B" must consist of letters'],
+         ["Output/Probes=A B: 1, 0"]),
+    Case("probe_without_name", 2, ['"1, 0" must be "name: x, y"'], ["Output/Probes=1, 0"]),
+    Case("probes_of_one_name", 2, ['the name "A" must stand for one probe only'],
+         ["Output/Probes=A: 1, 0; A: 0, 1"]),
+    Case("probe_at_a_letter", 2, ['"1, y" must be coordinates, separated by commas'],
+         ["Output/Probes=A: 1, y"]),
+    Case("no_factor_to_condense_with", 2,
+         [r"\[Contact\] Solver = condensed active set needs a factor"],
+         ["Contact/Solver=condensed active set", "Linear solver/Type=amg"]),
     Case("negative_modulus", 2,
          [r"negative_modulus\.prm:2: \[Material\] Young modulus = -13000: must "
           r"be greater than 0"],
@@ -345,6 +430,9 @@ CASES = [
          [r"\[Loads\] Temperature = /.*/not_a_table\.csv: line 1 must be "
           '"t,x,y,theta"'],
          ["Loads/Temperature=not_a_table.csv"]),
+    *[Case(f"table_{name}", 2, [rf"Temperature = /.*/table_{name}\.csv: {message}"],
+           [f"Loads/Temperature=table_{name}.csv", "Material/Thermal expansion=1e-5"])
+      for name, (_, message) in TABLES.items()],
     Case("not_a_mesh", 2,
          [r"\[Geometry\] Mesh file = /.*not_a_mesh\.prm: cannot be read as a mesh",
           r"Allowed: .*Gmsh file \(\.msh, format 2 or 4\)"],
@@ -379,6 +467,14 @@ CASES = [
     Case("two_boundary_ids", 2,
          ["curve 2 belongs to the physical groups 2 and 3; each belongs to one"],
          [contradiction("two_boundary_ids")], scene=MESH_SCENE),
+    Case("boundary_within", 2,
+         ["element 3: the nodes 4, 5 are a face within the body, between the elements 7 "
+          "and 9; only its surface"],
+         [contradiction("face_within")], scene=MESH_SCENE),
+    Case("face_of_three_cells", 2, ["are a face of this cell and of two others"],
+         [contradiction("cell_twice")], scene=MESH_SCENE),
+    *[Case(f"mesh_with_{name}", 2, [message], [f"Geometry/Mesh file=mesh_with_{name}.msh"],
+           scene=MESH_SCENE) for name, (_, _, message) in EDITED_MESHES.items()],
     Case("mesh_without_groups", 2,
          [r"3 problems:\n(.*no face of the mesh has this boundary id; there are: 0\. "
           r"0 is the id of faces in no physical group: .* Physical Curve\(.*\n?){3}"],
@@ -602,6 +698,11 @@ def test_cases():
     pathlib.Path("no_blade.msh").write_text(re.sub(
         r"(\$PhysicalNames\n)(\d+)\n",
         lambda found: f'{found[1]}{int(found[2]) + 1}\n2 11 "blade"\n', whole))
+    for name, (line, other, _) in EDITED_MESHES.items():
+        check(line in whole, f"{name}: there is no such line")
+        pathlib.Path(f"mesh_with_{name}.msh").write_text(whole.replace(line, other))
+    for name, (rows, _) in TABLES.items():
+        pathlib.Path(f"table_{name}.csv").write_text("t,x,y,theta\n" + rows)
     pathlib.Path("mesh.inp").write_text(
         "*HEADING\n*NODE\n1, 0., 0.\n*ELEMENT, TYPE=CPS4\n1, 1, 1, 1, 1\n")
     pathlib.Path("mesh.unv").write_text("    -1\n  2411\n")
@@ -621,9 +722,11 @@ def test_cases():
 
 
 def test_missing_scene():
+    pathlib.Path("missing.prm").write_text(SCENE)
     for name, reason in (("nowhere.prm", r"does not exist\."),
                          ("nowhere.json", r"does not exist\."),
                          ("swep", 'does not exist; did you mean "sweep"'),
+                         ("missing", 'does not exist; did you mean "missing.prm"'),
                          (".", "cannot be read: it is a directory")):
         check_messages(name, *execute(name), 4,
                        [f'The file "{re.escape(name)}" ' + reason])
@@ -779,6 +882,13 @@ UNUSED = [  # settings, and the warnings that they give
       "does not vary in time"]),
     (["Time integration/Scheme=euler", "Time integration/Heun weight=0.5"],
      [r"\[Time integration\] Heun weight = 0\.5 is not used: Scheme = euler"]),
+    (["Time integration/Scheme=exponential", "Material/Relaxation time=1"],
+     [r"\[Time integration\] Scheme = exponential with steps of 60 relaxation times is "
+      "stable, but what creeps under given loads"]),
+    (["Time integration/Scheme=trapezoid", "Material/Relaxation time=1",
+      "Periodic state/Method=march"],
+     [r"\[Time integration\] Scheme = trapezoid with steps of 60 relaxation times: .* "
+      "oscillates"]),
     (["Time integration/Steps=300"],
      [r"\[Time integration\] Steps = 300 is not used: Step control = uniform"]),
     (["Time integration/Step control=list",
