@@ -87,6 +87,11 @@ CASES = {
         "Time integration/Step control=adaptive",
         "Time integration/Relative tolerance=1e-3",
         "Time integration/Locate contact events=true"],
+    "crack front": periods(3) + [
+        "Dimension=3", "Geometry/Thickness=0.5", "Geometry/Subdivisions=6, 3, 2",
+        "Boundary/Symmetry=2, 5, 6", "Boundary/Fixed points=automatic",
+        "Loads/Traction=0; 10*sin(2*pi*t/600); 0",
+        "Output/Probes=mouth: 1, 0, 0", "Crack tip/Stress intensity=true"],
 }
 
 

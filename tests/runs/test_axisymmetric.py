@@ -147,6 +147,18 @@ def test_release_rate():
                 "G and the change of the energy")
 
 
+def test_variation():
+    """Graded stiffness and thermal strain in the integral: squares of two sizes agree,
+    of which the larger one has more of them in it."""
+    for settings in (["Material/Young modulus=13000*exp(x)"],
+                     ["Material/Thermal expansion=1e-5", "Loads/Traction=0; 0",
+                      "Loads/Temperature=100*(x^2 - 1)"]):
+        small, large = (intensities("variation", [*settings, f"Crack tip/Radius={size}"])[-1]
+                        for size in (0.3, 0.6))
+        check(small > 1e-8, f"there is a K: {small}")
+        check_below(abs(large / small - 1), 2e-4, f"{settings}: two squares")
+
+
 def test_two_ways():
     """Multigrid and a factor, with the lip closed and open, on a body that touches
     its axis."""
@@ -191,5 +203,5 @@ def test_refused():
 
 
 for test in (test_lame, test_creeping_tube, test_penny, test_release_rate,
-             test_two_ways, test_ranks, test_refused):
+             test_variation, test_two_ways, test_ranks, test_refused):
     test()

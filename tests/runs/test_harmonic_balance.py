@@ -305,6 +305,20 @@ def test_warnings():
               name + ": in the summary")
 
 
+def test_solvers():
+    """Without a factor of the lip each of its nodes is solved for; two processes of
+    multigrid lay their vectors out in another way than harmonic balance does."""
+    settings = case("c", 1) + FOURIER
+    condensed = compute("condensed", settings)
+    for solver in ("cholesky", "gmg"):
+        words = {w.split("=")[0]: w for w in COMMON + settings + [
+            "Contact/Solver=active set", f"Linear solver/Type={solver}",
+            "Linear solver/Tolerance=1e-12"]}
+        found = run_on(1 if solver == "cholesky" else 2, BODY, solver, words.values())
+        check("active set" in found.summary["contact_solver"]["description"], solver)
+        check_below(difference(condensed, found, True), 1e-9, f"{solver}, active set")
+
+
 def test_ranks():
     for name in tier(("fourier",), ("fourier", "anderson")):
         settings = ["Contact/Solver=automatic"] + case("c", 1) + method(name)
@@ -321,6 +335,7 @@ if __name__ == "__main__":
     test_everything_else()
     test_exact_harmonics()
     test_counters()
+    test_solvers()
     test_ranks()
     test_thermal_strain()
     test_refusals()
