@@ -169,6 +169,35 @@ def test_quiet_and_output():
     check(not default.exists(), "--output does not replace the default")
 
 
+def test_progress():
+    """On a terminal a line moves, and is gone where another one begins; it shows the
+    period and the instant of the step that is under way."""
+    scene = write_scene("progress.prm")
+    terminal, program = os.openpty()
+    process = subprocess.Popen(
+        [PROGRAM, scene, "--output", "results/progress",
+         "--set", "Periodic state/Maximum periods=400",
+         "--set", "Geometry/Subdivisions=16, 8", "--set", "Output/Fields=none"],
+        stdin=program, stdout=program, stderr=program)
+    os.close(program)
+    shown = b""
+    while True:
+        try:
+            shown += os.read(terminal, 65536)
+        except OSError:  # the program has ended
+            break
+    os.close(terminal)
+    check(process.wait(timeout=60) == 0, "exit status")
+    lines = re.findall(
+        r"\r  period (\d+) of at most 400, step (\d+) at t = (\S+), (\d+) of the lip's "
+        r"nodes closed, at most (\d+) s left\x1b\[K\r(?:\x1b\[K|  period)", shown.decode())
+    check(len(lines) > 0, f"no such line: {shown[:1000]}")
+    for period, step, t, closed, left in lines:
+        begin = 600. * (int(period) - 1) + 60. * (int(step) - 1)
+        check(float(t) == begin and 1 <= int(step) <= 10, f"{period}, {step}: {t}")
+        check(int(closed) <= 9 and int(left) < 100, f"closed {closed}, left {left}")
+
+
 def test_directories():
     scenes = pathlib.Path("scenes.of")
     scenes.mkdir(exist_ok=True)
@@ -545,6 +574,7 @@ test_set_anywhere()
 test_told_where()
 test_nothing_marched()
 test_tables()
+test_progress()
 test_print_parameters()
 test_print_scene()
 test_schema()
