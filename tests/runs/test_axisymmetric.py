@@ -192,6 +192,7 @@ def test_refused():
     for settings, word in (
             (["Discretisation/Singular functions=1"], "Singular functions"),
             (["Crack tip/Method=williams fit"], "williams fit"),
+            (["Material/Poisson ratio=0.3 + 0.1*sin(2*pi*t)"], "must not vary in time"),
             (["Material/Viscosity=isotropic",
               "Material/Viscous Poisson ratio=0.45"], "Stress intensity")):
         status, _, error = execute("penny.prm", "--output", "results/refused",

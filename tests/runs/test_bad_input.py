@@ -475,6 +475,11 @@ CASES = [
          [contradiction("cell_twice")], scene=MESH_SCENE),
     *[Case(f"mesh_with_{name}", 2, [message], [f"Geometry/Mesh file=mesh_with_{name}.msh"],
            scene=MESH_SCENE) for name, (_, _, message) in EDITED_MESHES.items()],
+    Case("mesh_with_two_tips", 2,
+         [r"Stress intensity = true: the mesh has 2 crack tips, at \(0\.5, 0\) and "
+          r"\(0\.75, 0\), where one is allowed"],
+         ["Geometry/Mesh file=two_tips.msh", "Crack tip/Stress intensity=true"],
+         scene=MESH_SCENE),
     Case("mesh_without_groups", 2,
          [r"3 problems:\n(.*no face of the mesh has this boundary id; there are: 0\. "
           r"0 is the id of faces in no physical group: .* Physical Curve\(.*\n?){3}"],
@@ -701,6 +706,8 @@ def test_cases():
     for name, (line, other, _) in EDITED_MESHES.items():
         check(line in whole, f"{name}: there is no such line")
         pathlib.Path(f"mesh_with_{name}.msh").write_text(whole.replace(line, other))
+    pathlib.Path("two_tips.msh").write_text(
+        whole.replace("4 1 2 2 2 7 2", "4 1 2 1 1 7 2"))
     for name, (rows, _) in TABLES.items():
         pathlib.Path(f"table_{name}.csv").write_text("t,x,y,theta\n" + rows)
     pathlib.Path("mesh.inp").write_text(

@@ -175,6 +175,10 @@ def test_edited_table():
         check(code == 4 and f"/{table} was changed since checkpoint" in error
               and "Restore it" in error, f"{table}: {code} {error}")
         check((interrupted / table).read_bytes() == changed, f"{table} is left alone")
+        (interrupted / table).write_bytes(content[:place])
+        code, error = execute(interrupted, settings, more=["--resume"])
+        check(code == 4 and f"/{table} has lost rows since checkpoint" in error
+              and f"it has {place} bytes instead of" in error, f"{table}: {code} {error}")
         (interrupted / table).write_bytes(content)
     with open(interrupted / "periods.csv", "a") as file:
         file.write("a note\n")
@@ -261,6 +265,13 @@ def test_finished():
                         .read_text().split("\n", 1)[1])["tables"]
     check(set(tables) == {"probe_mouth.csv", "probe_inside.csv", "contact.csv",
                           "periods.csv"}, str(tables))
+    file = whole.directory / "summary.json"
+    summary = json.loads(file.read_text())
+    for name, value, words in (("periods", "many", "is not what a run writes"),
+                               ("scene", None, "does not hold the scene")):
+        file.write_text(json.dumps({**summary, name: value}))
+        code, error = execute(whole.directory, longer, more=["--resume"])
+        check(code == 4 and words in error, f"{name}: {code} {error}")
     code, error = execute(fresh("nowhere"), settings, more=["--resume"])
     check(code == 4 and "--resume" in error, f"nothing there: {code} {error}")
 

@@ -180,6 +180,13 @@ def test_refusals():
             ("radius", ["Crack tip/Radius=2"], r"Radius = 2: must be at most 0\.5"),
             ("stiffness", ["Material/Young modulus=13000*(1 + x)"],
              "the stiffness must be the same"),
+            ("instants", ["Material/Young modulus=13000*(1 + x*sin(2*pi*t/600)/9)"],
+             "the stiffness must not depend on time but by"),
+            ("anisotropy", ["Material/Stiffness matrix=9, 2, 2, 0, 0, 0; 2, 9, 2, 0, 0, 0; "
+                            "2, 2, 9, 0, 0, 0; 0, 0, 0, 3, 0, 0; 0, 0, 0, 0, 3, 0; "
+                            "0, 0, 0, 0, 0, 3"], "at the crack front is not isotropic"),
+            ("coarse mesh", ["Geometry/Subdivisions=8, 1, 3"],
+             r"reach to 1 around it, but another boundary begins, .* at 0\.5"),
             ("creep", ["Material/Viscosity=isotropic", "Material/Viscous modulus=1e6",
                        "Material/Viscous Poisson ratio=0.45"],
              "viscosity is proportional to stiffness"),
