@@ -140,6 +140,17 @@ def test_slice():
         check_below((max(K) - min(K)) / expected, spread, f"{name}: the same along s")
 
 
+def test_body_force():
+    """Of a slice, around the front: as in the plane."""
+    force = "300*y*exp(-20*((x-0.5)^2 + y^2))"
+    plane = run(PLANE, "force_plane", [f"Loads/Body force=0; {force}",
+                                       "Loads/Traction=0; 0", "Crack tip/Radius=0.5"])
+    expected = plane.table("crack_tip.csv")["K_I"][-1]
+    for row in front(run(PLATE, "force", [f"Loads/Body force=0; {force}; 0",
+                                          "Loads/Traction=0; 0; 0", "Crack tip/Radius=0.5"])):
+        check_close(row["K_I"] / expected, 1, 5e-3, "K_I of a body force")
+
+
 def test_free_strain():
     """A temperature that is linear ahead of the front bends the free plate without
     any stress."""
@@ -206,6 +217,7 @@ def test_refusals():
 
 
 test_slice()
+test_body_force()
 test_penny()
 test_two_pennies()
 test_free_strain()
