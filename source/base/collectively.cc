@@ -4,7 +4,6 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

@@ -9,7 +9,6 @@
 
 #include <set>
 
-
 namespace Crevasse
 {
   using namespace dealii;

@@ -8,7 +8,6 @@
 #include <crevasse/crack_tip/lip_integral.h>
 #include <crevasse/material/voigt_matrix.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

@@ -3,7 +3,6 @@
 
 #include <crevasse/crack_tip/lip_integral.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

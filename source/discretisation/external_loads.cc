@@ -7,7 +7,6 @@
 #include <crevasse/discretisation/external_loads.h>
 #include <crevasse/discretisation/strain_operator.h>
 
-
 namespace Crevasse
 {
   std::vector<std::pair<unsigned int, Expression>>

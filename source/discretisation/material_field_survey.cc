@@ -4,7 +4,6 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/discretisation/material_field.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

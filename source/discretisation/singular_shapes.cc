@@ -9,7 +9,6 @@
 #include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/lac/affine_constraints.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

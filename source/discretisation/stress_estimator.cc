@@ -10,7 +10,6 @@
 
 #include <deal.II/grid/grid_tools.h>
 
-
 namespace Crevasse
 {
   template <int dim>

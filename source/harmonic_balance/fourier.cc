@@ -3,7 +3,6 @@
 
 #include <crevasse/harmonic_balance/fourier.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

@@ -7,7 +7,6 @@
 #include <crevasse/model/secular.h>
 #include <crevasse/model/secular_problem.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

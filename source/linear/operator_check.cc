@@ -7,7 +7,6 @@
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/linear/operator_check.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

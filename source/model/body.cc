@@ -14,7 +14,6 @@
 
 #include <deal.II/fe/mapping_q1.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

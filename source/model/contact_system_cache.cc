@@ -7,7 +7,6 @@
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/model/largest_load.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

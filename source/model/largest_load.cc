@@ -7,7 +7,6 @@
 #include <crevasse/model/largest_load.h>
 #include <crevasse/parameters/effects.h>
 
-
 namespace Crevasse
 {
   namespace

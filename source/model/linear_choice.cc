@@ -10,7 +10,6 @@
 
 #include <deal.II/base/utilities.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

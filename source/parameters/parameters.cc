@@ -3,7 +3,6 @@
 
 #include <crevasse/parameters/parameters.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

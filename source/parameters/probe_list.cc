@@ -7,7 +7,6 @@
 
 #include <deal.II/base/utilities.h>
 
-
 namespace Crevasse
 {
   namespace

@@ -7,7 +7,6 @@
 #include <crevasse/parameters/effects.h>
 #include <crevasse/parameters/scene.h>
 
-
 namespace Crevasse
 {
   namespace

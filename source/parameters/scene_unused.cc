@@ -5,7 +5,6 @@
 #include <crevasse/parameters/built_in_boundary.h>
 #include <crevasse/parameters/effects.h>
 
-
 namespace Crevasse
 {
   namespace

@@ -6,7 +6,6 @@
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/load_factors.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

@@ -8,7 +8,6 @@
 
 #include <deal.II/grid/grid_tools.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

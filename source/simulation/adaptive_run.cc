@@ -11,7 +11,6 @@
 #include <crevasse/simulation/relaxation_table.h>
 #include <crevasse/simulation/setup_report.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

@@ -12,7 +12,6 @@
 #include <crevasse/periodic/march.h>
 #include <crevasse/simulation/compute_periods.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

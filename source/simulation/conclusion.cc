@@ -11,7 +11,6 @@
 #include <crevasse/simulation/setup_report.h>
 #include <crevasse/simulation/warnings.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

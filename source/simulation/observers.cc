@@ -17,7 +17,6 @@
 
 #include <deal.II/base/bounding_box.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

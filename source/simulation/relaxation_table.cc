@@ -9,7 +9,6 @@
 #include <crevasse/model/largest_load.h>
 #include <crevasse/simulation/relaxation_table.h>
 
-
 namespace Crevasse
 {
   using namespace dealii;

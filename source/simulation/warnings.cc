@@ -8,7 +8,6 @@
 #include <crevasse/parameters/effects.h>
 #include <crevasse/simulation/warnings.h>
 
-
 namespace Crevasse
 {
   namespace

@@ -4,7 +4,6 @@
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/time/evolution.h>
 
-
 namespace Crevasse
 {
   template <int dim>

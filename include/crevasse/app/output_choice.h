@@ -9,7 +9,6 @@
 #include <crevasse/base/summary.h>
 #include <crevasse/parameters/scene.h>
 
-
 namespace Crevasse
 {
   /** Where a run writes to, and who says so: messages name it. */

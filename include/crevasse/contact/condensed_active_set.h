@@ -11,7 +11,6 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-
 namespace Crevasse
 {
   /**

@@ -7,7 +7,6 @@
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/linear/linear_solver.h>
 
-
 namespace Crevasse
 {
   /**

@@ -6,7 +6,6 @@
 
 #include <crevasse/contact/signorini_problem.h>
 
-
 namespace Crevasse
 {
   /**

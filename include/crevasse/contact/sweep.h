@@ -7,7 +7,6 @@
 #include <crevasse/contact/signorini_problem.h>
 #include <crevasse/linear/matrix_operator.h>
 
-
 namespace Crevasse
 {
   /** Number of SOR iterations, from zero, until max|Aq − b| is at most a

@@ -10,7 +10,6 @@
 #include <crevasse/model/body.h>
 #include <crevasse/time/observer.h>
 
-
 namespace Crevasse
 {
   /**

@@ -8,7 +8,6 @@
 
 #include <deal.II/fe/fe_dgq.h>
 
-
 namespace Crevasse
 {
   /** For a cell of rule 0: the polynomials through its points, at those of a

@@ -7,7 +7,6 @@
 #include <crevasse/crack_tip/auxiliary_field.h>
 #include <crevasse/model/body.h>
 
-
 namespace Crevasse
 {
   /** The part of the interaction integral that the pressure p on the lip at the

@@ -7,7 +7,6 @@
 #include <crevasse/crack_tip/williams_fit.h>
 #include <crevasse/time/state.h>
 
-
 namespace Crevasse
 {
   /** From the tip to the last open node of its lip before the first closed one;

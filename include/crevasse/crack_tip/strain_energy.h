@@ -8,7 +8,6 @@
 #include <crevasse/discretisation/material_field.h>
 #include <crevasse/material/voigt_matrix.h>
 
-
 namespace Crevasse
 {
   /**

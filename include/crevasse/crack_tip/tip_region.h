@@ -9,7 +9,6 @@
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
 
-
 namespace Crevasse
 {
   /** Where the quadrature points of this rank are, in the order of a

@@ -7,7 +7,6 @@
 #include <crevasse/crack_tip/tip_region.h>
 #include <crevasse/discretisation/contact_boundary.h>
 
-
 namespace Crevasse
 {
   /**

@@ -6,7 +6,6 @@
 
 #include <crevasse/discretisation/material_field.h>
 
-
 namespace Crevasse
 {
   /** Values of each branch of a material at the quadrature points. */

@@ -10,7 +10,6 @@
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/full_matrix.h>
 
-
 namespace Crevasse
 {
   /** From the values at the points of a cell to the coefficients of the nearest

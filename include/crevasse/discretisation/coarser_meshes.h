@@ -7,7 +7,6 @@
 #include <crevasse/discretisation/point_values.h>
 #include <crevasse/discretisation/quadrature_field.h>
 
-
 namespace Crevasse
 {
   /** A mesh all of whose cells are one level coarser than those of a finer one,

@@ -7,7 +7,6 @@
 #include <crevasse/base/expression.h>
 #include <crevasse/discretisation/space.h>
 
-
 namespace Crevasse
 {
   /** One place of the lips that may open, on the rank that has its unknown. */

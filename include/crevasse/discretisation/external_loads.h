@@ -8,7 +8,6 @@
 #include <crevasse/discretisation/space.h>
 #include <crevasse/parameters/parameters.h>
 
-
 namespace Crevasse
 {
   template <int dim>

@@ -9,7 +9,6 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
-
 namespace Crevasse
 {
   /**

@@ -8,7 +8,6 @@
 
 #include <deal.II/base/bounding_box.h>
 
-
 namespace Crevasse
 {
   /**

@@ -6,7 +6,6 @@
 
 #include <crevasse/discretisation/space.h>
 
-
 namespace Crevasse
 {
   /** A rigid-body motion of parts of the body, and its name. */

@@ -12,7 +12,6 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
-
 namespace Crevasse
 {
   using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;

@@ -7,7 +7,6 @@
 #include <crevasse/discretisation/cell_loops.h>
 #include <crevasse/discretisation/enrichment.h>
 
-
 namespace Crevasse
 {
   /**

@@ -8,7 +8,6 @@
 #include <crevasse/discretisation/cell_polynomials.h>
 #include <crevasse/parameters/parameters.h>
 
-
 namespace Crevasse
 {
   template <int dim>

@@ -8,7 +8,6 @@
 
 #include <deal.II/grid/tria.h>
 
-
 namespace Crevasse
 {
   /** Numbers of cells that are not bound to fit into an integer. */

@@ -12,7 +12,6 @@
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_cg.h>
 
-
 namespace Crevasse
 {
   /**

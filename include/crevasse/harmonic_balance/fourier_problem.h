@@ -9,7 +9,6 @@
 #include <crevasse/model/contact_system_cache.h>
 #include <crevasse/time/secular_flow.h>
 
-
 namespace Crevasse
 {
   /** A periodic motion (problem P4; model, §2) at the N instants of

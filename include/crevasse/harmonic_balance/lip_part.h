@@ -9,7 +9,6 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-
 namespace Crevasse
 {
   /** Some nodes of the lip, of all ranks: every rank knows all of them, in the

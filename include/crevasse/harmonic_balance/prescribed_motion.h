@@ -9,7 +9,6 @@
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/observer.h>
 
-
 namespace Crevasse
 {
   /**

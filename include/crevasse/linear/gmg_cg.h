@@ -12,7 +12,6 @@
 
 #include <deal.II/lac/precondition.h>
 
-
 namespace Crevasse
 {
   /**

@@ -7,7 +7,6 @@
 #include <crevasse/discretisation/cell_loops.h>
 #include <crevasse/discretisation/coarser_meshes.h>
 
-
 namespace Crevasse
 {
   /** Preconditioners need no more than single precision. */

@@ -6,7 +6,6 @@
 
 #include <crevasse/linear/level_transfer.h>
 
-
 namespace Crevasse
 {
   /**

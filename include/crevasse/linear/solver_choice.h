@@ -8,7 +8,6 @@
 #include <crevasse/linear/cholesky.h>
 #include <crevasse/parameters/parameters.h>
 
-
 namespace Crevasse
 {
   /** Which solver, and why. */

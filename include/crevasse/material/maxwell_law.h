@@ -8,7 +8,6 @@
 #include <crevasse/material/voigt.h>
 #include <crevasse/parameters/parameters.h>
 
-
 namespace Crevasse
 {
   /**

@@ -12,7 +12,6 @@
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/parameters/effects.h>
 
-
 namespace Crevasse
 {
   /** The roles of the scene's boundaries: what the user says, completed by what

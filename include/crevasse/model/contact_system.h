@@ -11,7 +11,6 @@
 #include <crevasse/linear/stiffness_operator.h>
 #include <crevasse/model/solver_statistics.h>
 
-
 namespace Crevasse
 {
   /** What the contact systems of a run have in common. */

@@ -12,7 +12,6 @@
 #include <crevasse/time/instant_provider.h>
 #include <crevasse/time/step_list.h>
 
-
 namespace Crevasse
 {
   class StateArchive;

@@ -6,7 +6,6 @@
 
 #include <crevasse/model/contact_system_cache.h>
 
-
 namespace Crevasse
 {
   template <int dim>

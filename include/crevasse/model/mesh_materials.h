@@ -7,7 +7,6 @@
 #include <crevasse/discretisation/space.h>
 #include <crevasse/parameters/scene.h>
 
-
 namespace Crevasse
 {
   /** @throw SceneError if a formula of the material compares with a material id

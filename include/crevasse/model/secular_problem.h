@@ -8,7 +8,6 @@
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/secular_flow.h>
 
-
 namespace Crevasse
 {
   /** Whether a scene is computed in the split form, u = βt + q. */

@@ -10,7 +10,6 @@
 #include <deal.II/base/array_view.h>
 #include <deal.II/distributed/solution_transfer.h>
 
-
 namespace Crevasse
 {
   /** What says whether a field at quadrature points has come over well. */

@@ -6,7 +6,6 @@
 
 #include <crevasse/base/problems.h>
 
-
 namespace Crevasse
 {
   /** One parameter as somebody set it, whether or not it exists. */

@@ -6,7 +6,6 @@
 
 #include <crevasse/parameters/parameters.h>
 
-
 namespace Crevasse
 {
   /** Boundary ids of the built-in shapes. The bottom is the crack plane x₂ = 0:

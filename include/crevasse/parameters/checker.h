@@ -6,7 +6,6 @@
 
 #include <crevasse/base/parsed.h>
 
-
 namespace Crevasse
 {
   /** Adds problems about the parameters of one section. */

@@ -7,7 +7,6 @@
 #include <crevasse/parameters/boundary_roles.h>
 #include <crevasse/parameters/scene.h>
 
-
 namespace Crevasse
 {
   /** Which effects a scene calls for, decided once, each with its reason. What

@@ -8,7 +8,6 @@
 #include <crevasse/base/parsed.h>
 #include <crevasse/base/range.h>
 
-
 namespace Crevasse
 {
   // The parameters of a scene that are formulas, parsed once.

@@ -12,7 +12,6 @@
 #include <crevasse/parameters/selections.h>
 #include <crevasse/parameters/solver_selections.h>
 
-
 namespace Crevasse
 {
   /** "automatic" gives none.

@@ -8,7 +8,6 @@
 #include <crevasse/parameters/catalogue.h>
 #include <crevasse/parameters/scene.h>
 
-
 namespace Crevasse
 {
   // A scene with a Gmsh file may name its physical groups instead of giving

@@ -6,7 +6,6 @@
 
 #include <crevasse/parameters/parameters.h>
 
-
 namespace Crevasse
 {
   /** Everything that the user specifies for one run. */

@@ -13,7 +13,6 @@
 
 #include <deal.II/base/timer.h>
 
-
 namespace Crevasse
 {
   template <int dim>

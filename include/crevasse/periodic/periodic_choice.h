@@ -7,7 +7,6 @@
 #include <crevasse/model/body.h>
 #include <crevasse/time/step_list.h>
 
-
 namespace Crevasse
 {
   /** By what a run finds its periodic state. */

@@ -8,7 +8,6 @@
 #include <crevasse/model/solver_statistics.h>
 #include <crevasse/periodic/observed_periods.h>
 
-
 namespace Crevasse
 {
   /** A part of a run on one mesh. */

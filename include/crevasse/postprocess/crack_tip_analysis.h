@@ -10,7 +10,6 @@
 #include <crevasse/model/secular_problem.h>
 #include <crevasse/postprocess/stress_intensity.h>
 
-
 namespace Crevasse
 {
   /** All that is read off at a crack tip of one run. */

@@ -12,7 +12,6 @@
 #include <crevasse/time/observer.h>
 #include <crevasse/time/step_list.h>
 
-
 namespace Crevasse
 {
   /** Where in a period a FieldWriter keeps the state. */

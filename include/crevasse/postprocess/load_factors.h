@@ -8,7 +8,6 @@
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/step_list.h>
 
-
 namespace Crevasse
 {
   /** F of loads F(t) p(x), relative to the largest ones. */

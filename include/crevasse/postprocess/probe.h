@@ -9,7 +9,6 @@
 #include <crevasse/parameters/probe_list.h>
 #include <crevasse/time/observer.h>
 
-
 namespace Crevasse
 {
   /**

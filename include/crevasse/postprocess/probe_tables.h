@@ -7,7 +7,6 @@
 #include <crevasse/base/csv_table.h>
 #include <crevasse/postprocess/probe.h>
 
-
 namespace Crevasse
 {
   /** The tables of all probes. The ranks add their parts up in one message: one

@@ -8,7 +8,6 @@
 #include <crevasse/crack_tip/nested_fits.h>
 #include <crevasse/time/step_list.h>
 
-
 namespace Crevasse
 {
   /**

@@ -8,7 +8,6 @@
 #include <crevasse/simulation/workspace.h>
 #include <crevasse/time/observer.h>
 
-
 namespace Crevasse
 {
   /**

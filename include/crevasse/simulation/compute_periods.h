@@ -7,7 +7,6 @@
 #include <crevasse/simulation/workspace.h>
 #include <crevasse/time/observer.h>
 
-
 namespace Crevasse
 {
   /**

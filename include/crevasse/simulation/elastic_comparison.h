@@ -10,7 +10,6 @@
 #include <crevasse/simulation/workspace.h>
 #include <crevasse/time/observer.h>
 
-
 namespace Crevasse
 {
   /**

@@ -7,7 +7,6 @@
 #include <crevasse/simulation/workspace.h>
 #include <crevasse/time/observer.h>
 
-
 namespace Crevasse
 {
   /** What a run on one mesh writes or prints while it computes and at its end,

@@ -8,7 +8,6 @@
 #include <crevasse/simulation/adapted_mesh.h>
 #include <crevasse/time/observer.h>
 
-
 namespace Crevasse
 {
   /** Estimates the errors of the stress at chosen instants of one period. */

@@ -7,7 +7,6 @@
 #include <crevasse/harmonic_balance/fourier_problem.h>
 #include <crevasse/simulation/run_setup.h>
 
-
 namespace Crevasse
 {
   /** What a run knows of its periodic state before it computes a period. */

@@ -16,7 +16,6 @@
 #include <crevasse/time/integrator_choice.h>
 #include <crevasse/time/step_control.h>
 
-
 namespace Crevasse
 {
   /**

@@ -9,7 +9,6 @@
 #include <crevasse/postprocess/lip_state.h>
 #include <crevasse/simulation/workspace.h>
 
-
 namespace Crevasse
 {
   /**

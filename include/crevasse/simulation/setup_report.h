@@ -8,7 +8,6 @@
 #include <crevasse/base/summary.h>
 #include <crevasse/simulation/run_setup.h>
 
-
 namespace Crevasse
 {
   /** summary.json: how large a discretised body is, "cells_of_ranks" on the

@@ -7,7 +7,6 @@
 #include <crevasse/base/csv_table.h>
 #include <crevasse/simulation/workspace.h>
 
-
 namespace Crevasse
 {
   /** The tables of a run, which rank 0 writes. */

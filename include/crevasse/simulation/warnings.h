@@ -6,7 +6,6 @@
 
 #include <crevasse/simulation/run_setup.h>
 
-
 namespace Crevasse
 {
   /** Lines about what can be computed, but is probably a mistake.

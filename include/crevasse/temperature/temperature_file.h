@@ -11,7 +11,6 @@
 
 #include <algorithm>
 
-
 namespace Crevasse
 {
   /** @throw SceneError that names the file. */

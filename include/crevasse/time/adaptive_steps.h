@@ -6,7 +6,6 @@
 
 #include <crevasse/time/step_control.h>
 
-
 namespace Crevasse
 {
   /**

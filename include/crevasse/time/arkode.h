@@ -7,7 +7,6 @@
 #include <crevasse/parameters/parameters.h>
 #include <crevasse/time/integrator.h>
 
-
 namespace Crevasse
 {
   /**

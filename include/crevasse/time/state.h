@@ -6,7 +6,6 @@
 
 #include <crevasse/base/state_archive.h>
 
-
 namespace Crevasse
 {
   /** The body at one instant. */

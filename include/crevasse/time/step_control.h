@@ -7,7 +7,6 @@
 #include <crevasse/time/integrator.h>
 #include <crevasse/time/step_list.h>
 
-
 namespace Crevasse
 {
   /** A step of a period and what it works with. */

@@ -7,7 +7,6 @@
 #include <crevasse/base/state_archive.h>
 #include <crevasse/parameters/parameters.h>
 
-
 namespace Crevasse
 {
   /** The instants 0 = t₀ < t₁ < … = T at which a period is sampled: M = 1 +
