@@ -7,10 +7,9 @@
 #include <crevasse/base/text_file.h>
 #include <crevasse/postprocess/field_writer.h>
 #include <crevasse/postprocess/paraview_script.h>
+#include <crevasse/postprocess/principal_stresses.h>
 
 #include <deal.II/base/data_out_base.h>
-#include <deal.II/lac/lapack_support.h>
-#include <deal.II/lac/lapack_templates.h>
 
 #include <sstream>
 
@@ -20,43 +19,6 @@ namespace Crevasse
 
   namespace
   {
-    template <int dim>
-    using PrincipalStresses =
-      std::pair<std::array<double, dim>, std::array<double, dim * dim>>;
-
-
-
-    /** Principal stresses in the plane (space) of the mesh in ascending order,
-     * and rows of their directions. By LAPACK, for the name that deal.II's
-     * eigenvectors() has in a library compiled by GCC is not the one that Clang
-     * looks for. */
-    template <int dim>
-    PrincipalStresses<dim>
-    principal_stresses(const SymmetricTensor<2, 3> &stress)
-    {
-      std::array<double, dim>       values;
-      std::array<double, dim * dim> vectors;
-      std::array<double, 16 * dim>  work;
-      const types::blas_int         n = dim, n_work = work.size();
-      types::blas_int               info = 0;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          vectors[i * dim + j] = stress[i][j];
-      syev("V",
-           "U",
-           &n,
-           vectors.data(),
-           &n,
-           values.data(),
-           work.data(),
-           &n_work,
-           &info);
-      AssertThrow(info == 0, LAPACKSupport::ExcErrorCode("syev", info));
-      return {values, vectors};
-    }
-
-
-
     /** What is derived from the recovered stress: principal stresses in the
      * plane (space) of the mesh, the largest first, each with its unit vector,
      * and J₂ = ½ s′:s′ with the deviator s′ of the three-dimensional stress. */
