@@ -4,6 +4,7 @@
 #include <crevasse/base/collectively.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
+#include <crevasse/postprocess/principal_stresses.h>
 #include <crevasse/postprocess/probe.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -364,6 +365,7 @@ namespace Crevasse
       names.push_back("u_" + std::to_string(d + 1));
     for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
       names.push_back(std::string("s_") + voigt_name<dim>(c));
+    names.push_back("largest_shear_stress");
     if (on_lip)
       names.insert(names.end(), {"opening", "pressure"});
     return names;
@@ -377,6 +379,11 @@ namespace Crevasse
   {
     std::vector<double> row = {time};
     row.insert(row.end(), values.begin(), values.end() - 2);
+    VoigtVector<dim> stress;
+    std::copy(values.begin() + dim, values.end() - 2, stress.begin_raw());
+    const auto principal =
+      principal_stresses<3>(stress_tensor<dim>(stress)).first;
+    row.push_back((principal[2] - principal[0]) / 2.);
     if (on_lip)
       row.insert(row.end(), {values[values.size() - 2] - gap, values.back()});
     return row;

@@ -2,12 +2,16 @@
 plane states as limits of a plate: a slice between rigid planes is in plane
 strain, a thin plate in plane stress."""
 
+import csv
 import math
+import pathlib
+import shutil
 
 import meshio
+import numpy
 
-from crevasse_run import (check, check_below, check_close, full, run, run_on,
-                          tier)
+from crevasse_run import (check, check_below, check_close, execute, full, overrides,
+                          plain, run, run_on, tier)
 
 PLATE = """\
 set Dimension = 3
@@ -68,6 +72,7 @@ def largest_difference(results, others, columns=None):
 def test_columns():
     results = run(PLATE, "columns", ["Output/Fields=vtu"])
     stress = [f"s_{c}" for c in ("11", "22", "33", "12", "13", "23")]
+    stress.append("largest_shear_stress")
     check(list(results.table("probe_mouth.csv"))
           == ["t", "u_1", "u_2", "u_3"] + stress + ["opening", "pressure"],
           "columns on the lip")
@@ -163,6 +168,44 @@ def lift(scene, name, cells, traction, settings):
     return table["u_2"][-1]
 
 
+def test_largest_shear_stress():
+    """Of the stress beside it, in all plane states and in space."""
+    for state in ("in space", "plane stress", "plane strain", "axisymmetric"):
+        results = run(PLATE if state == "in space" else PLANE, f"shear {state}", [
+            f"Material/Plane state={state}"] * (state != "in space"))
+        table = results.table("probe_inside.csv")
+        stress = numpy.zeros((len(table["t"]), 3, 3))
+        for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)):
+            if f"s_{i + 1}{j + 1}" in table:
+                stress[:, i, j] = stress[:, j, i] = table[f"s_{i + 1}{j + 1}"]
+        principal = numpy.linalg.eigvalsh(stress)
+        expected = (principal[:, 2] - principal[:, 0]) / 2
+        check_below(abs(table["largest_shear_stress"] - expected).max()
+                    / expected.max(), 1e-12, f"largest shear stress, {state}")
+
+
+def test_shear_of_heated_bar():
+    """It cannot expand across the plane: each of its principal stresses 0, F and
+    nu F - E alpha theta is in turn the largest, the smallest and between. A sweep
+    takes the quantity."""
+    load, heat = "(10*sin(2*pi*t/600)-4)", "10*cos(2*pi*t/600)"
+    shutil.rmtree("results/heated", ignore_errors=True)  # a sweep goes on with it
+    pathlib.Path("heated.prm").write_text(plain(RECTANGLE))
+    across = f"(0.3*{load}-1.3*{heat})"
+    code, _, error = execute(
+        "sweep", "heated.prm", "--vary", "Discretisation/Degree=1,2", "--output",
+        "results/heated", "--exact", "probe_top/largest_shear_stress="
+        f"(max(0,max({load},{across}))-min(0,min({load},{across})))/2",
+        *overrides([f"Loads/Traction=0; {load}", "Material/Viscosity=none",
+                    "Material/Plane state=plane strain", f"Loads/Temperature={heat}",
+                    "Material/Thermal expansion=1e-4"]))
+    check(code == 0, error)
+    with open("results/heated/sweep.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            check_below(float(row["error:probe_top/largest_shear_stress"]), 1e-12,
+                        f"heated bar, degree {row['Discretisation/Degree']}")
+
+
 @full
 def test_plane_stress():
     """Of a thin plate, free in front and behind: at a given mesh the thickness
@@ -256,4 +299,6 @@ test_closed_forms()
 test_solvers()
 test_ranks()
 test_plane_strain()
+test_largest_shear_stress()
+test_shear_of_heated_bar()
 test_plane_stress()

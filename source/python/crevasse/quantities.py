@@ -7,7 +7,7 @@ import difflib
 import re
 
 PROBE = ("u", "s", "u_1", "u_2", "u_3", "s_11", "s_22", "s_33", "s_12", "s_13",
-         "s_23", "opening", "pressure")
+         "s_23", "largest_shear_stress", "opening", "pressure")
 TABLES = {"contact": ("force", "largest_pressure", "closed_nodes"),
           "periods": ("stress_change",), "load_work": ("load_work",),
           "crack_tip": ("K_I", "K_I_stress", "K_I_error", "energy_release_rate",
