@@ -50,7 +50,9 @@ class Runs:
         self.ccx = shutil.which("ccx")
         for name, there in (("ninja snesvi", self.snesvi), ("calculix-ccx", self.ccx)):
             if not there:
-                print(f"Without {name}: its curves are left out.", file=sys.stderr)
+                options.figures = self.output  # the page keeps all curves
+                print(f"Without {name}: its curves are left out, and the figures "
+                      f"go to {self.output}.", file=sys.stderr)
 
     def kept(self, name, run):
         """What run(folder) returns, with the CPU seconds; the shortest of three
