@@ -365,7 +365,7 @@ namespace Crevasse
       names.push_back("u_" + std::to_string(d + 1));
     for (unsigned int c = 0; c < n_stress_components<dim>; ++c)
       names.push_back(std::string("s_") + voigt_name<dim>(c));
-    names.push_back("largest_shear_stress");
+    names.emplace_back("largest_shear_stress");
     if (on_lip)
       names.insert(names.end(), {"opening", "pressure"});
     return names;
