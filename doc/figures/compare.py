@@ -50,7 +50,6 @@ class Runs:
         self.ccx = shutil.which("ccx")
         for name, there in (("ninja snesvi", self.snesvi), ("calculix-ccx", self.ccx)):
             if not there:
-                options.figures = self.output  # the page keeps all curves
                 print(f"Without {name}: its curves are left out, and the figures "
                       f"go to {self.output}.", file=sys.stderr)
 
@@ -260,6 +259,8 @@ def main():
     options = study_options(__doc__, "compare", studies=CASES)
     os.environ["OMP_NUM_THREADS"] = "1"
     runs = Runs(options)
+    if not (runs.snesvi and runs.ccx):
+        options.figures = runs.output  # those of the page keep all curves
     for name in options.studies:
         title, curves_of = CASES[name]
         curves = list(curves_of(runs))
