@@ -158,6 +158,24 @@ def run_on(n_ranks, scene, name, settings=()):
     return Results(directory)
 
 
+def sweep(name, scene, *arguments, status=0, fresh=True, run=execute):
+    """Sweeps over a scene file into results/<name>; the rows of its table, and what
+    was said, or (None, standard error) where it fails. One that is not fresh goes on
+    with what is there."""
+    directory = pathlib.Path("results") / name
+    if fresh:
+        shutil.rmtree(directory, ignore_errors=True)
+    code, output, error = run("sweep", scene, "--output", directory, *arguments)
+    check(code == status, f"{name}: exit status {code} instead of {status}\n"
+                          + output + error)
+    return (None, error) if status else (rows_of_sweep(directory), output)
+
+
+def rows_of_sweep(directory):
+    with open(pathlib.Path(directory) / "sweep.csv", newline="") as file:
+        return list(csv.DictReader(file))
+
+
 def probe_difference(one, other):
     """The largest difference of lengths and of stresses at the probes "mouth"
     and "inside" of two runs, relative to the largest of its kind."""

@@ -6,7 +6,7 @@ import re
 import sys
 
 from crevasse_run import (SOURCE, check, check_below, check_close, execute, overrides,
-                          run)
+                          run, sweep)
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse.advise_errors import choose_quantities  # noqa: E402
@@ -121,11 +121,8 @@ def test_scripts():
     """Sweeps, pictures and advice know what automatic choices give."""
     scene, steps = pathlib.Path("probe.prm"), "Time integration/Steps per period="
     scene.write_text(SCENE)
-    code, _, error = execute("sweep", scene, "--vary", steps + "10,20", "--reference",
-                             steps + "40", "--output", "results/probe")
-    check(code == 0, error)
-    header = pathlib.Path("results/probe/sweep.csv").read_text().splitlines()[0]
-    check("error:probe_mouth/u" in header, header)
+    rows, _ = sweep("probe", scene, "--vary", steps + "10,20", "--reference", steps + "40")
+    check("error:probe_mouth/u" in rows[0], rows[0])
     code, output, error = execute("figures", "results/probe/reference")
     check(code == 0 and "figure3_opening" in output, output + error)
     used, _ = read_parameters(pathlib.Path("results/probe/reference/used.prm"))

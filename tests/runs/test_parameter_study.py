@@ -2,7 +2,6 @@
 length against a handbook, mesh files, several tips, the closed part of the period; that
 results do not depend on the number of jobs, and what an interruption leaves."""
 
-import csv
 import json
 import math
 import os
@@ -17,7 +16,7 @@ import time
 
 from bars import BAR
 from crevasse_run import (PROGRAM, SOURCE, check, check_below, check_close, execute,
-                          execute_on, full, overrides, tier)
+                          execute_on, full, overrides, rows_of_sweep, sweep, tier)
 from mpi_environment import ENVIRONMENT
 
 from crevasse.results import shortest
@@ -32,20 +31,6 @@ STEPS = "Time integration/Steps per period"
 CRACK = pathlib.Path("crack.prm")
 CRACK.write_text(BAR.replace("rectangle", "edge crack").replace("2, 2", "4, 2"))
 TIMES = ("seconds", "seconds_time_stepping", "processor_seconds", "jobs")
-
-
-def sweep(name, scene, *arguments, status=0, fresh=True, run=execute):
-    """The rows of the table, and what was said."""
-    directory = pathlib.Path("results") / name
-    if fresh:
-        shutil.rmtree(directory, ignore_errors=True)
-    code, output, error = run("sweep", scene, "--output", directory, *arguments)
-    check(code == status, f"{name}: exit status {code} instead of {status}\n"
-                          + output + error)
-    if status:
-        return None, error
-    with open(directory / "sweep.csv", newline="") as file:
-        return list(csv.DictReader(file)), output
 
 
 def test_ranges():
@@ -271,8 +256,7 @@ def test_interruption():
         finished = {path.parent.name for path in directory.glob("*/finished.json")}
         check({"steps_per_period_20", "steps_per_period_40"} <= finished
               and len(finished) < 5, finished)
-        with open(directory / "sweep.csv", newline="") as file:
-            rows = list(csv.DictReader(file))
+        rows = rows_of_sweep(directory)
         check({row["point"] for row in rows} == finished, "rows of finished points")
         check(not list(directory.glob("*/checkpoint")), "checkpoints of points are left")
         rows, output = sweep(name, CRACK, *LONG, fresh=False)
@@ -298,8 +282,7 @@ def test_crash():
     os.kill(number, signal.SIGKILL)
     output, error = process.communicate()
     check(process.returncode == 0, output + error)
-    with open(directory / "sweep.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
+    rows = rows_of_sweep(directory)
     check([row["status"] for row in rows] == ["failed"] + 4 * ["done"]
           and "SIGKILL" in rows[0]["message"], rows[0])
 

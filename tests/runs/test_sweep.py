@@ -2,7 +2,6 @@
 a closed form, parameters that change together, what an interrupted sweep goes on
 with, what becomes of points that are refused, and that ranks do not matter."""
 
-import csv
 import json
 import math
 import pathlib
@@ -13,8 +12,9 @@ import subprocess
 import time
 
 from bars import BAR, RELAXING
+import crevasse_run
 from crevasse_run import (PROGRAM, check, check_below, execute, execute_on,
-                          full, overrides)
+                          full, overrides, rows_of_sweep)
 
 SCENE = "bar.prm"
 CRACK = "crack.prm"
@@ -26,22 +26,9 @@ STEPS = "Time integration/Steps per period"
 SECONDS = ("seconds", "seconds_time_stepping", "processor_seconds", "jobs")
 
 
-def sweep(name, *arguments, status=0, fresh=True, scene=SCENE):
-    """Runs a sweep of the bar, or another scene, into results/<name>; its table
-    as a list of rows, and what it said (standard error if it was to fail)."""
-    directory = pathlib.Path("results") / name
-    if fresh:
-        shutil.rmtree(directory, ignore_errors=True)
-    code, output, error = execute("sweep", scene, "--output", directory,
-                                  *SETTINGS, *arguments)
-    check(code == status, f"{name}: exit status {code} instead of {status}\n"
-                          + output + error)
-    return (table(directory), output) if status == 0 else (None, error)
-
-
-def table(directory):
-    with open(pathlib.Path(directory) / "sweep.csv") as file:
-        return list(csv.DictReader(file))
+def sweep(name, *arguments, scene=SCENE, **options):
+    """Of the bar, or of another scene; the rows of the table, and what was said."""
+    return crevasse_run.sweep(name, scene, *SETTINGS, *arguments, **options)
 
 
 def without_seconds(rows):
@@ -163,7 +150,7 @@ def test_resumption():
     check(process.wait() == -signal.SIGKILL, "was not killed in time")
     before = finished_at(directory)
     check(4 <= len(before) < 6, f"finished: {sorted(before)}")
-    check(len(table(directory)) >= 2, "the table of what was finished")
+    check(len(rows_of_sweep(directory)) >= 2, "the table of what was finished")
 
     rows, output = sweep("killed", *arguments, fresh=False)
     print(output)
@@ -311,7 +298,7 @@ def test_ranks():
                  "--vary", STEPS + "=20,40", "--reference", STEPS + "=80"]
         code, output, error = execute_on(ranks, *words)
         check(code == 0, output + error)
-        rows.append(table(f"results/ranks_{ranks}"))
+        rows.append(rows_of_sweep(f"results/ranks_{ranks}"))
     quantities = [name for name in rows[0][0] if name.startswith("error:")]
     check("error:contact/force" in quantities and "error:stress" in quantities,
           f"quantities: {quantities}")
@@ -323,13 +310,13 @@ def test_ranks():
         2, *words[:3], "results/ranks_1", "--vary", STEPS + "=20,40,60",
         "--reference", STEPS + "=80")
     check(code == 0 and output.count("already there") == 3, output + error)
-    crossed = table("results/ranks_1")
+    crossed = rows_of_sweep("results/ranks_1")
     code, output, error = execute(
         *words[:3], "results/ranks_2", "--vary", STEPS + "=20,40,60",
         "--reference", STEPS + "=80")
     check(code == 0 and output.count("already there") == 3, output + error)
     worst = max(abs(float(a[name]) - float(b[name]))
-                for a, b in zip(crossed, table("results/ranks_2"))
+                for a, b in zip(crossed, rows_of_sweep("results/ranks_2"))
                 for name in quantities)
     check_below(worst, 1e-8, "errors against a reference of other ranks")
 
