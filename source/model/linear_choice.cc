@@ -70,21 +70,24 @@ namespace Crevasse
 
 
 
-  template <int dim>
-  bool
-  may_use_gmg(const Scene &scene, const Body<dim> &body)
-  {
-    return singular_functions(scene).n == 0 &&
-           !traits(scene.contact.solver).relaxes &&
-           scene.contact.relaxation_table.empty() &&
-           body.space.mesh().n_global_levels() > 1 &&
-           n_unknowns_of_first_mesh(body) <= largest_factorised(dim);
-  }
-
-
-
   namespace
   {
+    /** Whether [Linear solver] Type = gmg can be had and pays: nothing needs a
+     * matrix, and the first mesh is so coarse that a factorisation solves on
+     * it. */
+    bool
+    may_use_gmg(const Scene       &scene,
+                const unsigned int dimension,
+                const double       n_unknowns_of_first_mesh)
+    {
+      return singular_functions(scene).n == 0 &&
+             !traits(scene.contact.solver).relaxes &&
+             scene.contact.relaxation_table.empty() &&
+             n_unknowns_of_first_mesh <= largest_factorised(dimension);
+    }
+
+
+
     template <int dim>
     LinearSolverChoice
     choose_linear(const Scene &scene, const Body<dim> &body)
@@ -93,12 +96,13 @@ namespace Crevasse
       const auto         n_unknowns   = body.space.n_unknowns();
       const unsigned int n_ranks =
         Utilities::MPI::n_mpi_processes(communicator);
-      const LinearSolverChoice choice =
-        choose_linear_solver(scene.linear_solver,
-                             dim,
-                             n_unknowns,
-                             n_ranks,
-                             may_use_gmg(scene, body));
+      const LinearSolverChoice choice = choose_linear_solver(
+        scene.linear_solver,
+        dim,
+        n_unknowns,
+        n_ranks,
+        body.space.mesh().n_global_levels() > 1 &&
+          may_use_gmg(scene, dim, n_unknowns_of_first_mesh(body)));
       if (choice.type == LinearSolverType::cholesky)
         Cholesky::require_one_process(communicator);
       if (choice.type == LinearSolverType::amg)
@@ -248,11 +252,12 @@ namespace Crevasse
     const double       per_cell = dim * std::pow(degree, dim);
     const double       unknowns = per_cell * cells.all;
     const double       coarsest = per_cell * cells.first;
-    const bool         has_coarser = scene.geometry.refinements > 0 &&
-                             singular_functions(scene).n == 0 &&
-                             coarsest <= largest_factorised(dim);
-    const LinearSolverChoice solver = choose_linear_solver(
-      scene.linear_solver, dim, unknowns, n_ranks, has_coarser);
+    const LinearSolverChoice solver =
+      choose_linear_solver(scene.linear_solver,
+                           dim,
+                           unknowns,
+                           n_ranks,
+                           may_use_gmg(scene, dim, coarsest));
     if (solver.type == LinearSolverType::amg)
       require_work_for_ml<dim>(unknowns / n_ranks, unknowns, degree, n_ranks);
 
@@ -284,7 +289,6 @@ namespace Crevasse
 
 #define INSTANTIATE(dim)                                                  \
   template double       n_unknowns_of_first_mesh(const Body<dim> &);      \
-  template bool         may_use_gmg(const Scene &, const Body<dim> &);    \
   template SolverChoice choose_solvers(const Scene &, const Body<dim> &); \
   template double       bytes_of_solver<dim>(const LinearSolverType,      \
                                        const double,                \

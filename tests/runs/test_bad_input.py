@@ -576,6 +576,11 @@ CASES = [
           r"entries .* the mesh has 4\.8e\+07 unknowns.* at least 8 processes"],
          IN_SPACE + ["Geometry/Subdivisions=400, 400, 100", "Loads/Traction=",
                      "Output/Probes="]),
+    Case("sor_takes_no_gmg", 2,  # though the mesh has coarser ones
+         [r"\[Linear solver\] Type: amg is at its end"],
+         IN_SPACE + ["Geometry/Subdivisions=10, 10, 6", "Geometry/Refinements=5",
+                     "Contact/Solver=projected sor", "Loads/Traction=",
+                     "Output/Probes="]),
     Case("comparison_without_memory", 2,
          [r"\[Output\] Elastic comparison = open: .* change their sign .* "
           "without viscosity"],

@@ -10,13 +10,6 @@
 
 namespace Crevasse
 {
-  /** Whether [Linear solver] Type = gmg can be had and pays: nothing needs a
-   * matrix, and the first mesh is so coarse that a factorisation solves on
-   * it. */
-  template <int dim>
-  bool
-  may_use_gmg(const Scene &scene, const Body<dim> &body);
-
   /** What solves the linear systems and the contact problems of a run. */
   struct SolverChoice
   {
