@@ -2,9 +2,11 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 // Iterations that are kept and resumed go on as if they had never been left:
-// Anderson's acceleration with its history, and the ratio of changes.
+// Anderson's acceleration with its history, and the ratio of changes. So does a
+// run.
 
 #include <crevasse/periodic/contraction.h>
+#include <crevasse/periodic/run_state.h>
 #include <crevasse/time/anderson_acceleration.h>
 
 #include <cmath>
@@ -99,6 +101,25 @@ namespace
       }
     return difference;
   }
+
+
+
+  void
+  runs_go_on()
+  {
+    RunState left, resumed;
+    left.result.periods       = 7;
+    left.result.stress_change = {1e-3};
+    left.largest_opening      = 0.25;
+    left.fourier_failed       = true;
+    export_state(left, resumed);
+    check("a run knows its periods and their changes",
+          resumed.result.periods == 7 &&
+            resumed.result.stress_change == left.result.stress_change);
+    check("a run knows its largest opening", resumed.largest_opening == 0.25);
+    check("a run knows that harmonic balance has failed",
+          resumed.fourier_failed);
+  }
 } // namespace
 
 
@@ -113,4 +134,5 @@ kept_state()
       check(left + "estimates are the same",
             difference_of_contractions(n) == 0.);
     }
+  runs_go_on();
 }
