@@ -14,7 +14,7 @@ import subprocess
 import time
 import zlib
 
-from crevasse_run import Results, check, check_below, full, tier
+from crevasse_run import Results, check, check_below, tier
 from interrupted_runs import (CASES, COMMON, REDISTRIBUTES, check_same_bytes,
                               command, execute, finish, checkpoints, fresh,
                               interrupt, largest_difference, periods,
@@ -81,20 +81,22 @@ def test_signals():
     check(code in (0, 3), f"SIGHUP under nohup: {code} {error}")
 
 
-@full
 def test_kills():
-    n_kills = n_resumed = 0
-    settings = COMMON + CASES["anderson"] + ["Output/Checkpoint every=1"]
-    whole, _ = reference("kills_whole", settings)
-    for seed in range(3):
-        directory = fresh(f"kill_{seed}")
-        code, _ = interrupt(directory, settings, "SIGKILL",
-                            random.Random(seed).randrange(rows(whole)))
-        n_kills += code == -9
-        check_same_bytes(whole, finish(directory, settings), f"kill {seed}")
-        n_resumed += times_resumed(directory)
-    check(n_kills > 0 and n_resumed > 0,
-          f"killed {n_kills} times, resumed {n_resumed} times")
+    """The steps of a period depend on what the one before has found."""
+    for name in tier(("adaptive steps",), ("adaptive steps", "anderson")):
+        n_kills = n_resumed = 0
+        settings = COMMON + CASES[name] + ["Output/Checkpoint every=1"]
+        whole, _ = reference("kills_whole", settings)
+        for seed in range(tier(2, 3)):
+            directory = fresh(f"kill_{seed}")
+            moment = random.Random(seed).uniform(0.25, 0.9) * rows(whole)
+            code, _ = interrupt(directory, settings, "SIGKILL", int(moment))
+            n_kills += code == -9
+            check_same_bytes(whole, finish(directory, settings),
+                             f"{name}, kill {seed}")
+            n_resumed += times_resumed(directory)
+        check(n_kills > 0 and n_resumed > 0,
+              f"{name}: killed {n_kills} times, resumed {n_resumed} times")
 
 
 def test_ranks():

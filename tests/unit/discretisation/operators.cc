@@ -9,6 +9,7 @@
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/linear/level_transfer.h>
 #include <crevasse/linear/matrix_operator.h>
+#include <crevasse/linear/point_moduli.h>
 #include <crevasse/linear/stiffness_product.h>
 #include <crevasse/material/voigt_matrix.h>
 #include <crevasse/postprocess/probe.h>
@@ -176,6 +177,27 @@ namespace
       }
   }
 
+  /** An isotropic K, which needs fewer numbers, is recognised. */
+  template <int dim>
+  void
+  recognise_isotropy()
+  {
+    const auto is_isotropic = [](const VoigtMatrix<dim> &K) {
+      return IsotropicModuli<dim>::represents(K, true);
+    };
+    const VoigtMatrix<dim> isotropic = isotropic_stiffness<dim>(7., 0.3, false);
+    bool                   tells_apart = true;
+    for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+      for (unsigned int j = 0; j < n_stress_components<dim>; ++j)
+        {
+          VoigtMatrix<dim> K = isotropic;
+          K[i][j] += 1e-10;
+          tells_apart = tells_apart && !is_isotropic(K);
+        }
+    check(std::to_string(dim) + "D: isotropy is recognised",
+          is_isotropic(isotropic) && tells_apart);
+  }
+
   /** Fields of the element's own degree are recovered exactly on rectangular
    * cells, hanging nodes included; a probe sees what the nodes see. */
   template <int dim>
@@ -258,6 +280,8 @@ namespace
 void
 operators()
 {
+  recognise_isotropy<2>();
+  recognise_isotropy<3>();
   for (const unsigned int degree : {1, 2})
     {
       compare_stiffness<2>(degree);
