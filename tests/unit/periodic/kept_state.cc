@@ -79,6 +79,26 @@ namespace
 
 
 
+  /** Along a drift. */
+  void
+  leaps_are_kept()
+  {
+    const AndersonAcceleration::Settings settings{5, 1., true};
+    AndersonAcceleration                 left(settings), resumed(settings);
+    Vector                               x(1), image(1);
+    for (unsigned int k = 0; k < 6; ++k)
+      {
+        image(0) = x(0) - 1.;
+        left.add(x, image);
+        left.extrapolate(x);
+      }
+    export_state(left, resumed);
+    check("leaps are counted on",
+          left.counts().leaps == 4 && resumed.counts().leaps == 4);
+  }
+
+
+
   double
   difference_of_contractions(const unsigned int n_before)
   {
@@ -134,5 +154,6 @@ kept_state()
       check(left + "estimates are the same",
             difference_of_contractions(n) == 0.);
     }
+  leaps_are_kept();
   runs_go_on();
 }
