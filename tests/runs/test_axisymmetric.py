@@ -134,6 +134,15 @@ def test_penny():
                     5e-4, f"K of the penny-shaped crack {settings}")
 
 
+def test_weight():
+    """Where Poisson's ratio is 0, a force per volume pulls as the traction of the same
+    resultant does: without the crack the stress at its place is the same."""
+    pulled, heavy = (intensities("weight", ["Material/Poisson ratio=0", *loads])[-1]
+                     for loads in ((), ("Loads/Traction=0; 0",
+                                        "Loads/Body force=0; 1e-3/20")))
+    check_below(abs(heavy / pulled - 1), 1e-8, "K of a body force and of a traction")
+
+
 def test_release_rate():
     """A crack from the surface: G of one radian is the change of the energy."""
     runs = [run(PENNY, "outer", [
@@ -203,6 +212,6 @@ def test_refused():
     check(status != 0 and "must not be negative" in error, error)
 
 
-for test in (test_lame, test_creeping_tube, test_penny, test_release_rate,
-             test_variation, test_two_ways, test_ranks, test_refused):
+for test in (test_lame, test_creeping_tube, test_penny, test_weight,
+             test_release_rate, test_variation, test_two_ways, test_ranks, test_refused):
     test()
