@@ -34,14 +34,25 @@ namespace Crevasse
 
 
 
+    /** As projected SOR does, and the table of its iterations. */
+    bool
+    contact_needs_matrix(const Scene &scene)
+    {
+      return traits(scene.contact.solver).relaxes ||
+             !scene.contact.relaxation_table.empty();
+    }
+
+
+
     template <int dim>
     void
-    require_work_for_ml(const double       n_own_unknowns,
+    require_work_for_ml(const Scene       &scene,
+                        const double       n_own_unknowns,
                         const double       n_unknowns,
-                        const unsigned int degree,
                         const unsigned int n_ranks)
     {
-      const double entries = n_matrix_entries<dim>(n_own_unknowns, degree);
+      const double entries =
+        n_matrix_entries<dim>(n_own_unknowns, scene.discretisation.degree);
       if (entries <= most_entries_of_ml)
         return;
       throw SceneError(
@@ -50,7 +61,11 @@ namespace Crevasse
         " million entries of the stiffness on a process (at most " +
         std::to_string(std::lround(1e-6 * most_entries_of_ml)) +
         " million; the mesh has " + Text::from_number(n_unknowns) +
-        " unknowns). Take Type = gmg with fewer [Geometry] Subdivisions and "
+        " unknowns). " +
+        (contact_needs_matrix(scene) ? "Set [Contact] Solver = automatic "
+                                       "without Relaxation table, and take"
+                                     : "Take") +
+        " Type = gmg with fewer [Geometry] Subdivisions and "
         "more Refinements, or at least " +
         std::to_string(
           std::lround(std::ceil(n_ranks * entries / most_entries_of_ml))) +
@@ -72,18 +87,16 @@ namespace Crevasse
 
   namespace
   {
-    /** Whether [Linear solver] Type = gmg can be had and pays: nothing needs a
-     * matrix, and the first mesh is so coarse that a factorisation solves on
-     * it. */
+    /** Whether [Linear solver] Type = gmg can be had and pays on a mesh with
+     * levels: nothing needs a matrix, and the first mesh has so few unknowns,
+     * @p n_coarsest, that a factorisation solves on it. */
     bool
     may_use_gmg(const Scene       &scene,
                 const unsigned int dimension,
-                const double       n_unknowns_of_first_mesh)
+                const double       n_coarsest)
     {
-      return singular_functions(scene).n == 0 &&
-             !traits(scene.contact.solver).relaxes &&
-             scene.contact.relaxation_table.empty() &&
-             n_unknowns_of_first_mesh <= largest_factorised(dimension);
+      return singular_functions(scene).n == 0 && !contact_needs_matrix(scene) &&
+             n_coarsest <= largest_factorised(dimension);
     }
 
 
@@ -107,11 +120,11 @@ namespace Crevasse
         Cholesky::require_one_process(communicator);
       if (choice.type == LinearSolverType::amg)
         require_work_for_ml<dim>(
+          scene,
           Utilities::MPI::max(double(
                                 body.space.locally_owned_unknowns.n_elements()),
                               communicator),
           n_unknowns,
-          scene.discretisation.degree,
           n_ranks);
       if (traits(choice.type).is_multigrid &&
           body.space.singular_shapes() != nullptr)
@@ -252,6 +265,8 @@ namespace Crevasse
     const double       per_cell = dim * std::pow(degree, dim);
     const double       unknowns = per_cell * cells.all;
     const double       coarsest = per_cell * cells.first;
+    // A mesh without levels is its own first one: if a factorisation can solve
+    // on that, memory is hardly short.
     const LinearSolverChoice solver =
       choose_linear_solver(scene.linear_solver,
                            dim,
@@ -259,7 +274,7 @@ namespace Crevasse
                            n_ranks,
                            may_use_gmg(scene, dim, coarsest));
     if (solver.type == LinearSolverType::amg)
-      require_work_for_ml<dim>(unknowns / n_ranks, unknowns, degree, n_ranks);
+      require_work_for_ml<dim>(scene, unknowns / n_ranks, unknowns, n_ranks);
 
     // Less than any mesh that was measured; each rank has all of the first one.
     constexpr double bytes_per_cell = dim == 2 ? 250. : 400.;

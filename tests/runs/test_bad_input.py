@@ -577,7 +577,8 @@ CASES = [
          IN_SPACE + ["Geometry/Subdivisions=400, 400, 100", "Loads/Traction=",
                      "Output/Probes="]),
     Case("sor_takes_no_gmg", 2,  # though the mesh has coarser ones
-         [r"\[Linear solver\] Type: amg is at its end"],
+         [r"\[Linear solver\] Type: amg is at its end.* Set \[Contact\] Solver = "
+          r"automatic without Relaxation table, and take Type = gmg"],
          IN_SPACE + ["Geometry/Subdivisions=10, 10, 6", "Geometry/Refinements=5",
                      "Contact/Solver=projected sor", "Loads/Traction=",
                      "Output/Probes="]),
