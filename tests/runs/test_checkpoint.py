@@ -82,7 +82,8 @@ def test_signals():
 
 
 def test_kills():
-    """The steps of a period depend on what the one before has found."""
+    """A run that is killed writes the same bytes once it is resumed. What adaptive
+    steps have found in a period decides on those of the next."""
     for name in tier(("adaptive steps",), ("adaptive steps", "anderson")):
         n_kills = n_resumed = 0
         settings = COMMON + CASES[name] + ["Output/Checkpoint every=1"]

@@ -51,8 +51,8 @@ def test_grading():
         check(summary["levels"] == n + 1, "levels")
         check_close(summary["smallest_cell"],
                     math.hypot(width, height) / 2**n, 1e-12, "smallest cell")
-    # In space two cells touch each of the 4 edges of the front. Eight take the
-    # place of each, and two edges that of each edge.
+    # In space two cells touch each of the 4 edges of the front. A division makes
+    # eight cells of a cell and two edges of an edge.
     for n in (0, 1, 3):
         code, text, error = execute(
             SOURCE / "prm/cracked_box.prm", "--check", *overrides(

@@ -13,6 +13,7 @@
 #include <crevasse/time/step_control.h>
 
 #include <crevasse_tests/tests.h>
+#include <map>
 
 using namespace Crevasse;
 
