@@ -34,16 +34,6 @@ namespace Crevasse
 
 
 
-    /** As projected SOR does, and the table of its iterations. */
-    bool
-    contact_needs_matrix(const Scene &scene)
-    {
-      return traits(scene.contact.solver).relaxes ||
-             !scene.contact.relaxation_table.empty();
-    }
-
-
-
     template <int dim>
     void
     require_work_for_ml(const Scene       &scene,
@@ -62,9 +52,9 @@ namespace Crevasse
         std::to_string(std::lround(1e-6 * most_entries_of_ml)) +
         " million; the mesh has " + Text::from_number(n_unknowns) +
         " unknowns). " +
-        (contact_needs_matrix(scene) ? "Set [Contact] Solver = automatic "
-                                       "without Relaxation table, and take"
-                                     : "Take") +
+        (scene.contact.needs_matrix() ? "Set [Contact] Solver = automatic "
+                                        "without Relaxation table, and take"
+                                      : "Take") +
         " Type = gmg with fewer [Geometry] Subdivisions and "
         "more Refinements, or at least " +
         std::to_string(
@@ -95,7 +85,8 @@ namespace Crevasse
                 const unsigned int dimension,
                 const double       n_coarsest)
     {
-      return singular_functions(scene).n == 0 && !contact_needs_matrix(scene) &&
+      return singular_functions(scene).n == 0 &&
+             !scene.contact.needs_matrix() &&
              n_coarsest <= largest_factorised(dimension);
     }
 

@@ -166,8 +166,7 @@ namespace Crevasse
         .demand_valid("Relaxation factor", scene.contact.relaxation_factor);
       Checker(LinearSolverParameters::section, problems)
         .demand(scene.linear_solver.type != LinearSolverType::gmg ||
-                  (!traits(scene.contact.solver).relaxes &&
-                   scene.contact.relaxation_table.empty()),
+                  !scene.contact.needs_matrix(),
                 "Type",
                 "has no matrix, which [Contact] Solver = projected sor and "
                 "Relaxation table need; use automatic, cholesky or amg");

@@ -236,6 +236,13 @@ namespace Crevasse
      * empty: no table. */
     std::vector<double> relaxation_table;
 
+    /** Of the body, as projected SOR and the table do. */
+    bool
+    needs_matrix() const
+    {
+      return traits(solver).relaxes || !relaxation_table.empty();
+    }
+
     void
     add_parameters(dealii::ParameterHandler &prm);
   };
