@@ -59,7 +59,7 @@ for solver in tier(("condensed active set", "active set"), (
             if size > 0 and column != "K_I_error":
                 check_below(max(abs(a - b) for a, b in
                                 zip(mine[column], theirs[column])) / size,
-                            1e-9, f"{solver}: {column}")
+                            1e-10, f"{solver}: {column}")
 
 # Several processes.
 one = run(BODY, "one_rank", FINE)
