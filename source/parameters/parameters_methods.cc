@@ -304,7 +304,8 @@ namespace Crevasse
       "Field times",
       "Instants within the last period at which the fields are written, "
       "besides the end of the run, in units of time. \"automatic\": those of "
-      "the largest opening and of the largest contact force. Allowed: "
+      "the largest opening and contact force, and of the largest and smallest "
+      "stress intensity in the plane, else of the largest stress. Allowed: "
       "automatic, all, a number of equally spaced instants such as 12 "
       "instants, or numbers from 0 to the period, separated by commas",
       prm);

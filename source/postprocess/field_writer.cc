@@ -65,23 +65,21 @@ namespace Crevasse
   FieldWriter<dim>::is_wanted(const Sample &sample)
   {
     if (sample.step == 0)
-      opening = force = {0., 0.};
-    const auto follow = [&sample](Extreme &extreme, const double value) {
-      if (value > extreme.value)
-        extreme = {value, sample.instant};
-    };
-    if (wanted.lip != nullptr)
+      extremes.assign(wanted.followed.size(), {});
+    // Of instants whose values differ by rounding the first is kept.
+    for (unsigned int i = 0; i < extremes.size(); ++i)
       {
-        follow(opening, wanted.lip->largest_opening);
-        if (wanted.lip->closed_nodes > 0)
-          follow(force, wanted.lip->force);
+        auto &[most, size, instant] = extremes[i];
+        const double value          = wanted.followed[i](sample);
+        size                        = std::max(size, std::abs(value));
+        if (value > most + 1e-9 * size)
+          most = value, instant = sample.instant;
       }
     const auto is_kept = [this](const double instant) {
-      const auto is_at = [instant](const Extreme &extreme) {
-        return extreme.value > 0. && extreme.instant == instant;
-      };
-      return wanted.chosen.count(instant) == 1 || is_at(opening) ||
-             is_at(force);
+      bool is = wanted.chosen.count(instant) == 1;
+      for (const Extreme &extreme : extremes)
+        is = is || extreme.instant == instant;
+      return is;
     };
     // With all of them, those of the period before may be at other instants.
     if (!wanted.all || sample.step == 0)
@@ -118,11 +116,7 @@ namespace Crevasse
   {
     archive.section("fields");
     archive.common(wanted.chosen);
-    for (Extreme *extreme : {&opening, &force})
-      {
-        archive.common(extreme->value);
-        archive.common(extreme->instant);
-      }
+    archive.common_list(extremes);
     std::vector<double> instants;
     for (const auto &snapshot : snapshots)
       instants.push_back(snapshot.first);

@@ -233,34 +233,14 @@ namespace Crevasse
 
 
 
-    /** ∫ loads · u (force times length, per thickness in the plane). For an
-     * elastic body whose lip has no gap half of it is the strain energy, and
-     * minus that half the least potential energy, against which errors in the
-     * energy norm are measured. */
-    template <int dim>
-    std::unique_ptr<SampleTable>
-    make_load_work_table(const Workspace<dim> &work, Tables &tables)
-    {
-      return std::make_unique<SampleTable>(
-        tables.table("load_work.csv", {"t", "load_work"}),
-        [&work](const Sample &sample) -> std::vector<double> {
-          const double t = work.steps.within_period(sample.instant);
-          return {sample.time,
-                  loads_at(work.setup.body, t) * sample.state.displacement};
-        });
-    }
-
-
-
     template <int dim>
     std::unique_ptr<FieldWriter<dim>>
-    make_field_writer(const Workspace<dim> &work, const LipState &lip)
+    make_field_writer(const Workspace<dim> &work, FieldInstants instants)
     {
       const FieldTimes &times = *work.setup.scene.output.field_times;
-      const bool        has_extremes =
-        times.of_extremes && work.setup.body.effects.contact.on;
-      FieldInstants instants{times.all, {}, has_extremes ? &lip : nullptr};
-      instants.chosen.insert(work.steps.period()); // the end of the run
+      instants.all            = times.all;
+      if (!times.of_extremes)
+        instants.followed.clear();
       for (const double t : times.instants(work.steps.period()))
         instants.chosen.insert(work.steps.instant(work.steps.nearest(t)));
       return std::make_unique<FieldWriter<dim>>(work.setup.body,
@@ -290,7 +270,17 @@ namespace Crevasse
     };
     Tables tables(work);
 
-    const auto            extremes = add(std::make_unique<Extremes<dim>>(work));
+    const auto extremes = add(std::make_unique<Extremes<dim>>(work));
+    // With the end of the run.
+    FieldInstants instants{false, {work.steps.period()}, {}};
+    const auto    follow_tip = [&instants](const auto number, const auto tip) {
+      for (const double sign : {1., -1.})
+        instants.followed.emplace_back(
+          [tip, number, sign](auto &) { return sign * tip->latest().*number; });
+    };
+    if (setup.crack_tips.empty())
+      instants.followed.emplace_back(
+        [](const Sample &sample) { return sample.state.stress.linfty_norm(); });
     std::vector<CsvTable> of_probes;
     for (const ProbeEvaluator<dim> &probe : setup.probes)
       of_probes.push_back(
@@ -302,10 +292,11 @@ namespace Crevasse
     const LipClosure<dim> *closure = nullptr;
     if (body.effects.contact.on)
       {
+        const LipState &lip = extremes->lip;
         add(std::make_unique<SampleTable>(
           tables.table("contact.csv",
                        {"t", "closed_nodes", "force", "largest_pressure"}),
-          [&lip = extremes->lip](const Sample &sample) -> std::vector<double> {
+          [&lip](const Sample &sample) -> std::vector<double> {
             return {sample.time,
                     double(lip.closed_nodes),
                     lip.force,
@@ -313,6 +304,10 @@ namespace Crevasse
           }));
         closure = add(std::make_unique<LipClosure<dim>>(
           body, setup.largest_nodal_force, tables.path("lip.csv")));
+        instants.followed.emplace_back(
+          [&lip](auto &) { return lip.largest_opening; });
+        instants.followed.emplace_back(
+          [&lip](auto &) { return lip.closed_nodes > 0 ? lip.force : 0.; });
       }
     if (!body.space.roles.crack.empty())
       add(std::make_unique<SlipWhileClosed<dim>>(body, log));
@@ -328,18 +323,22 @@ namespace Crevasse
           unsigned int     number = 0;
           for (const auto &tip : setup.crack_tips)
             if (tip->intensity.region.tip.two_lips)
-              add(std::make_unique<MixedModeTable>(
-                *tip,
-                squares,
-                context,
-                tables.table("crack_tip_" + std::to_string(++number) + ".csv",
-                             MixedModeTable::columns(*tip))));
+              follow_tip(&MixedModeValues::equivalent,
+                         add(std::make_unique<MixedModeTable>(
+                           *tip,
+                           squares,
+                           context,
+                           tables.table("crack_tip_" +
+                                          std::to_string(++number) + ".csv",
+                                        MixedModeTable::columns(*tip)))));
             else
-              add(std::make_unique<CrackTipTable>(
-                *tip,
-                squares,
-                context,
-                tables.table("crack_tip.csv", CrackTipTable::columns(*tip))));
+              follow_tip(&CrackTipValues::intensity,
+                         add(std::make_unique<CrackTipTable>(
+                           *tip,
+                           squares,
+                           context,
+                           tables.table("crack_tip.csv",
+                                        CrackTipTable::columns(*tip)))));
         }
     if constexpr (dim == 2)
       for (unsigned int i = 0; i < setup.creep_integrals.size(); ++i)
@@ -360,9 +359,19 @@ namespace Crevasse
       add(std::make_unique<CrackFrontTable>(
         *setup.crack_front, work.steps, tables.path("crack_front.csv"), log));
     if (body.effects.field_output.on)
-      add(make_field_writer(work, extremes->lip));
+      add(make_field_writer(work, instants));
     if (setup.scene.output.load_work)
-      add(make_load_work_table(work, tables));
+      // ∫ loads · u (force times length, per thickness in the plane). For an
+      // elastic body whose lip has no gap half of it is the strain energy, and
+      // minus that half the least potential energy, against which errors in the
+      // energy norm are measured.
+      add(std::make_unique<SampleTable>(
+        tables.table("load_work.csv", {"t", "load_work"}),
+        [&work](const Sample &sample) -> std::vector<double> {
+          const double t = work.steps.within_period(sample.instant);
+          return {sample.time,
+                  loads_at(work.setup.body, t) * sample.state.displacement};
+        }));
     if (work.output.stress_record)
       add(std::make_unique<StressWriter<dim>>(body,
                                               work.output.directory +

@@ -22,7 +22,7 @@ namespace Crevasse
     n_instants_of_fields(const RunSetup<dim> &setup)
     {
       const FieldTimes &times = *setup.scene.output.field_times;
-      return 1. + (times.of_extremes ? 2. : 0.) +
+      return 1. + (times.of_extremes ? 3. + 2. * setup.crack_tips.size() : 0.) +
              (times.all ? setup.steps.n_steps()
                         : times.instants(setup.steps.period()).size());
     }

@@ -172,6 +172,29 @@ error = run(BARS, "estimate", [
 check_below(error, 1e-9, "estimated error, which no jump of s_11 is")
 
 
+def automatic_instants():
+    """An open crack creeps: its opening is largest at the end, K at T/4 and smallest at
+    3T/4, and all are stored. Without a crack, that of the largest stress."""
+    results = run(SCENE, "instants_of_K", [
+        "Loads/Traction=0; 10 + 3*sin(2*pi*t/600)", "Crack tip/Stress intensity=true",
+        "Time integration/Steps per period=40", "Output/Field times=automatic"])
+    table = results.table("crack_tip.csv")
+    stored = instants_of(results)
+    for extreme in (max, min):
+        t = table["t"][table["K_I"].index(extreme(table["K_I"]))]
+        check(0 < t < 600 and t in stored, f"no field at t = {t}: {stored}")
+    results = run(BARS, "instants_of_stress",
+                  ["Loads/Traction=if(y < 0.5, 1, 10)*sin(2*pi*t/600)^3; 0",
+                   "Material/Viscosity=none", "Output/Field times=automatic"])
+    check(instants_of(results) in ([150., 600.], [450., 600.]),
+          f"fields at {instants_of(results)} instead of the largest load's")
+
+
+def instants_of(results):
+    record = (results.directory / "solution.pvd").read_text()
+    return [float(t) for t in re.findall('timestep="([^"]*)"', record)]
+
+
 @full
 def memory_of_instants_is_predicted():
     """Half of it is what the checkpoint collects of them that a run leaves which is
@@ -188,4 +211,5 @@ def memory_of_instants_is_predicted():
                 f"{predicted:.3g} bytes predicted, {measured:.3g} measured")
 
 
+automatic_instants()
 memory_of_instants_is_predicted()

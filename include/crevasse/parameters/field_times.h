@@ -13,7 +13,7 @@ namespace Crevasse
    * the end of the run. */
   struct FieldTimes
   {
-    bool                of_extremes = false; ///< of opening and contact force
+    bool                of_extremes = false; ///< of opening, force, K
     bool                all         = false; ///< all steps
     unsigned int        n_equal     = 0;     ///< so many at equal distances
     std::vector<double> listed;

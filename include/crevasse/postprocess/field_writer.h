@@ -8,7 +8,6 @@
 #include <crevasse/model/body.h>
 #include <crevasse/postprocess/field_grid.h>
 #include <crevasse/postprocess/lip_opening.h>
-#include <crevasse/postprocess/lip_state.h>
 #include <crevasse/time/observer.h>
 #include <crevasse/time/step_list.h>
 
@@ -17,11 +16,11 @@ namespace Crevasse
   /** Where in a period a FieldWriter keeps the state. */
   struct FieldInstants
   {
-    bool             all;    ///< steps
-    std::set<double> chosen; ///< of steps, the end of the period included
-    /** Of the sample that is observed: that of the largest opening and that of
-     * the largest force are kept; null: neither is. */
-    const LipState *lip;
+    bool             all = false; ///< steps
+    std::set<double> chosen;      ///< of steps, the end of the period included
+    /** Numbers of the sample that is observed, nan for none: its state is kept
+     * where one of them is largest in the period. */
+    std::vector<std::function<double(const Sample &)>> followed;
   };
 
   /**
@@ -98,12 +97,14 @@ namespace Crevasse
     /** By instant, so that a period replaces the one before. */
     std::map<double, Snapshot> snapshots;
 
-    /** Of the period so far. */
+    /** The largest value of a followed number in the period so far, its largest
+     * absolute value, and the instant of the former; -1: none. */
     struct Extreme
     {
-      double value, instant;
+      double value = std::numeric_limits<double>::lowest(), size = 0.,
+             instant = -1.;
     };
-    Extreme opening{0., 0.}, force{0., 0.};
+    std::vector<Extreme> extremes;
   };
 } // namespace Crevasse
 

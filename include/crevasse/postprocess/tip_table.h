@@ -104,6 +104,13 @@ namespace Crevasse
       table.add_row(row);
     }
 
+    /** Numbers of the sample observed last. */
+    const Values &
+    latest() const
+    {
+      return of_last_period.back();
+    }
+
     void
     serialize(StateArchive &archive) override
     {
