@@ -22,6 +22,7 @@ from crevasse_run import PROGRAM, SOURCE, Results, check, check_close, execute, 
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import figures as make_figures, report as make_report  # noqa: E402
+from crevasse import wording  # noqa: E402
 
 PAPER = SOURCE / "prm" / "raous1980.prm"
 
@@ -126,6 +127,9 @@ def whole_run():
     check(said == "", f"a converged run: {said}")
     check_self_contained(page)
     check_pictures(page, 7)
+    check(titles(page)[0] == "Stress intensity over the last period"
+          and min(data_of(page)["charts"][0]["views"]["whole"]["t"]) == 1200,
+          f"the first chart is {titles(page)[0]}")
     summary = results.summary
     check_says(page, "A <b>plate</b> & more", "the stress is periodic after 3 periods",
                "Edge crack of length 0.5", "viscous modulus 780000*if(x<0.3,0.2,1)",
@@ -142,6 +146,36 @@ def whole_run():
     check_values(results, data_of(page))
     figures(results.directory, 6)
     return results
+
+
+def first_numbers():
+    """K of the leading tip with its errors before all else, and pictures of the instant
+    at which it is largest: half a period after T/4, when the cracks are closed."""
+    results = run(SOURCE / "prm" / "two_cracks.prm", "tips", [
+        "Refinement/Cycles=1", "Loads/Traction=0; -100*sin(2*pi*t/10)",
+        "Output/Field times=automatic", "Discretisation/Degree=1"])
+    with contextlib.redirect_stdout(io.StringIO()) as said:
+        make_report.main([str(results.directory)])
+    page = (results.directory / "report.html").read_text()
+    first = words_of(page).split("Scene Results")[0]
+    tips = results.summary["crack_tips"]
+    k = max(range(4), key=lambda k: tips[k]["equivalent_intensity"]["largest"])
+    check(f"Tip {k + 1} of 4" in first, f"another tip: {first}")
+    numbers = [(tips[k]["K_I"]["largest"], 4), (tips[k]["K_I_error"], 2),
+               (tips[k]["K_II_error"], 2), (tips[k]["Delta_K"], 4),
+               (results.summary["extremes"]["opening"], 4)]
+    for value, digits in numbers:
+        text = wording.significant(value, digits)
+        check(text in first and text in said.getvalue(), f"{text} is not in {first}")
+    for tip in tips:
+        check_says(page, f"± {wording.significant(tip['K_II_error'], 2)}")
+    chart = data_of(page)["charts"][0]
+    table = results.table(f"crack_tip_{k + 1}.csv")
+    K, t = max((K, t) for K, t in zip(table["equivalent_intensity"], table["t"])
+               if t >= table["t"][-1] - 10)
+    check_close(max(chart["views"]["whole"]["values"][k]), K, 1e-4, "first chart: K")
+    check(t % 10 == 7.5, f"K is largest at t = {t}")
+    check_says(page, f"Stress at t = {t:g}", f"Principal stresses at t = {t:g}")
 
 
 def check_states(results, data):
@@ -403,7 +437,7 @@ def folders_without_results():
 
 
 # What is seen when hovering over a point, and where the last period begins.
-SHOWN = {"whole": (["t = 15, lip open"], 1200),
+SHOWN = {"whole": (["t = 1215 (period 3: 15), lip open"], 1200),
          "long": (None, 35400),
          "sweep": (["heun", "Scheme = heun", "Steps per period = 40"], None),
          "study": (["heun", "Scheme = heun", "Relaxation time = 120"], None)}
@@ -436,6 +470,7 @@ def shown_well(pages):
 
 
 whole_run()
+first_numbers()
 long_run()
 other_runs()
 sweep()

@@ -28,7 +28,7 @@ def mesh(run, fields):
         axes.plot([begin, end], [0, 0], color=colour, linewidth=3, label=label,
                   solid_capstyle="butt")
     if "material" in fields.data:
-        draw_materials(axes, fields)
+        draw_materials(axes, fields, run.material_names)
     lip = fields.lip()
     if len(lip) and not parts:
         axes.add_collection(LineCollection(fields.points[lip], label="crack lip",
@@ -42,19 +42,24 @@ def mesh(run, fields):
                       fontsize=11)
     finish_body(axes, fields.points)
     if axes.get_legend_handles_labels()[0]:
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.03), ncol=2)
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.03),
+                    ncol=2 if len(axes.get_legend_handles_labels()[0]) < 7 else 4)
     return figure
 
 
-def draw_materials(axes, fields):
-    """Each in a colour of its own: a point of a file belongs to one material."""
+def draw_materials(axes, fields, names):
+    """Each in a colour of its own: a point of a file belongs to one material. Of more
+    than there are colours, no legend."""
     material = fields.data["material"][fields.corners[:, 0]]
-    for number in numpy.unique(material):
+    numbers = numpy.unique(material)
+    colours = colormaps["Pastel1"]
+    for number in numbers:
         cells = fields.points[fields.quads[material == number]]
-        axes.add_collection(PolyCollection(
-            cells, facecolors=colormaps["Pastel1"](int(number) % 9), zorder=0))
-        axes.plot([], [], "s", color=colormaps["Pastel1"](int(number) % 9),
-                  label=f"material {number:g}")
+        colour = colours(int(number) % colours.N)
+        axes.add_collection(PolyCollection(cells, facecolors=colour, zorder=0))
+        if len(numbers) <= colours.N:
+            axes.plot([], [], "s", color=colour,
+                      label=names.get(int(number), f"material {number:g}"))
 
 
 def built_in_shape(run):
@@ -153,8 +158,8 @@ def bears_nothing(run, fields):
 
 
 def no_stress(t, what="Figures 4 to 6"):
-    return (f"{what} are left out: at t = {t:g}, the stored instant nearest "
-            "to T/4, the body bears no stress. [Output] Field times names others.")
+    return (f"{what} are left out: at t = {t:g} the body bears no stress. "
+            "[Output] Field times names other instants.")
 
 
 def draw_fields(run, fields, t, magnify):

@@ -18,6 +18,7 @@ from crevasse.fields import node_areas, read_pieces
 from crevasse.level_curves import even_levels, range_without_peaks
 from crevasse.plotting import magnification
 from crevasse.results import ResultsError
+from crevasse.shown_instant import shown_instant
 from crevasse.skin import Skin
 
 MOST_INSTANTS = 25
@@ -79,8 +80,8 @@ def pack(run):
                                                  prepend=0), 32)),
               "marks": text_of(marks),
               "factor": magnification(skin.points, displacements, 0.06),
-              "first": int(abs(displacements).max(axis=(1, 2)).argmax()),
-              "components": list(pack_components(skin, fields))}
+              "first": int(abs(numpy.array(times) - shown_instant(run)[0]).argmin()),
+              "components": list(pack_components(skin, fields, run.material_names))}
     return thinned(packed)
 
 
@@ -103,7 +104,7 @@ def read(run, files):
                   if len(values) == len(files)}
 
 
-def pack_components(skin, fields):
+def pack_components(skin, fields, materials):
     entries = {name: entry(name) for name in fields}
     largest = collections.defaultdict(float)
     for name, values in fields.items():
@@ -113,7 +114,7 @@ def pack_components(skin, fields):
     for name in sorted(fields, key=lambda name: (entries[name].rank, name)):
         values, kind = fields[name], entries[name].kind
         if name == "material":
-            yield pack_materials(values)
+            yield pack_materials(values, materials)
             continue
         low, high = float(values.min()), float(values.max())
         if kind != "displacement" and high - low <= NOISE * largest[kind]:
@@ -133,16 +134,16 @@ def pack_components(skin, fields):
         yield packed | scale(values, weights)
 
 
-def pack_materials(ids):
+def pack_materials(ids, names):
     """Numbers from 0 on, each with a band of its own."""
-    names, numbers = numpy.unique(ids, return_inverse=True)
-    quantum = max(len(names) - 1, 1) / 65535
+    found, numbers = numpy.unique(ids, return_inverse=True)
+    quantum = max(len(found) - 1, 1) / 65535
     rows = numbers.reshape(ids.shape)
-    colours = [to_hex(colormaps["Pastel1"](int(name) % 9)) for name in names]
+    colours = [to_hex(colormaps["Pastel1"](int(number) % 9)) for number in found]
     return {"name": "material", "label": "material", "low": 0., "quantum": quantum,
             "values": [encode(row, 0., quantum) for row in rows],
-            "names": [f"{name:g}" for name in names],
-            "levels": (numpy.arange(len(names) + 1) - 0.5).tolist(),
+            "names": [names.get(int(number), f"{number:g}") for number in found],
+            "levels": (numpy.arange(len(found) + 1) - 0.5).tolist(),
             "colours": [colours[0], *colours, colours[-1]]}
 
 

@@ -16,6 +16,7 @@ from crevasse.fields import Fields
 from crevasse.plotting import save
 from crevasse.results import ResultsError
 from crevasse.run_reader import Run
+from crevasse.shown_instant import shown_instant
 from crevasse.sweep_table import COSTS
 
 
@@ -34,12 +35,13 @@ def arguments(words):
                         "and 3, from 1 (the last complete one)")
     of_run.add_argument("--instant", type=float, metavar="t", help="time within the "
                         "period of figures 4 to 6; the nearest stored one is taken "
-                        "(a quarter of the period)")
+                        "(the largest stress intensity, else the largest stress; in "
+                        "the paper's scenes a quarter of the period)")
     of_run.add_argument("--magnify", type=float, default=10, metavar="FACTOR",
                         help="of the displacement in figures 4 to 6 (10)")
     of_sweep = parser.add_argument_group("of a sweep")
-    of_sweep.add_argument("--x", choices=list(COSTS), default="linear_solves",
-                          help="the cost beside errors (linear_solves)")
+    of_sweep.add_argument("--x", choices=list(COSTS), default="seconds",
+                          help="the cost beside errors (seconds)")
     of_sweep.add_argument("--quantity", help="a single figure: of the error of this "
                           "quantity, as stress, or of this result, as K_I_largest")
     of_sweep.add_argument("--along", metavar="NAME", help="the parameter along each "
@@ -67,10 +69,10 @@ def field_drawings(run, options):
     if not run.instants():
         print("No fields in this run: figures 1, 4, 5 and 6 are left out.")
         return
-    wanted = run.period / 4 if options.instant is None else options.instant
-    t, path = run.choose_instant(wanted)
+    wanted = options.instant
+    t, path = shown_instant(run) if wanted is None else run.choose_instant(wanted)
     within = t % run.period
-    if abs(within - wanted) > 0.01 * run.period:
+    if wanted is not None and abs(within - wanted) > 0.01 * run.period:
         print(f"Nearest stored field: t = {t:g}, which is {within:g} within "
               f"the period instead of {wanted:g}.")
     fields = Fields(path)

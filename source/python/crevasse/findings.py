@@ -104,6 +104,6 @@ def tips_of(summary):
 
 def front(summary):
     """As a tip: without the places of the extremes."""
-    return {name: {end: at(extreme, ("value",)) for end, extreme in extremes.items()}
-            for name, extremes in summary.get("crack_front", {}).items()
-            if isinstance(extremes, dict)}
+    return {name: {end: at(extreme, ("value",)) for end, extreme in value.items()}
+            if isinstance(value, dict) else value
+            for name, value in summary.get("crack_front", {}).items()}

@@ -79,7 +79,7 @@ def mixed_mode_charts(run, name):
 
 def creep_integral_charts(run, name):
     yield chart(run, run.tables[name], ["C_t"], "C(t) (stress × length / time)",
-                "Creep integral C(t)")
+                "Creep integral C(t)", log=True)
 
 
 def load_work_charts(run):
@@ -87,9 +87,15 @@ def load_work_charts(run):
                 "Work ∫ loads · u")
 
 
-def chart(run, table, columns, axis, title, noise=0):
+def spans_decades(values):
+    """Whether positive numbers are so different that a linear axis hides the small."""
+    values = numpy.asarray(values)
+    return bool(values.size and values.min() > 0 and values.max() > 30 * values.min())
+
+
+def chart(run, table, columns, axis, title, noise=0, log=False):
     """With the whole run, thinned where it is long, and its last period. What is
-    noise is drawn as zero."""
+    noise is drawn as zero. The axis is logarithmic if that is wanted and needed."""
     t = table["t"]
     values = [numpy.where(abs(table[column]) > noise, table[column], 0)
               for column in columns]
@@ -99,6 +105,7 @@ def chart(run, table, columns, axis, title, noise=0):
         views["last"] = view(t, values, numpy.flatnonzero(
             t >= begin - 1e-6 * run.period))
     return {"kind": "history", "title": title, "y": axis, "period": run.period,
+            "log": log and spans_decades(values),
             "series": [{"label": symbol(column), "colour": colour}
                        for column, colour in zip(columns, COLOURS)],
             "views": views}

@@ -25,7 +25,7 @@ def render(template, **content):
     environment.filters |= {
         "significant": wording.significant, "whole": wording.whole,
         "measured": wording.measured, "seconds": wording.seconds,
-        "megabytes": wording.megabytes}
+        "megabytes": wording.megabytes, "subscripts": wording.subscripts}
     environment.tests["contains"] = lambda points, point: point in points
     environment.globals["plural"] = wording.plural
     if content.get("fields"):

@@ -13,8 +13,9 @@ from matplotlib import pyplot
 from crevasse import field_figures, front_figure, probe_figures, tip_figure
 from crevasse.fields import Fields
 from crevasse.plotting import magnification, write_png
-from crevasse.results import ResultsError, mouth_of_crack, number
+from crevasse.results import ResultsError, mouth_of_crack
 from crevasse.run_reader import Run
+from crevasse.shown_instant import is_scene_of_paper, shown_instant
 
 Picture = collections.namedtuple("Picture", "title, data, style")
 # In scenes of the paper, and in others.
@@ -38,10 +39,6 @@ WORDS = {
     "stresses": ("Figures 4 to 6", "Pictures of the stress"),
     "histories": ("Figures 2 and 3", "Pictures of a probe over a period"),
     "opening": ("Figure 3", "A picture of the opening")}
-
-
-def is_scene_of_paper(run):
-    return run.parameter("Title").startswith("Raous (1980)")
 
 
 def words(run, what):
@@ -157,7 +154,7 @@ def field_pictures(run, missing):
 
 def draw_instant(run, missing):
     quarter = run.period / 4
-    t, path = run.choose_instant(wanted_instant(run))
+    t, path = shown_instant(run)
     fields = Fields(path)
     if field_figures.bears_nothing(run, fields):
         missing.append(field_figures.no_stress(t, words(run, "stresses")))
@@ -171,12 +168,3 @@ def draw_instant(run, missing):
     ahead = tip_figure.stress_ahead(run, fields, t)
     if ahead is not None:
         yield "tip", ahead, t
-
-
-def wanted_instant(run):
-    """T/4 as in the paper, or what the scene names next to it; the end of the run,
-    which is stored too, only if it names none."""
-    named = [value for value in map(number, run.parameter("Output/Field times")
-                                    .split(",")) if value is not None]
-    return min(named, key=lambda t: abs(t - run.period / 4),
-               default=run.period / 4)

@@ -24,7 +24,8 @@ def arguments(words):
 
 
 def page_of(directory):
-    """The page, and what is to be said about it on the command line."""
+    """The page, its first numbers as lines, and on the command line what is to be
+    said about the results, and what is damaged."""
     if not directory.is_dir():
         raise ResultsError(f"{directory}: no such directory. Give the output "
                            "directory of crevasse or of crevasse sweep.")
@@ -61,7 +62,7 @@ def main(words):
     options = arguments(words)
     output = options.output or options.results / "report.html"
     try:
-        text, notes, damages = page_of(options.results)
+        text, headline, notes, damages = page_of(options.results)
         write(output, text)
     except ResultsError as error:
         print(f"crevasse report: {error}", file=sys.stderr)
@@ -69,7 +70,7 @@ def main(words):
     except OSError as error:
         print(f"crevasse report: {error}", file=sys.stderr)
         return 4
-    print(output)
+    print(*headline, output, sep="\n")
     for note in notes:
         print(f"crevasse report: {options.results}: {note}", file=sys.stderr)
     if damages:

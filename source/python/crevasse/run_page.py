@@ -7,7 +7,7 @@ import datetime
 import math
 import os
 
-from crevasse import field_view, histories, paper
+from crevasse import field_view, headline, histories, paper
 from crevasse.ending import checkpoint, ending_of
 from crevasse.lip import lip_intervals
 from crevasse.page import render
@@ -17,16 +17,18 @@ from crevasse.run_reader import Run
 
 
 def page(directory):
-    """The text, what to say of the run, and what is damaged."""
+    """The text, its headline, what to say of the run, and what is damaged."""
     run = Run(directory)
     ending = ending_of(run)
     fields = paper.unless_damaged(run, field_view.pack)
     pictures, missing = paper.pictures(run)
     groups = history_groups(run)
     convergence = convergence_chart(run)
-    charts = [chart for group in groups for chart in group["charts"]]
     relaxation = relaxation_chart(run)
-    charts += [chart for chart in (convergence, relaxation) if chart]
+    first = headline.chart(run)
+    charts = [chart for chart in (
+        first, *(chart for group in groups for chart in group["charts"]), convergence,
+        relaxation) if chart]
     for k, chart in enumerate(charts):
         chart["id"] = f"chart{k}"
     shades = lip_intervals(run)
@@ -37,13 +39,14 @@ def page(directory):
         directory=directory.resolve(), written=time_of(run),
         changed=changed_parameters(run), fields=fields,
         is_paper=paper.is_scene_of_paper(run), pictures=pictures, missing=missing,
+        headline=headline.numbers(run), first_chart=first,
         groups=groups, convergence=convergence, relaxation=relaxation,
         lip=lip, presses=bool(shades),
         periods=run.tables.get("periods.csv"), costs=costs(run),
         thinned=is_thinned(charts),
         several=any("last" in chart.get("views", ()) for chart in charts),
         data={"charts": charts, "shades": shades, "lip": lip})
-    return text, list(notes_on(run, ending)), run.damages
+    return text, list(headline.lines(run)), list(notes_on(run, ending)), run.damages
 
 
 def notes_on(run, ending):
@@ -68,8 +71,11 @@ def changed_parameters(run):
 
 
 def history_groups(run):
-    """Charts over time: of each probe, the lip, and the crack tip."""
-    groups = []
+    """Charts over time: of the crack tips, the lip, each probe, and the loads."""
+    groups = tip_groups(run)
+    if "contact.csv" in run.tables:
+        groups.append({"heading": "The lip as a whole",
+                       "charts": list(histories.lip_charts(run))})
     for name in run.tables:
         if name.startswith("probe_"):
             probe = name[len("probe_"):-len(".csv")]
@@ -77,9 +83,14 @@ def history_groups(run):
             groups.append({
                 "heading": f"Probe {probe}" + (f" ({point})" if point else ""),
                 "charts": list(histories.probe_charts(run, probe))})
-    if "contact.csv" in run.tables:
-        groups.append({"heading": "The lip as a whole",
-                       "charts": list(histories.lip_charts(run))})
+    if "load_work.csv" in run.tables:
+        groups.append({"heading": "Loads", "charts":
+                       list(histories.load_work_charts(run))})
+    return groups
+
+
+def tip_groups(run):
+    groups = []
     if "crack_tip.csv" in run.tables:
         groups.append({"heading": "Crack tip", "charts":
                        list(histories.stress_intensity_charts(run))})
@@ -93,9 +104,6 @@ def history_groups(run):
             number = name[len("creep_integral"):-len(".csv")].replace("_", " ")
             groups.append({"heading": f"Creep at crack tip{number}", "charts":
                            list(histories.creep_integral_charts(run, name))})
-    if "load_work.csv" in run.tables:
-        groups.append({"heading": "Loads", "charts":
-                       list(histories.load_work_charts(run))})
     return groups
 
 

@@ -35,6 +35,8 @@ COLUMNS = {"probe_": ("t", "u_1", "s_11"),
                         "stress_error_estimate"),
            "relaxation.": ("relaxation_factor", "iterations")}
 EFFECT = re.compile(r"^  (\S.*?)\s+(on|off) +\((.*)\)$", re.M)
+MATERIALS = re.compile(r"^  materials: (.*)$", re.M)
+MATERIAL = re.compile(r"(\d+) \((.+?)\): \d+ cells?(?:, |$)")
 MESH = re.compile(r"^  mesh: (\d+) cells, (\d+) unknowns, (\d+) quadrature "
                   r"points(?:, (\d+) contact nodes)?", re.M)
 
@@ -92,6 +94,13 @@ class Run:
         starts = [match.start() for match
                   in re.finditer(r"^Crevasse \d\S*: ", text, re.M)]
         return text[starts[-1]:] if starts else text
+
+    @property
+    def material_names(self):
+        """{material id: its physical name in the mesh file}, of those that have one."""
+        text = MATERIALS.search(self.log)
+        return {int(id): name for id, name
+                in MATERIAL.findall(text[1] if text else "")}
 
     def read_summary(self):
         path = self.directory / "summary.json"

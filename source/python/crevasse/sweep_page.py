@@ -19,7 +19,7 @@ MARKERS = ("circle", "rect", "triangle", "rectRot", "crossRot", "star")
 
 
 def page(directory):
-    """The text, what to say of the sweep, and what is damaged."""
+    """The text, no headline, what to say of the sweep, and what is damaged."""
     rows = sweep_table.read_rows(directory)
     description, damages = read_description(directory)
     quantities = sweep_table.quantities(rows)
@@ -49,7 +49,7 @@ def page(directory):
         beside=any((number(row.get("jobs", "")) or 1) > 1 for row in rows),
         shown=first_with_points(studies, rows, quantities),
         data={"charts": charts, "shades": [], "lip": False})
-    return text, [unfinished] * bool(unfinished), damages
+    return text, [], [unfinished] * bool(unfinished), damages
 
 
 def read_description(directory):

@@ -4,6 +4,7 @@
 """Numbers and units of measurement as text."""
 
 import math
+import re
 
 from crevasse.results import number
 
@@ -55,6 +56,11 @@ def seconds(value):
     minutes, rest = divmod(round(value), 60)
     hours, minutes = divmod(minutes, 60)
     return f"{hours} h {minutes} min" if hours else f"{minutes} min {rest} s"
+
+
+def subscripts(label):
+    """K_I and ΔK_eff in HTML."""
+    return re.sub(r"_(\w+)", r"<sub>\1</sub>", label)
 
 
 def megabytes(value):

@@ -96,7 +96,7 @@ function drawHistory(spec, canvas) {
     options: {
       parsing: false, normalized: true,
       interaction: { mode: "nearest", axis: "x", intersect: false },
-      scales: { x: time, y: axis(spec.y, false) },
+      scales: { x: time, y: axis(spec.y, spec.log) },
       plugins: {
         lipStates: { shown: data.lip },
         legend: { display: spec.series.length > 1,

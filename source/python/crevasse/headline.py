@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Crevasse authors
+
+"""The first lines of a report: stress intensity, growth and opening of the last
+period, each with its estimated error where that is known, and a chart of the stress
+intensity over this period."""
+
+import collections
+import math
+
+import numpy
+
+from crevasse import findings, histories
+from crevasse.findings import INTENSITY
+from crevasse.lip import last_period
+from crevasse.results import at
+from crevasse.wording import significant
+
+# An error of None is not known.
+Number = collections.namedtuple("Number", "label, value, error, unit")
+FLOW = "stress × length / time"
+MOST_TIPS = 6  # in the chart: each has a colour
+
+
+def numbers(run):
+    """The tip that they are of, in words, and its numbers; then those of the body."""
+    tips = findings.tips_of(run.summary)
+    k = leading_tip(tips)
+    found = list(numbers_of_tip(tips[k])) if tips else []
+    opening = run.summary_number("extremes", "opening")
+    if opening is not None:
+        found.append(Number("largest opening", opening, None, "length"))
+    if not found:
+        stress = run.summary_number("extremes", "stress")
+        found = [Number("largest stress", stress, None, "stress"),
+                 Number("largest displacement",
+                        run.summary_number("extremes", "displacement"), None,
+                        "length")]
+    return (place_of(tips, k) if len(tips) > 1 else "",
+            [number for number in found if is_number(number.value)])
+
+
+def is_number(value):
+    return (isinstance(value, (int, float)) and not isinstance(value, bool)
+            and math.isfinite(value))
+
+
+def leading_tip(tips):
+    """The number of the tip with the largest stress intensity or C(t)."""
+    def size(tip):
+        return max((value for value in (at(tip, ("equivalent_intensity", "largest")),
+                                        at(tip, ("K_I", "largest")), tip.get("largest"))
+                    if is_number(value)), default=-math.inf)
+    return max(range(len(tips)), key=lambda k: size(tips[k]), default=None)
+
+
+def place_of(tips, k):
+    place = ", ".join(significant(x) for x in tips[k].get("position", ()))
+    return (f"Tip {k + 1} of {len(tips)}, at ({place}), has the largest stress "
+            "intensity.")
+
+
+def numbers_of_tip(tip):
+    """K_II and K_III by their largest size."""
+    for mode in ("I", "II", "III"):
+        extremes = tip.get(f"K_{mode}") or {}
+        ends = [extremes.get(end) for end in ("largest", "smallest")]
+        if all(map(is_number, ends)):
+            value = ends[0] if mode == "I" else max(ends, key=abs)
+            yield Number(f"largest K_{mode}", value, tip.get(f"K_{mode}_error"),
+                         INTENSITY)
+    for label, path, error, unit in (
+            ("largest equivalent K", ("equivalent_intensity", "largest"), None, INTENSITY),
+            ("ΔK", ("Delta_K",), None, INTENSITY),
+            ("ΔK_eff", ("Delta_K_eff",), None, INTENSITY),
+            ("largest C(t)", ("largest",), "error_of_largest", FLOW),
+            ("C*", ("C_star",), None, FLOW),
+            ("da/dN", ("da_dN",), None, "length")):
+        yield Number(label, at(tip, path), tip.get(error), unit)
+
+
+def lines(run):
+    """The same as text."""
+    place, found = numbers(run)
+    if place:
+        yield place
+    for label, value, error, unit in found:
+        error = f" ± {significant(error, 2)}" if is_number(error) else ""
+        yield f"{label}: {significant(value)}{error} ({unit})"
+
+
+def tips_with_two_lips(run):
+    """{number: table}"""
+    numbers = {int(name[len("crack_tip_"):-len(".csv")]): table
+               for name, table in run.tables.items() if name.startswith("crack_tip_")}
+    return dict(sorted(numbers.items()))
+
+
+def along_front(run, column):
+    """The instants, and the largest value along the fronts at each."""
+    front = run.tables["crack_front.csv"]
+    t, rows = numpy.unique(front["t"], return_inverse=True)
+    largest = numpy.full(len(t), -numpy.inf)
+    numpy.maximum.at(largest, rows.ravel(), front[column])
+    return t, largest
+
+
+def curves_of_intensity(run):
+    """The instants, and by name the stress intensities that a chart shows; None
+    without crack tip. Of several tips, their equivalent intensities."""
+    tips = tips_with_two_lips(run)
+    if "crack_tip.csv" in run.tables:
+        table = run.tables["crack_tip.csv"]
+        return table["t"], {"K_I": table["K_I"]}
+    if tips:
+        table = next(iter(tips.values()))
+        return table["t"], (
+            {name: table[name] for name in ("K_I", "K_II")} if len(tips) == 1 else
+            {f"tip {k}": tip["equivalent_intensity"] for k, tip in tips.items()})
+    if "crack_front.csv" in run.tables:
+        t, largest = along_front(run, "K_I")
+        return t, {"largest K_I along the front": largest}
+    return None
+
+
+def loading_of_crack(run):
+    """The instants, and what tells which of them loads a crack tip most: K_I, the
+    equivalent intensity, or with three modes the energy release rate. None without
+    crack tip."""
+    tips = list(tips_with_two_lips(run).values())
+    if tips:
+        return tips[0]["t"], numpy.max([tip["equivalent_intensity"] for tip in tips],
+                                       axis=0)
+    if "crack_tip.csv" in run.tables:
+        return run.tables["crack_tip.csv"]["t"], run.tables["crack_tip.csv"]["K_I"]
+    if "crack_front.csv" in run.tables:
+        has_modes = "K_II" in run.tables["crack_front.csv"]
+        return along_front(run, "energy_release_rate" if has_modes else "K_I")
+    return None
+
+
+def chart(run):
+    """K, or else C(t), over the last period; None if the run has neither."""
+    found = curves_of_intensity(run)
+    title, axis, log = "Stress intensity", "K (stress × √length)", False
+    if found and len(found[1]) > 1 and "K_I" not in found[1]:
+        title, axis = "Equivalent stress intensity", f"equivalent {axis}"
+    if not found:
+        names = [name for name in run.tables if name.startswith("creep_integral")]
+        if not names:
+            return None
+        table = run.tables[names[0]]
+        found = table["t"], {"C_t": table["C_t"]}
+        title, axis, log = "Creep integral C(t)", f"C(t) ({FLOW})", True
+    t, curves = found
+    short = last_period(t, run.period) is None and t[-1] - t[0] < 0.99 * run.period
+    span = "the time computed" if short else "the last period"
+    curves = dict(list(curves.items())[:MOST_TIPS])
+    largest = max(abs(values).max() for values in curves.values())
+    drawn = histories.chart(run, {"t": t, **curves}, list(curves), axis,
+                            f"{title} over {span}",
+                            noise=histories.ROUNDING * largest, log=log)
+    drawn["views"] = {"whole": drawn["views"].get("last", drawn["views"]["whole"])}
+    return drawn
