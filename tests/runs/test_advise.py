@@ -173,6 +173,25 @@ def test_refusals():
     check(code == 0 and "advised.prm" in output and "--error" in output, output)
 
 
+def test_explicit_steps_fail_on_finer_meshes():
+    """Creep by a power law: explicit steps that suit the coarsest mesh fail on all
+    others, where the stress at the tip is larger. Other steps find an advice."""
+    scene = pathlib.Path("creep.prm")
+    scene.write_text(BAR.replace("rectangle", "edge crack").replace("2, 2", "14, 4")
+                     .replace("top: 0.5, 1", "mouth: 1, 0"))
+    directory, output, _ = advise(
+        "creep", "--error", 0.05, "--quantities", "probe_mouth/u", *overrides([
+            "Material/Young modulus=1000", "Material/Viscosity=power law",
+            "Material/Creep exponent=3", "Material/Creep coefficient=1e-6",
+            "Loads/Period=1", "Loads/Traction=0; 10*sin(2*pi*t)+1"]), scene=scene)
+    advice = json.loads((directory / "advice.json").read_text())
+    check(advice["reached"] and advice["error"] <= 0.05
+          and not advice["choice"].partition("; ")[2].startswith(("heun", "rk4")),
+          output)
+    check("heun: on finer meshes it fails" in (directory / "advice.md").read_text(),
+          "why there are no explicit steps")
+
+
 @full
 def test_first_is_refused():
     """Explicit steps of a tenth of the period are too long for this material."""
@@ -247,6 +266,7 @@ def test_crack_tip():
 
 
 for test in (test_target, test_again, test_files, test_stop, test_refusals,
-             test_first_is_refused, test_quantities, test_nothing_moves,
+             test_explicit_steps_fail_on_finer_meshes, test_first_is_refused,
+             test_quantities, test_nothing_moves,
              test_coarse_cells_are_refused, test_crack_tip):
     test()

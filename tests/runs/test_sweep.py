@@ -233,6 +233,32 @@ def test_no_error():
           "not the mesh" in markdown, markdown)
 
 
+def test_periodic_methods():
+    """March and harmonic balance have the same periodic state, after other numbers of
+    periods: what they may differ in, a constant of the displacement and what a secular
+    flow has gained, is no error. That of the work of the loads cannot be told."""
+    for mean in (2, 11):  # the lip closes in each period; it opens further and further
+        rows, output = sweep(
+            f"periodic_{mean}", "--vary", "Periodic state/Method=march,fourier",
+            "--reference", "Periodic state/Method=march", "--error",
+            "stress,probe_mouth/u,probe_mouth/opening,load_work/load_work",
+            *overrides(["Material/Plane state=plane stress",
+                        "Material/Viscosity=relaxation time",
+                        "Material/Relaxation time=600",
+                        f"Loads/Traction=0; 10*sin(2*pi*t/600)+{mean}",
+                        "Time integration/Scheme=trapezoid",
+                        "Periodic state/Maximum periods=100",
+                        "Periodic state/Tolerance=1e-6", "Output/Load work=true",
+                        "Output/Probes=mouth: 1, 0"]), scene=CRACK)
+        check([row["periods"] for row in rows] != ["1", "1"]
+              and [row["instants:probe_mouth/u"] for row in rows] == ["41", "41"]
+              and "without their mean values" in output, output)
+        for quantity in ("stress", "probe_mouth/u", "probe_mouth/opening"):
+            check_below(float(rows[1]["error:" + quantity]), 1e-9,
+                        f"{quantity} of fourier under a mean load of {mean}")
+        check(rows[1]["error:load_work/load_work"] == "", "error of the work")
+
+
 @full
 def test_too_few_instants():
     """Adaptive steps meet those of a reference at 0 and T alone, where the load
@@ -323,8 +349,8 @@ def test_ranks():
 
 for test in (test_order_against_reference, test_order_against_closed_form,
              test_zipped, test_warnings, test_resumption, test_points_without_results,
-             test_failing_point, test_no_error, test_too_few_instants,
-             test_mistakes, test_ranks):
+             test_failing_point, test_no_error, test_periodic_methods,
+             test_too_few_instants, test_mistakes, test_ranks):
     start = time.time()
     test()
     print(f"{test.__name__}: {time.time() - start:.1f} s")

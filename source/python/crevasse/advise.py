@@ -7,6 +7,7 @@ relative to its largest value. Schemes and steps, elements and meshes, and the s
 for the periodic state are tried; body and loads never change."""
 
 import argparse
+import dataclasses
 import pathlib
 import sys
 
@@ -20,8 +21,9 @@ from crevasse.advise_period import Period
 from crevasse.advise_runs import Runs
 from crevasse.advise_search import Search
 from crevasse.command import CommandError, Log, Parser, Stop, taken
+from crevasse.comparison import LAST_PERIODS
 from crevasse.program import Program
-from crevasse.results import number, parse_parameters, probes_of
+from crevasse.results import ResultsError, number, parse_parameters, probes_of
 
 ERROR_OF_BASE = 0.1  # of the steps with which meshes are compared
 EPILOG = """Files in DIR:
@@ -107,13 +109,10 @@ class Advice:
             raise CommandError("nothing could be run on the coarsest mesh: "
                                + "; ".join(self.time.notes), 3)
         self.errors.require_histories(self.time.points[0].run)
-        base = self.base_in_time()
-        self.log(f"Space, with {base.candidate.text}:")
-        self.space = Search(
-            False, in_space, lambda mesh: self.run_pair(mesh, base.candidate, SEARCH),
-            self.errors, self.log)
-        self.space.extend_to(PART_IN_SPACE * self.target)
-        if not self.space.points or not self.errors.counting():
+        self.require_errors(self.time)
+        base = self.search_in_space(in_space)
+        self.require_errors(self.space)
+        if not self.errors.counting():
             raise CommandError("no history converges as the cells are halved, and no "
                                "error can be reached: " + "; ".join(self.space.notes),
                                3)
@@ -139,11 +138,40 @@ class Advice:
                 return mesh
         return meshes.candidates[0]
 
-    def base_in_time(self):
-        """The least work with errors that are small beside what happens."""
-        return min((point for point in self.time.points
-                    if point.error < ERROR_OF_BASE), key=lambda point: point.run.work,
-                   default=self.time.reference or self.time.points[0])
+    def require_errors(self, search):
+        """Without two runs that can be compared there is no error, and no advice."""
+        if search.reference is None:
+            raise CommandError(
+                f"the error in {'time' if search.in_time else 'space'} is unknown: it "
+                "takes two runs of one kind that have what is compared. What ended "
+                "each kind: " + "; ".join(search.notes), 3)
+
+    def search_in_space(self, families):
+        """With the cheapest steps that meshes other than the coarsest bear, too: on
+        finer ones explicit schemes may fail, as where creep grows with the stress at a
+        tip. The point in time."""
+        for base in self.bases_in_time():
+            self.log(f"Space, with {base.candidate.text}:")
+            self.space = Search(
+                False, [dataclasses.replace(family, points=[]) for family in families],
+                lambda mesh: self.run_pair(mesh, base.candidate, SEARCH),
+                self.errors, self.log)
+            self.space.extend_to(PART_IN_SPACE * self.target)
+            if self.space.reference is not None:
+                break
+            self.time.leave_out(base.family, "on finer meshes it fails: "
+                                + "; ".join(self.space.notes))
+        return base
+
+    def bases_in_time(self):
+        """Of each scheme the least work with errors that are small beside what happens,
+        cheapest first."""
+        small = [point for point in self.time.points if point.error < ERROR_OF_BASE]
+        best = {}
+        for point in sorted(small or [self.time.reference],
+                            key=lambda point: point.run.work):
+            best.setdefault(point.family.text, point)
+        return list(best.values())
 
     def write(self):
         space, time = (point.candidate for point in self.pairs.points(self.best.pair))
@@ -168,9 +196,8 @@ def advise(options, stop, log):
         log.open(advice.directory / "advice.log")
         stop.file = advice.directory / "stop"
         log(f"Settings of {options.scene.name} for an error of {options.error:g}")
-        log("  compared is the periodic state: the last period, displacements without "
-            "their mean values" if advice.errors.periodic else
-            "  compared are all instants from rest")
+        log("  compared are " + (LAST_PERIODS if advice.errors.periodic
+                                 else "all instants from rest"))
         advice.find()
         advice.write()
     if not advice.reached:
@@ -188,7 +215,7 @@ def main(words):
     except CommandError as error:
         print(f"crevasse advise: {error}", file=sys.stderr)
         return error.status
-    except OSError as error:
+    except (OSError, ResultsError) as error:
         print(f"crevasse advise: {error}", file=sys.stderr)
         return 4
     return 0

@@ -8,9 +8,10 @@ import math
 import numpy
 
 from crevasse.command import CommandError
+from crevasse.comparison import (Comparison, Table, compare, depends_on_constant,
+                                 is_periodic)
 from crevasse.quantities import TABLES as ALL_TABLES
-from crevasse.quantities import (PROBE, SAME_INSTANT, common_instants, did_you_mean,
-                                 has_lip, kind, selects)
+from crevasse.quantities import PROBE, did_you_mean, has_lip, kind
 
 # These differ from mesh to mesh.
 OF_MESH = ("stress", "periods/stress_change", "contact/closed_nodes",
@@ -61,6 +62,9 @@ def problem_of(name, scene, tables):
     if table.startswith("crack_tip") and (
             scene["Crack tip/Stress intensity"] == "false" or not has_lip(scene)):
         return "set [Crack tip] Stress intensity = true."
+    if depends_on_constant(table) and is_periodic(scene):
+        return ("depends on the additive constant of the displacement, which a periodic "
+                "state leaves free. Take probes.")
     if table == "load_work" and scene["Output/Load work"] != "true":
         return "set [Output] Load work = true."
     return None
@@ -72,9 +76,7 @@ class Errors:
     def __init__(self, runs, scene, quantities):
         self.runs, self.quantities = runs, quantities
         self.period = float(scene["Loads/Period"])
-        self.periodic = (float(scene["Periodic state/Tolerance"]) > 0
-                         or scene["Periodic state/Method"] != "march"
-                         or scene["Periodic state/Start from"] != "rest")
+        self.periodic = is_periodic(scene)
         self.left_out = set()
         self.known, self.tables = {}, {}
 
@@ -94,64 +96,44 @@ class Errors:
             found = {name: self.compare(name, one, reference)
                      for name in self.quantities}
             largest = {}
-            for name, (_, size) in found.items():
+            for name, of in found.items():
                 column = name.split("/")[1]
-                largest[column] = max(largest.get(column, 0.), size or 0.)
+                largest[column] = numpy.fmax(largest.get(column, 0.), of.size)
             self.known[key] = {
-                name: math.inf if size is None or not math.isfinite(difference) else
-                0. if size <= VANISHES * largest[name.split("/")[1]] else
-                difference / size for name, (difference, size) in found.items()}
+                name: math.inf if not math.isfinite(of.difference + of.size) else
+                0. if of.size <= VANISHES * largest[name.split("/")[1]] else
+                of.difference / of.size for name, of in found.items()}
         return self.known[key]
 
     def compare(self, quantity, one, reference):
-        """The largest difference, and the largest value of the reference; None if
-        there is no such column, or too few common instants."""
         table, column = quantity.split("/")
         mine, theirs = self.table(one, table), self.table(reference, table)
-        names = [name for name in theirs if name in mine and selects(column, name)]
-        if not names:
-            return math.inf, None
-        rows, objection = common_instants(mine["t"], theirs["t"], self.period)
-        if objection:
-            return math.inf, None
-        pairs = numpy.array(rows).T
-        difference = size = 0.
-        for name in names:
-            a, b, whole = mine[name][pairs[0]], theirs[name][pairs[1]], theirs[name]
-            if self.periodic and name.startswith("u_"):
-                a, whole, b = a - a.mean(), whole - b.mean(), b - b.mean()
-            difference = max(difference, abs(a - b).max())
-            size = max(size, abs(whole).max())
-        return difference, size
+        if mine is None or theirs is None:
+            return Comparison(objection="a run has no such table")
+        return compare(column, mine, theirs, self.period, self.periodic)
 
     def table(self, run, name):
-        """The columns at the instants compared; empty if there is no table."""
+        """The columns at the instants compared; None if there is no table."""
         key = run.name, name
         if key not in self.tables:
             path = self.runs.folder(run) / f"{name}.csv"
-            columns = {}
-            if path.is_file():
-                header = path.read_text().split("\n", 1)[0].split(",")
-                rows = numpy.loadtxt(path, delimiter=",", skiprows=1, ndmin=2)
-                columns = dict(zip(header, rows.T))
-            if self.periodic and columns:
-                t = columns["t"]
-                last = t >= t[-1] - (1 + SAME_INSTANT) * self.period
-                columns = {name: values[last] for name, values in columns.items()}
-                columns["t"] = columns["t"] - columns["t"][0]
-            self.tables[key] = columns
+            table = Table(path) if path.is_file() else None
+            if self.periodic and table:
+                table.keep_last_period(self.period)
+                table.begin_at_zero()
+            self.tables[key] = table
         return self.tables[key]
 
     def require_histories(self, run):
         """What is compared must be written, and must not be zero."""
-        sizes = {name: self.compare(name, run, run)[1] for name in self.quantities}
-        for name, size in sizes.items():
-            if size is None:
+        found = {name: self.compare(name, run, run) for name in self.quantities}
+        for name, of in found.items():
+            if of.objection:
                 raise CommandError(
                     f"--quantities {name}: the scene does not write it. Probes have "
                     "u_3 and stresses of it in space only, and opening and pressure "
                     "on a lip.", 2)
-        if not any(sizes.values()):
+        if not any(of.size for of in found.values()):
             raise CommandError(f"{run.name}: all that is compared is 0 at all "
                                "instants, and has no relative error. Is the body "
                                "loaded, and do the probes move?", 3)

@@ -129,8 +129,9 @@ def markdown(advice):
         parts.append(f"To the largest of these {best.shared:.2g} is added, the "
                      "estimated error that the settings and the reference share.\n")
     parts.append("Differences are relative to the largest value of the quantity, over "
-                 + ("the last period. Displacements are compared without their mean "
-                    "values: a constant depends on how the periodic state is found.\n"
+                 + ("the last period. Displacements and openings are compared without "
+                    "their mean values: a constant depends on how the periodic state is "
+                    "found.\n"
                     if errors.periodic else "all instants that two runs share.\n")
                  + "Seconds are CPU time.\n")
     rows = [(finalist.run.name + " (chosen)" * (finalist.run is best.run),

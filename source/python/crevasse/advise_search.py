@@ -148,6 +148,14 @@ class Search:
         family.ended = True
         self.notes.append(f"{family.text}: {reason}")
 
+    def leave_out(self, family, reason):
+        """With all that was run of it."""
+        self.end(family, reason)
+        family.points.clear()
+        self.points = [point for point in self.points if point.family is not family]
+        self.reference = None
+        self.estimate()
+
     def changes(self, family):
         """Differences of each run of a family from the run before it."""
         return [self.errors.difference(a.run, b.run)

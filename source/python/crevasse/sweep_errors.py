@@ -4,14 +4,14 @@
 """The quantities of a sweep, and the errors of its points: the largest difference
 over the largest value of the reference, at all instants that both have."""
 
-import csv
 import math
 
 import numpy
 
 from crevasse.command import CommandError
-from crevasse.quantities import (PROBE, SAME_INSTANT, TABLES, common_instants,
-                                 did_you_mean, has_lip, kind, selects)
+from crevasse.comparison import Table, compare, depends_on_constant, without_means
+from crevasse.quantities import (PROBE, TABLES, common_instants, did_you_mean, has_lip,
+                                 kind)
 from crevasse.results import ResultsError, probes_of
 from crevasse.sweep_plan import quote, require_none, shorten, split, squeeze
 
@@ -92,97 +92,56 @@ def no_error(reason, instants=0):
     return {"value": None, "instants": instants, "reason": reason}
 
 
-def relative_error(mine, theirs, size, finite, instants):
-    """Of arrays at common instants; size is the largest value of the reference at
-    any instant, finite tells whether all of its values are."""
-    if not (finite and numpy.isfinite(mine).all()):
+def relative_error(difference, size, instants):
+    """Of the largest difference at common instants; size is the largest value of the
+    reference at any instant."""
+    if not math.isfinite(difference + size):
         return no_error("there are values that are not finite", instants)
     if size == 0.:
         return no_error("the reference is 0 at all instants", instants)
-    difference = abs(mine - theirs).max(initial=0.)
     return {"value": float(difference / size), "instants": instants}
 
 
-class Table:
-    """One that a run has written; its columns by name."""
-
-    def __init__(self, path):
-        try:
-            text = path.read_text(encoding="utf-8")
-        except (OSError, ValueError):
-            raise ResultsError(f"Cannot read {path}.") from None
-        if not text.endswith("\n"):
-            raise ResultsError(f"{path}: the last line is not complete.")
-        header, *rows = csv.reader(text.splitlines())
-        for row in rows:
-            if len(row) != len(header):
-                raise ResultsError(f"{path}: a row has {len(row)} entries instead of "
-                                   f"{len(header)}.")
-        try:
-            values = numpy.array(rows, dtype=float).reshape(-1, len(header))
-        except ValueError as error:
-            raise ResultsError(f"{path}: {error}.") from None
-        self.columns = dict(zip(header, values.T))
-        if not {"t", "t_end"} & set(header):
-            raise ResultsError(f"{path}: there is no column t.")
-
-    @property
-    def t(self):
-        """The end of a period in periods.csv, which is left as it is."""
-        return self.columns.get("t", self.columns.get("t_end"))
-
-    def keep_last_period(self, period):
-        if "t" in self.columns and len(self.t):
-            last = self.t >= self.t[-1] - (1 + SAME_INSTANT) * period
-            self.columns = {name: values[last]
-                            for name, values in self.columns.items()}
-
-    def begin_at_zero(self):
-        if "t" in self.columns and len(self.t):
-            self.columns["t"] = self.t - self.t[0]
+def history_error(name, folder, reference, period, periodic):
+    """Of a column over time; of all instants, or of last periods."""
+    table, column = name.split("/")
+    if periodic and depends_on_constant(table):
+        return no_error("it depends on the additive constant of the displacement, which "
+                        "a periodic state leaves free")
+    tables = []
+    for whose, path in (("run", folder), ("reference", reference)):
+        if not (path / f"{table}.csv").exists():
+            return no_error(f"the {whose} has no table {table}")
+        tables.append(Table(path / f"{table}.csv"))
+        if periodic:
+            tables[-1].keep_last_period(period)
+            tables[-1].begin_at_zero()
+    found = compare(column, *tables, period, periodic)
+    if found.objection:
+        return no_error(found.objection, found.instants)
+    return relative_error(found.difference, found.size, found.instants)
 
 
-def history_error(name, formula, folder, reference, period, whole_run, program):
-    """Of a column over time; of all instants, or of the last periods."""
+def exact_error(name, formula, folder, period, whole_run, program):
+    """Of a column against a formula of t, at all instants of a march from rest, or in
+    the last period."""
     table, column = name.split("/")
     if not (folder / f"{table}.csv").exists():
         return no_error(f"the run has no table {table}")
     mine = Table(folder / f"{table}.csv")
+    if column not in mine.columns:
+        return no_error("the run has no such column")
     if not whole_run:
         mine.keep_last_period(period)
-    if formula is not None:
-        return exact_error(name, formula, mine, program)
-    if not (reference / f"{table}.csv").exists():
-        return no_error(f"the reference has no table {table}")
-    theirs = Table(reference / f"{table}.csv")
-    if not whole_run:
-        theirs.keep_last_period(period)
-        mine.begin_at_zero()
-        theirs.begin_at_zero()
-    names = [other for other in theirs.columns
-             if selects(column, other) and other in mine.columns]
-    if not names:
-        return no_error("the runs have no such column")
-    rows, objection = common_instants(mine.t, theirs.t, period)
-    if objection:
-        return no_error(objection, len(rows))
-    i, j = numpy.array(rows).T
-    whole = numpy.array([theirs.columns[other] for other in names])
-    return relative_error(numpy.array([mine.columns[other][i] for other in names]),
-                          whole[:, j], abs(whole).max(),
-                          numpy.isfinite(whole).all(), len(rows))
-
-
-def exact_error(name, formula, table, program):
-    if name.split("/")[1] not in table.columns:
-        return no_error("the run has no such column")
-    values, reason = evaluate(program, name, formula, table.t.tolist())
+    values, reason = evaluate(program, name, formula, mine.t.tolist())
     if reason:
         return no_error(reason)
-    if not len(table.t) or table.t[-1] == 0.:
+    if not len(mine.t) or mine.t[-1] == 0.:
         return no_error("the run has no instant but t = 0")
-    return relative_error(table.columns[name.split("/")[1]], values,
-                          abs(values).max(), numpy.isfinite(values).all(), len(values))
+    found, exact = mine.columns[column][None], values[None]
+    if not whole_run:
+        found, exact = (without_means([column], of) for of in (found, exact))
+    return relative_error(abs(found - exact).max(), abs(exact).max(), len(values))
 
 
 class StressReader:
@@ -218,5 +177,5 @@ class StressReader:
             return no_error(objection, len(rows))
         i, j = numpy.array(rows).T
         size = abs(reference.stress).max(initial=0.)
-        return relative_error(self.stress[i], reference.stress[j], size,
-                              math.isfinite(size), len(rows))
+        return relative_error(abs(self.stress[i] - reference.stress[j]).max(initial=0.),
+                              size, len(rows))

@@ -11,9 +11,11 @@ import re
 
 from crevasse import findings
 from crevasse.command import CommandError
+from crevasse.comparison import LAST_PERIODS, is_periodic
 from crevasse.results import ResultsError, parse_parameters
 from crevasse.sweep_errors import (STRESS, STRESS_FILE, StressReader,
-                                   choose_quantities, history_error, no_error)
+                                   choose_quantities, exact_error, history_error,
+                                   no_error)
 from crevasse.sweep_folder import Folder
 from crevasse.sweep_output import Output
 from crevasse.sweep_plan import Plan, require_none, shorten
@@ -64,6 +66,8 @@ class Sweep:
         self.scenes = [parse_parameters(text)[0] for text in self.used]
         self.quantities = choose_quantities(options, self.scenes, program)
         self.needs_reference = None in self.quantities.values()
+        # One kind of error in all rows of a table.
+        self.periodic = any(map(is_periodic, self.scenes))
         self.jobs = choose_jobs(options, program, bool(self.quantities))
         self.directory = options.output or pathlib.Path(
             (self.scenes[0]["Output directory"] or f"results/{options.scene.stem}")
@@ -84,7 +88,8 @@ class Sweep:
             known.add(used)
 
     def reference_in_words(self):
-        parts = (["the run with " + ", ".join(self.options.reference)]
+        parts = (["the run with " + ", ".join(self.options.reference)
+                  + f" ({LAST_PERIODS})" * self.periodic]
                  if self.needs_reference else [])
         parts += [f"{name} = {formula}" for name, formula in self.quantities.items()
                   if formula is not None]
@@ -92,7 +97,8 @@ class Sweep:
 
     def basis(self):
         """What errors are measured, and against what."""
-        text = f"{self.quantities}" + (self.used[0] if self.needs_reference else "")
+        text = f"{self.quantities}" + (f"{self.periodic}{self.used[0]}"
+                                       if self.needs_reference else "")
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 
     def run(self):
@@ -230,15 +236,14 @@ class Sweep:
             return
         scene = self.scenes[number + 1]
         period = float(scene["Loads/Period"])
-        # Both from the same rest; else the periods before are steps of a search.
-        whole_run = all(of["Periodic state/Method"] == "march"
-                        and of["Periodic state/Start from"] == "rest"
-                        for of in (scene, self.scenes[0]))
+        from_rest = (scene["Periodic state/Method"] == "march"
+                     and scene["Periodic state/Start from"] == "rest")
         for name, formula in self.quantities.items():
             result.errors[name] = (
                 self.stress_error(folder, result, period) if name == STRESS else
-                history_error(name, formula, folder.path, self.directory / "reference",
-                              period, whole_run, self.program))
+                history_error(name, folder.path, self.directory / "reference", period,
+                              self.periodic) if formula is None else
+                exact_error(name, formula, folder.path, period, from_rest, self.program))
 
     def stress_error(self, folder, result, period):
         if not result.has_periods:
