@@ -174,11 +174,18 @@ namespace Crevasse
         else if (!is_continuing || driver->time() != step.t)
           // A step of a list may be tried again with another length.
           driver->restart(step.t, step.r, properties.controls_steps);
-        is_continuing = true;
-        if (properties.controls_steps)
-          take_own_steps(step.t + step.length, 1e-10 * step.length);
-        else
+        is_continuing             = true;
+        constexpr double rounding = 1e-10;
+        if (!properties.controls_steps)
           driver->fixed_step(step.length);
+        else
+          // A step ends at each sample: what acts there is not stepped over.
+          while (driver->time() < step.t + (1. - rounding) * step.length)
+            if (driver->evolve(step.t + step.length))
+              {
+                ++n_events;
+                driver->restart(driver->time(), Vector(driver->state()), false);
+              }
         step.r = driver->state();
       }
 
@@ -221,7 +228,7 @@ namespace Crevasse
                                                 step.r);
         if (!properties.controls_steps)
           return;
-        driver->control_steps(allowed_errors, period / 4.);
+        driver->control_steps(allowed_errors);
         if (properties.stability_limit != no_stability_limit)
           driver->limit_steps(properties.stability_limit);
         if (parameters.locate_contact_events)
@@ -250,29 +257,6 @@ namespace Crevasse
         result *= choice_of(parameters).excess * stress /
                   peak_of_elastic_rates(equation, result, period);
         return result;
-      }
-
-      /** ARKODE's own steps, samples and events up to @p end. None goes beyond
-       * an instant at which the scene has a step end. */
-      void
-      take_own_steps(const double end, const double rounding)
-      {
-        while (driver->time() < end - rounding)
-          {
-            const double after = driver->end_of_step() + 1e-12 * period;
-            const auto   stop =
-              std::find_if(parameters.steps.begin(),
-                           parameters.steps.end(),
-                           [&](const double t) { return t > after; });
-            if (driver->evolve(end,
-                               stop != parameters.steps.end()
-                                 ? std::min(*stop, period)
-                                 : period))
-              {
-                ++n_events;
-                driver->restart(driver->time(), Vector(driver->state()), false);
-              }
-          }
       }
 
       const TimeIntegrationParameters parameters;

@@ -223,13 +223,11 @@ namespace Crevasse
 
 
   void
-  ArkodeDriver::control_steps(Vector tolerances, const double longest_step)
+  ArkodeDriver::control_steps(Vector tolerances)
   {
     check(ARKStepSVtolerances(memory.get(),
                               0.,
                               make_nvector_view(tolerances, context.get())));
-    // What is constant for a while asks for steps that miss what comes after.
-    check(ARKStepSetMaxStep(memory.get(), longest_step));
     check(ARKStepSetMaxNumSteps(memory.get(),
                                 TimeIntegrationParameters::most_steps));
     // A jump of the load is met by steps of the size of the tolerance.
@@ -327,22 +325,12 @@ namespace Crevasse
 
 
   bool
-  ArkodeDriver::evolve(const double end, const double stop)
+  ArkodeDriver::evolve(const double end)
   {
-    check(ARKStepSetStopTime(memory.get(), stop));
+    check(ARKStepSetStopTime(memory.get(), end));
     return check(ARKStepEvolve(
              memory.get(), end, view, &current_time, ARK_NORMAL)) ==
            ARK_ROOT_RETURN;
-  }
-
-
-
-  double
-  ArkodeDriver::end_of_step() const
-  {
-    double t;
-    ARKStepGetCurrentTime(memory.get(), &t);
-    return t;
   }
 
 

@@ -64,8 +64,9 @@ namespace Crevasse
     instants.resize(n + 1);
     for (unsigned int k = 0; k <= n; ++k)
       instants[k] = period * k / n;
+    // Adaptive steps divide equal ones, so as not to step over a pulse.
     if (control == StepControlType::adaptive)
-      instants = unite(fixed, instants, period);
+      fixed = instants = unite(fixed, instants, period);
   }
 
 

@@ -39,7 +39,7 @@ namespace Crevasse
      * @param tolerances Error of r that a step may make, in the root mean
      * square of all entries divided by theirs. */
     void
-    control_steps(Vector tolerances, const double longest_step);
+    control_steps(Vector tolerances);
 
     /** From now on ARKODE's steps are at most as long as this over the rate at
      * which the stress relaxes (RateEquation::relaxation_rate). */
@@ -60,10 +60,10 @@ namespace Crevasse
     void
     fixed_step(const double step);
 
-    /** ARKODE's own steps up to @p end, where r is interpolated, or to an
-     * event: whether there is one. No step goes beyond @p stop. */
+    /** ARKODE's own steps up to @p end, where the last one ends, or to an
+     * event: whether there is one. */
     bool
-    evolve(const double end, const double stop);
+    evolve(const double end);
 
     /** The instant of state(). */
     double
@@ -77,10 +77,6 @@ namespace Crevasse
     {
       return current;
     }
-
-    /** The end of ARKODE's last step, which may be beyond time(). */
-    double
-    end_of_step() const;
 
     /** Steps, rejected steps, and stages that failed. */
     IntegratorStatistics

@@ -78,7 +78,9 @@ namespace Crevasse
       return instants[k];
     }
 
-    /** Those instants that the scene asks for by name, 0 and the period. */
+    /** Instants at which steps end in any case: those that the scene names, 0,
+     * the period and jumps; where steps are adaptive, those of equal steps as
+     * well. */
     const std::vector<double> &
     fixed_instants() const
     {
