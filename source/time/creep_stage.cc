@@ -166,28 +166,16 @@ namespace Crevasse
 
   template <int dim>
   ContactSolver &
-  CreepStage<dim>::solve(const double  t,
-                         const Vector &known,
-                         const double  c,
-                         State        &state,
-                         Vector       &right_hand_side)
+  CreepStage<dim>::iterate(Stage       &stage,
+                           const double enough,
+                           Vector      &right_hand_side)
   {
     constexpr unsigned int                   most = 100;
     constexpr double                         slow = 0.2;
     constexpr AndersonAcceleration::Settings combined{4, 1.};
 
-    const MaterialState<dim> &material = instants.material_at(t);
-    Stage                     stage{t,
-                c,
-                material.kappa(c),
-                InelasticStrain<dim>(material, known),
-                instants.tangent_at(t, c, state.stress),
-                state};
-    state.stiffness_factor = material.stiffness_factor;
-    loads.evaluate(t, forces);
-    predict(t, state.displacement);
+    State &state = stage.state;
     evaluate(stage, right_hand_side);
-
     std::optional<AndersonAcceleration> acceleration(combined);
     double residual = std::numeric_limits<double>::infinity();
     for (unsigned int iteration = 0; iteration < most; ++iteration)
@@ -204,11 +192,10 @@ namespace Crevasse
         right_hand_side -= next;
         residual =
           solver.relative_to_forces(right_hand_side, state.stiffness_factor);
-        if (residual <= tolerance)
+        if (residual <= enough)
           {
             right_hand_side += next;
             solver.count_error(residual);
-            keep(t, state.displacement);
             return solver;
           }
         if (residual <= slow * last_residual)
@@ -218,7 +205,7 @@ namespace Crevasse
           }
         if (!(residual <= last_residual))
           cut_step(stage);
-        stage.tangent = instants.renew_tangent(t, c, state.stress);
+        stage.tangent = instants.renew_tangent(stage.t, stage.c, state.stress);
         evaluate(stage, right_hand_side);
         acceleration.emplace(combined);
       }
@@ -226,9 +213,68 @@ namespace Crevasse
       Text::Message()
       << "Newton's method leaves a residual of " << residual
       << " of the largest nodal force after " << most
-      << " iterations at t = " << t
+      << " iterations at t = " << stage.t
       << ". Take shorter steps, or a larger [Time integration] Newton "
          "tolerance.");
+  }
+
+
+
+  template <int dim>
+  ContactSolver &
+  CreepStage<dim>::solve(const double  t,
+                         const Vector &known,
+                         const double  c,
+                         State        &state,
+                         Vector       &right_hand_side)
+  {
+    constexpr double loose = 1e-2, shorter = 0.1, longer = 4., least = 1e-16;
+
+    loads.evaluate(t, forces);
+    predict(t, state.displacement);
+    State  solved = state;
+    double from = 0., to = c; // c of the last solution, and of the next one
+    bool   has_failed = false;
+    while (true)
+      {
+        const MaterialState<dim> &material = instants.material_at(t);
+        state.stiffness_factor             = material.stiffness_factor;
+        try
+          {
+            Stage          stage{t,
+                        to,
+                        material.kappa(to),
+                        InelasticStrain<dim>(material, known),
+                        // What the failure has left serves nothing.
+                        has_failed ? instants.renew_tangent(t, to, state.stress)
+                                            : instants.tangent_at(t, to, state.stress),
+                        state};
+            ContactSolver &solver =
+              iterate(stage, to < c ? loose : tolerance, right_hand_side);
+            if (to == c)
+              {
+                keep(t, state.displacement);
+                return solver;
+              }
+            has_failed = false;
+            solved     = state;
+            from       = to;
+            to         = std::min(c, longer * to);
+          }
+        catch (const NumericalError &error)
+          {
+            to = from > 0. ? std::sqrt(from * to) : shorter * to;
+            if (to < least * c || to < (1. + 0.01) * from)
+              throw NumericalError(
+                Text::Message()
+                << "The stress at the end of an implicit step was not found. "
+                   "Take shorter steps at first, or [Time integration] Step "
+                   "control = adaptive, or Scheme = sdirk2. Of the last trial: "
+                << error.what());
+            state      = solved;
+            has_failed = true;
+          }
+      }
   }
 
 

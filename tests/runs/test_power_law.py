@@ -2,6 +2,7 @@
 law, the limit of explicit steps, periodic states."""
 
 import math
+import re
 
 import tubes
 from bars import BAR
@@ -172,6 +173,27 @@ def test_limit_of_steps():
             check(0.5 < max(of_bound) < 1, "the bound limits no step, or too late")
 
 
+def test_advice_on_steps():
+    """Steps beyond the bound may make the stress grow before they are refused. The
+    number of steps in the message is that of the elastic stress: it is enough."""
+    plate = BAR.replace("Shape        = rectangle", "Shape = edge crack")
+    settings = ["Geometry/Subdivisions=8, 4", *POWER_LAW, *law(5, 15.),
+                "Loads/Traction=0; 10*sin(2*pi*t/600) - 3",
+                "Time integration/Scheme=rk4", "Periodic state/Maximum periods=2",
+                "Output/Probes=mouth: 1, 0"]
+    with open("advice.prm", "w", encoding="utf-8") as file:
+        file.write(plate)
+    numbers = []
+    for n in (4, 8, 16):
+        status, _, error = execute(
+            "advice.prm", "--output", "results/advice",
+            *overrides([*settings, f"Time integration/Steps per period={n}"]))
+        check(status == 3, error)
+        numbers.append(int(re.search(r"takes at least (\d+) steps", error)[1]))
+    check(max(numbers) < 1.3 * min(numbers), f"the advice depends on steps: {numbers}")
+    run(plate, "advice", [*settings, f"Time integration/Steps per period={numbers[0]}"])
+
+
 def test_periodic_state():
     """March and Anderson's acceleration come to the same state of a cracked
     plate, and their estimates hold; under a mean load, where the lip opens and
@@ -283,6 +305,46 @@ def test_hard_steps():
                 "two processes")
 
 
+def cracked(name, settings, more=()):
+    return run(SOURCE / "prm/raous1980.prm", name, [
+        *POWER_LAW, "Material/Plane state=plane strain", "Contact/Solver=automatic",
+        "Geometry/Subdivisions=14, 4", "Loads/Traction=0; 10", "Output/Fields=none",
+        "Refinement/Strategy=tip", "Refinement/Cycles=3", "Discretisation/Degree=1",
+        "Discretisation/Volumetric strain=mean", "Time integration/Scheme=sdirk2",
+        "Output/Probes=mouth: 1, 0; inside: 0.75, 0.5",
+        "Periodic state/Maximum periods=1", "Periodic state/Tolerance=0",
+        *settings, *more])
+
+
+def test_large_exponents():
+    """Newton's method finds what the listed steps of a load at once leave, however
+    coarse: steps of a decade and half a period come to the same steady rate."""
+    decades = ", ".join(str(600 * 10. ** -k) for k in range(7, 0, -1))
+    for n in (10, 15):
+        opening, *others = (cracked(f"exponent_{n}", [
+            *law(n, 20.), "Time integration/Step control=list",
+            f"Time integration/Scheme={scheme}", f"Time integration/Steps={steps}"
+            ]).table("probe_mouth.csv")["u_2"][-1] for scheme, steps in (
+                ("sdirk2", decades), ("sdirk2", "300"), ("arkode implicit", decades)))
+        for other, steps in zip(others, ("two steps", "arkode implicit"), strict=True):
+            check_close(other / opening, 1, 0.05,
+                        f"n = {n}, {steps}: opening over that of sdirk2 by decades")
+
+
+def test_adaptive_start():
+    """Adaptive steps begin by the rate of the elastic stress at the tip, which a
+    load at once leaves, and grow with the time since."""
+    decades = ", ".join(str(600 * 10. ** (-k / 4)) for k in range(32, 0, -1))
+    listed, adaptive = (cracked(f"start_{control}", [
+        *law(5, 5.), f"Time integration/Step control={control}", more])
+        for control, more in (("list", f"Time integration/Steps={decades}"),
+                              ("adaptive", "Time integration/Relative tolerance=1e-2")))
+    check_close(adaptive.table("probe_mouth.csv")["u_2"][-1]
+                / listed.table("probe_mouth.csv")["u_2"][-1], 1, 0.01,
+                "adaptive from a load at once: opening over that of listed steps")
+    check_below(adaptive.summary["time_integration"]["accepted_steps"], 500, "steps")
+
+
 def test_refusals():
     """What is known of linear creep alone is refused, with what to take."""
     for settings, words in (
@@ -291,6 +353,8 @@ def test_refusals():
             (["Periodic state/Method=anderson", "Loads/Traction=0; 10"],
              "flows on from period to period"),
             (["Time integration/Scheme=exponential"], "sdirk2 for long steps"),
+            (["Time integration/Scheme=trapezoid"], "oscillates instead of relaxing"),
+            (["Time integration/Newton tolerance=0"], "at least 1e-13"),
             (["Crack tip/Stress intensity=true"], "creep is a power of the stress")):
         with open("bar.prm", "w", encoding="utf-8") as file:
             file.write(BAR)
@@ -305,6 +369,9 @@ test_relaxing_bar()
 test_arrhenius()
 test_tube()
 test_limit_of_steps()
+test_advice_on_steps()
+test_large_exponents()
+test_adaptive_start()
 test_periodic_state()
 test_implicit_periods()
 test_long_steps()

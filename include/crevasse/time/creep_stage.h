@@ -29,7 +29,9 @@ namespace Crevasse
    * whose change is the residual of the solution. The same C, with its one
    * factor, serves for many steps and periods, with Anderson's acceleration of
    * b; where b changes hardly less than before, C is made anew. Where a step
-   * goes beyond the least potential on its way, it is cut.
+   * goes beyond the least potential on its way, it is cut. Where that does not
+   * converge, as with large n after a load at once, solutions of smaller c lead
+   * to that of c.
    *
    * It starts from the last displacement and what that did between the same
    * instants of the period before.
@@ -94,6 +96,13 @@ namespace Crevasse
     /** Sets the stress of the displacement, and b. */
     void
     evaluate(Stage &stage, Vector &right_hand_side);
+
+    /** Newton's method from the displacement of the stage.
+     *
+     * @param enough Residual that ends it, relative to the largest nodal force.
+     * @throw NumericalError with the residual if it does not converge. */
+    ContactSolver &
+    iterate(Stage &stage, const double enough, Vector &right_hand_side);
 
     /** Goes back on the way from the displacement before to the present one,
      * to about the least potential: where that is falls between them. */
