@@ -77,7 +77,7 @@ namespace Crevasse
         const double t = steps.instant(k), left = steps.step(k);
         // Where the stress grows within the step the limit falls.
         const double longest = 0.9 * longest_stable(period_step);
-        double       length  = first_trial(t, left, has_matrix);
+        double       length  = first_trial(period_step);
         while (length > longest)
           length = halves ? 0.5 * length : longest;
         bool   was_rejected = false;
@@ -95,16 +95,16 @@ namespace Crevasse
                 std::max(step_error, relative_error_of_end(integrator, step));
             if (step_error <= 1.)
               break;
-            if (length * most_steps < steps.period())
+            if (length < shortest_step(f) * steps.period())
               throw NumericalError(
                 Text::Message()
-                << "the tolerance takes more than " << most_steps
-                << " steps a period: from t = " << t << " on a step of "
-                << length << " still has " << step_error
+                << "the tolerance takes too many steps: from t = " << t
+                << " on a step of " << length << " still has " << step_error
                 << " times the error that is allowed. Choose a larger [Time "
                    "integration] Relative tolerance; if a load or a material "
                    "jumps at an instant, name it in Steps, so that a step "
-                   "ends there.");
+                   "ends there; let a load that is there at once rise within a "
+                   "short time, or give growing steps by Step control = list.");
             ++rejected;
             was_rejected = true;
             r            = saved;
@@ -165,16 +165,43 @@ namespace Crevasse
       static constexpr unsigned int most_steps =
         TimeIntegrationParameters::most_steps;
 
-      /** The length of the first trial from t on, at most what is left. */
-      double
-      first_trial(const double t,
-                  const double left,
-                  const bool   has_matrix) const
+      /** Whether the stress at the beginning of the step is there at once. */
+      static bool
+      begins_anew(const PeriodStep &step)
       {
+        return step.k == 0 || step.steps.jumps_at(step.steps.instant(step.k));
+      }
+
+      /** The shortest step to be tried, as a part of the period. What relaxes
+       * by a power of the stress takes the more steps for each power of ten of
+       * the time since it was loaded; instants are distinct to 1e-12. */
+      double
+      shortest_step(const RateEquation &f) const
+      {
+        constexpr unsigned int most_of_growth = 10000;
+        return f.relaxation_rate() > 0. && taken < most_of_growth
+                 ? 1e-11
+                 : 1. / most_steps;
+      }
+
+      /** The length of the first trial, at most what is left. */
+      double
+      first_trial(const PeriodStep &step) const
+      {
+        const double t    = step.steps.instant(step.k),
+                     left = step.steps.step(step.k);
         if (!is_free)
           return left;
-        const double longest = std::min(proposed, largest_step);
-        if (has_matrix)
+        double longest = std::min(proposed, largest_step);
+        // By the slope; later on the stress relaxes much more slowly.
+        constexpr double part_of_relaxation = 0.1;
+        if (const double rate = step.f.relaxation_rate();
+            begins_anew(step) && rate > 0.)
+          longest =
+            std::min(longest,
+                     std::max(part_of_relaxation / rate,
+                              shortest_step(step.f) * step.steps.period()));
+        if (step.integrator.properties.has_matrix_of_step)
           return std::min(left, dyadic_step(t, longest));
         // Two steps of the same length instead of one and a short rest.
         return left <= longest ? left : std::min(longest, 0.5 * left);
