@@ -57,6 +57,26 @@ namespace Crevasse
 
 
 
+  namespace
+  {
+    /** The largest rate at which the stress of the elastic body relaxes. */
+    double
+    elastic_relaxation_rate(const PeriodStep &step)
+    {
+      Vector none(step.r), rate(step.r);
+      none           = 0.;
+      double largest = 0.;
+      for (unsigned int k = 0; k < step.steps.n_steps(); ++k)
+        {
+          step.f.rate(step.steps.instant(k), none, rate);
+          largest = std::max(largest, step.f.relaxation_rate());
+        }
+      return largest;
+    }
+  } // namespace
+
+
+
   double
   StepControl::longest_stable(const PeriodStep &step) const
   {
@@ -79,19 +99,37 @@ namespace Crevasse
   void
   StepControl::require_stability(const PeriodStep &step) const
   {
-    const double longest = longest_stable(step),
-                 length  = step.steps.step(step.k);
+    if (stability_limit == no_stability_limit)
+      return;
+    const double length  = step.steps.step(step.k),
+                 longest = stability_limit / step.f.relaxation_rate();
     if (length <= longest)
       return;
-    throw NumericalError(
-      Text::Message()
-      << "The time step " << length
-      << " from t = " << step.steps.instant(step.k) << " on is too large: "
-      << step.integrator.properties.name << " is stable with steps of at most "
-      << longest << " where the stress relaxes as fast as here. Use at least "
-      << std::ceil(step.steps.period() / longest)
-      << " steps: [Time integration] Steps per period; or Step control = "
-         "adaptive, or Scheme = sdirk2, which is stable with any step.");
+    const double n_needed = std::ceil(
+      step.steps.period() * elastic_relaxation_rate(step) / stability_limit);
+    Text::Message message;
+    message << "The time step " << length
+            << " from t = " << step.steps.instant(step.k)
+            << " on is too large: " << step.integrator.properties.name
+            << " is stable with steps of at most " << longest
+            << " where the stress relaxes as fast as here. ";
+    // Steps that were too long before may have made the stress what it is.
+    if (n_needed > most_steps)
+      message << "The elastic stress takes more than " << most_steps
+              << " steps in a period. Look at [Material] Creep coefficient, at "
+                 "[Loads] and at their units, or choose Scheme = sdirk2, which "
+                 "is stable with any step.";
+    else if (n_needed > step.steps.n_steps())
+      message << "The elastic stress of the period takes at least " << n_needed
+              << " steps: [Time integration] Steps per period; or choose Step "
+                 "control = adaptive, or Scheme = sdirk2, which is stable with "
+                 "any step.";
+    else
+      message << "The stress has become larger than the elastic one, so that "
+                 "no number of steps can be told. Choose [Time integration] "
+                 "Step control = adaptive, or Scheme = sdirk2, which is stable "
+                 "with any step.";
+    throw NumericalError(message);
   }
 
 
