@@ -153,8 +153,9 @@ namespace Crevasse
     prm.add_parameter("Steps per period",
                       steps_per_period,
                       "Number of equal steps of the step control \"uniform\"; "
-                      "with \"adaptive\" that of the longest steps, with the "
-                      "schemes of arkode that of samples.",
+                      "with \"adaptive\" that of the longest steps, which "
+                      "others divide: none steps over what happens at their "
+                      "ends.",
                       Integer(1, most_steps));
     add_selection("Step control", step_control, prm);
     prm.add_parameter("Steps",
@@ -180,7 +181,7 @@ namespace Crevasse
       "Where creep by a power law is implicit: largest residual "
       "of equilibrium, relative to the largest nodal force of "
       "the loads.",
-      fraction);
+      NumberPattern({1e-13, Ranges::below_1, "at least 1e-13, less than 1"}));
     prm.add_parameter("Order",
                       order,
                       "Order of the schemes \"arkode explicit\" and \"arkode "

@@ -181,11 +181,14 @@ namespace Crevasse
         .demand(
           scene.material.viscosity != ViscosityType::power_law ||
             (scene.time_integration.scheme != Scheme::predictor_corrector &&
-             scene.time_integration.scheme != Scheme::exponential),
+             scene.time_integration.scheme != Scheme::exponential &&
+             scene.time_integration.scheme != Scheme::trapezoid),
           "Scheme",
-          "works with the relaxation of a linear material, which "
-          "[Material] Viscosity = power law is not; use another one, such "
-          "as heun, or sdirk2 for long steps");
+          "is for linear materials, which [Material] Viscosity = power law is "
+          "not: predictor corrector and exponential work with their "
+          "relaxation, and with trapezoid the stress at a crack tip oscillates "
+          "instead of relaxing; use another one, such as heun, or sdirk2 for "
+          "long steps");
       Checker(PeriodicStateParameters::section, problems)
         .demand(periodic.secular_split != SecularSplitType::off ||
                   (periodic.method != PeriodicMethodType::anderson &&

@@ -82,8 +82,10 @@ def steps_by_tolerance(scene):
 
 
 def families_in_time(scene):
+    linear = scene["Material/Viscosity"] != "power law"
     return [equal_steps(scene, "heun"), equal_steps(scene, "rk4", has_lip(scene)),
-            equal_steps(scene, "sdirk2"), equal_steps(scene, "trapezoid"),
+            equal_steps(scene, "sdirk2"),
+            *([equal_steps(scene, "trapezoid")] if linear else []),
             steps_by_tolerance(scene)]
 
 

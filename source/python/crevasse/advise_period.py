@@ -5,7 +5,6 @@
 mesh, and a tolerance whose error there is small beside the target. A fixed number of
 periods from rest stays as it is; searches take the first of them."""
 
-from crevasse.advise_candidates import family_of
 from crevasse.advise_pairs import REFERENCE, SEARCH
 from crevasse.command import CommandError
 
@@ -48,8 +47,11 @@ class Period:
                             common | mesh.settings | steps.settings
                             | settings_of(method, tolerance, periods))
 
-        for key, scheme in (("trapezoid", "trapezoid"), ("", "sdirk2")):
-            steps = family_of(scheme, in_time).candidates[LEVEL]
+        for family in in_time:
+            scheme = family.candidates[0].scheme
+            if scheme not in ("trapezoid", "sdirk2"):
+                continue
+            key, steps = scheme.replace("sdirk2", ""), family.candidates[LEVEL]
             self.methods[key] = self.cheapest_method(
                 steps, lambda *words: run(steps, *words))
         method, confirmed = self.methods[""], False
@@ -66,7 +68,8 @@ class Period:
                 break
         log(f"  periodic state: {method} with Tolerance = {self.tolerance:.12g}"
             + ("" if confirmed else ", not confirmed by a tighter one")
-            + f"; with trapezoid {self.methods['trapezoid']}")
+            + "".join(f"; with {scheme} {method}"
+                      for scheme, method in self.methods.items() if scheme))
 
     def cheapest_method(self, steps, run):
         best, messages = None, ""
