@@ -233,6 +233,16 @@ def test_no_error():
           "not the mesh" in markdown, markdown)
 
 
+def test_numbers_are_no_texts():
+    """A reference whose numbers are written otherwise is there already."""
+    words = ("--vary", STEPS + "=20", "--set", "Material/Poisson ratio=0.3",
+             "--reference", "Loads/Traction=0; 10*sin(2*pi*t/600)", "--error", "stress")
+    sweep("numbers", *words)
+    others = [word.replace("=0.3", "=0.30").replace("; 10*", ";10.0*") for word in words]
+    _, output = sweep("numbers", *others, fresh=False)
+    check(output.count("already there") == 2 and "anew" not in output, output)
+
+
 def test_periodic_methods():
     """March and harmonic balance have the same periodic state, after other numbers of
     periods: what they may differ in, a constant of the displacement and what a secular
@@ -298,6 +308,7 @@ def test_mistakes():
                    "varied twice", "has 2 values", "has 3",
                    "must have the form", "lacks a value")
     check_mistakes(("--vary", STEPS + "=80,80", *REFERENCE), "listed once")
+    check_mistakes(("--vary", "Material/Poisson ratio=0.3,0.30"), "listed once")
     check_mistakes((*VARY, "--error", "probe_top/u"), "compare probe_top/u",
                    "--reference", "--exact")
     check_mistakes(REFERENCE, "--vary")
@@ -349,7 +360,8 @@ def test_ranks():
 
 for test in (test_order_against_reference, test_order_against_closed_form,
              test_zipped, test_warnings, test_resumption, test_points_without_results,
-             test_failing_point, test_no_error, test_periodic_methods,
+             test_failing_point, test_no_error, test_numbers_are_no_texts,
+             test_periodic_methods,
              test_too_few_instants, test_mistakes, test_ranks):
     start = time.time()
     test()

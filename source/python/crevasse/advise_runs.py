@@ -9,6 +9,7 @@ import json
 import shutil
 
 from crevasse.program import Outcome, assignments, without_numbers
+from crevasse.results import normal_form
 
 SOLVES_OF_A_FACTORISATION = 10
 
@@ -47,8 +48,8 @@ class Runs:
     def __init__(self, program, scene, settings, directory, log):
         self.program, self.scene, self.settings = program, scene, settings
         self.directory, self.log = directory, log
-        self.base = hashlib.sha256(
-            program.parameters(scene, settings).encode()).hexdigest()
+        self.base = hashlib.sha256(str(normal_form(
+            program.parameters(scene, settings))).encode()).hexdigest()
         self.known = {}
         self.warned = set()
 

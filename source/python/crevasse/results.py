@@ -4,7 +4,12 @@
 """Parameters, points and XML files, as runs write them."""
 
 import decimal
+import re
 import xml.etree.ElementTree as ElementTree
+
+
+NAMES = ("Title", "Output directory", "Mesh file", "Temperature")
+NUMBER = re.compile(r"(?<![\w.])(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?(?![\w.])")
 
 
 class ResultsError(Exception):
@@ -27,6 +32,22 @@ def shortest(value):
     digits = decimal.Decimal(repr(value)).normalize()
     places = len(digits.as_tuple().digits) - 1
     return min(format(digits, "f"), f"{value:.{places}e}", key=len)
+
+
+def same_scenes(one, other):
+    """Whether two texts of used.prm have the same values: 0.30 is 0.3, also in lists and
+    formulas. Names, such as those of files, are compared as texts."""
+    return normal_form(one) == normal_form(other)
+
+
+def normal_form(text):
+    values = {}
+    for name, value in parse_parameters(text)[0].items():
+        if name.rpartition("/")[2] not in NAMES:
+            value = NUMBER.sub(lambda found: repr(float(found[0])), value)
+            value = "".join(value.split())
+        values[name] = value
+    return values
 
 
 def at(value, path):

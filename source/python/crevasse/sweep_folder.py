@@ -13,6 +13,7 @@ import time
 
 from crevasse.command import CommandError, write_file
 from crevasse.program import Outcome
+from crevasse.results import ResultsError, same_scenes
 from crevasse.sweep_errors import STRESS_FILE
 from crevasse.wording import plural
 
@@ -48,8 +49,8 @@ class Folder:
 
     def has_same_scene(self):
         try:
-            return (self.path / "used.prm").read_text() == self.used
-        except (OSError, ValueError):
+            return same_scenes((self.path / "used.prm").read_text(), self.used)
+        except (OSError, ValueError, ResultsError):
             return False
 
     def finished(self):

@@ -12,7 +12,7 @@ import re
 from crevasse import findings
 from crevasse.command import CommandError
 from crevasse.comparison import LAST_PERIODS, is_periodic
-from crevasse.results import ResultsError, parse_parameters
+from crevasse.results import ResultsError, normal_form, parse_parameters
 from crevasse.sweep_errors import (STRESS, STRESS_FILE, StressReader,
                                    choose_quantities, exact_error, history_error,
                                    no_error)
@@ -80,7 +80,8 @@ class Sweep:
 
     def refuse_equal_points(self):
         known = set()
-        for point, used in zip(self.plan.points, self.used[1:]):
+        for point, text in zip(self.plan.points, self.used[1:]):
+            used = str(normal_form(text))
             if used in known:
                 raise CommandError("--vary: there are several points with "
                                    + ", ".join(point.values)
@@ -97,7 +98,7 @@ class Sweep:
 
     def basis(self):
         """What errors are measured, and against what."""
-        text = f"{self.quantities}" + (f"{self.periodic}{self.used[0]}"
+        text = f"{self.quantities}" + (f"{self.periodic}{normal_form(self.used[0])}"
                                        if self.needs_reference else "")
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 
