@@ -213,25 +213,6 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  require_affordable(const Mesh<dim>            &mesh,
-                     const RefinementParameters &parameters,
-                     const unsigned int          degree)
-  {
-    const types::global_dof_index n_unknowns = count_unknowns(mesh, degree);
-    if (parameters.target_unknowns > 0 &&
-        n_unknowns > parameters.target_unknowns)
-      throw SceneError(
-        "[Refinement] Target unknowns = " +
-        std::to_string(parameters.target_unknowns) + ": the mesh has " +
-        std::to_string(n_unknowns) +
-        " before its first refinement; raise it, or begin with a coarser mesh "
-        "([Geometry] Subdivisions and Refinements).");
-  }
-
-
-
-  template <int dim>
   std::shared_ptr<Mesh<dim>>
   graded_mesh(const std::function<std::shared_ptr<Mesh<dim>>()> &make_mesh,
               const BoundaryRoles                               &roles,
@@ -258,9 +239,8 @@ namespace Crevasse
     if (parameters.target_unknowns > 0)
       {
         // On another mesh: there is no way back from too large a one.
-        const std::shared_ptr<Mesh<dim>> trial = make_mesh();
-        require_affordable(*trial, parameters, degree);
-        const unsigned int largest = n_levels;
+        const std::shared_ptr<Mesh<dim>> trial   = make_mesh();
+        const unsigned int               largest = n_levels;
         for (n_levels = 0; n_levels < largest; ++n_levels)
           {
             refine_front(*trial, roles, front);
@@ -283,8 +263,6 @@ namespace Crevasse
     dealii::Vector<float> &);                                                \
   template types::global_dof_index count_unknowns<dim>(const Mesh<dim> &,    \
                                                        const unsigned int);  \
-  template void require_affordable<dim>(                                     \
-    const Mesh<dim> &, const RefinementParameters &, const unsigned int);    \
   template std::shared_ptr<Mesh<dim>> graded_mesh<dim>(                      \
     const std::function<std::shared_ptr<Mesh<dim>>()> &,                     \
     const BoundaryRoles &, const RefinementParameters &, const unsigned int)

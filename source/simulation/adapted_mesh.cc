@@ -132,9 +132,13 @@ namespace Crevasse
       }
     current = make_scene_mesh<dim>(scene, communicator);
     const RefinementParameters &refinement = scene.refinement;
+    const auto n = count_unknowns(*current, scene.discretisation.degree);
+    if (refinement.target_unknowns > 0 && n > refinement.target_unknowns)
+      log.line("  [Refinement] Target unknowns = " +
+               std::to_string(refinement.target_unknowns) + ": the mesh has " +
+               std::to_string(n) + " before its refinement, and is kept");
     if (refinement.strategy != RefinementStrategy::adaptive)
       return;
-    require_affordable(*current, refinement, scene.discretisation.degree);
     const Stopwatch watch("mesh adaptation");
     Log             quiet(communicator, true);
     while (true)

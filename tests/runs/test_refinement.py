@@ -295,10 +295,6 @@ def test_refusals():
     refused([TIP, "Refinement/Cycles=2", "Boundary/Contact=none"],
             "the mesh has no crack tip")
     refused([TIP, "Refinement/Cycles=30"], "must be at most 26")
-    refused([TIP, "Refinement/Target unknowns=100"],
-            "[Refinement] Target unknowns = 100: the mesh has 150")
-    refused([ADAPTIVE, "Refinement/Target unknowns=100"],
-            "[Refinement] Target unknowns = 100: the mesh has 150")
     refused([ADAPTIVE, "Refinement/Cycles=2", "Loads/Traction=0; 0"],
             "there is no stress")
     again = [ADAPTIVE, "Refinement/Cycles=1", "Refinement/Readapt every=1"]
@@ -308,15 +304,23 @@ def test_refusals():
             "with [Periodic state] Secular split = on")
     refused(again + ["Material/Viscosity=none"],
             "with [Material] Viscosity = none")
-    # On all ranks alike.
-    code, _, error = execute_on(3, SCENE, "--check", "--set", TIP, "--set",
-                                "Refinement/Target unknowns=100", "--set",
-                                "Contact/Solver=automatic")
-    check(code == 2 and "the mesh has 150" in error, f"3 ranks: {error}")
+
+
+def test_mesh_that_is_fine_enough():
+    """A first mesh with more unknowns than Target unknowns is kept, on all ranks."""
+    for strategy in (TIP, ADAPTIVE):
+        words = ("--check", *overrides([strategy, "Refinement/Target unknowns=100",
+                                        "Contact/Solver=automatic"]))
+        for code, output, error in (execute(SCENE, *words),
+                                    execute_on(3, SCENE, *words)):
+            check(code == 0 and "Target unknowns = 100: the mesh has 150 before its "
+                  "refinement, and is kept" in output, output + error)
+            check("150 unknowns" in output, output)
 
 
 for test in (test_grading, test_target, test_solvers_agree, test_ranks,
              test_energy_rates, test_divisions_for_an_estimate, test_tolerance,
-             test_joining, test_readaptation, test_five_periods, test_refusals):
+             test_joining, test_readaptation, test_five_periods, test_refusals,
+             test_mesh_that_is_fine_enough):
     print(test.__name__)
     test()

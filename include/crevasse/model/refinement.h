@@ -29,14 +29,6 @@ namespace Crevasse
   dealii::types::global_dof_index
   count_unknowns(const Mesh<dim> &mesh, const unsigned int degree);
 
-  /** @throw SceneError if a mesh has more than Target unknowns before anything
-   * is refined. Collective. */
-  template <int dim>
-  void
-  require_affordable(const Mesh<dim>            &mesh,
-                     const RefinementParameters &parameters,
-                     const unsigned int          degree);
-
   /**
    * Changes the mesh as flagged and foretells the squares of the estimate:
    * where the displacement is smooth a child has 2^-(2 degree + dim) of its
@@ -57,8 +49,7 @@ namespace Crevasse
    * Collective.
    *
    * @param make_mesh the mesh to begin with, anew with each call.
-   * @throw SceneError if there is no front, or if the mesh cannot be as fine,
-   * or is as large from the beginning.
+   * @throw SceneError if there is no front, or if the mesh cannot be as fine.
    */
   template <int dim>
   std::shared_ptr<Mesh<dim>>
