@@ -290,9 +290,11 @@ namespace Crevasse
   {
     return dim == 2
              ? "the mesh has triangles; only quadrilaterals are allowed (Gmsh: "
-               "Mesh.RecombineAll = 1, Mesh.SubdivisionAlgorithm = 1)."
+               "Mesh.RecombineAll = 0, Mesh.SubdivisionAlgorithm = 1)."
              : "the mesh has tetrahedra or other cells; only hexahedra are "
-               "allowed (Gmsh: Mesh.SubdivisionAlgorithm = 2).";
+               "allowed (Gmsh: Mesh.RecombineAll = 0, "
+               "Mesh.SubdivisionAlgorithm = "
+               "2).";
   }
 
 

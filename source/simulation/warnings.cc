@@ -90,8 +90,10 @@ namespace Crevasse
       all.push_back(
         "[Loads] Period = " + Text::from_number(setup.steps.period()) +
         ": loads or material jump where the period ends and t begins anew, "
-        "though no formula has a jump in it. Is this the period of the "
-        "formulas?");
+        "though no formula has a jump in it; at t = Period the tables show the "
+        "load of t = 0. Is this the period of the formulas? A load that is "
+        "applied once needs a longer Period, in which it returns to its "
+        "beginning");
     if (singular_functions(setup.scene).n == 3 && setup.body.effects.contact.on)
       all.emplace_back(
         "[Discretisation] Singular functions = 3 with contact: where the lip "

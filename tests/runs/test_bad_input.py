@@ -453,7 +453,7 @@ CASES = [
     Case("triangles", 2,
          [r"\[Geometry\] Mesh file = .*triangles\.msh: .*the mesh has "
           "triangles; only quadrilaterals are allowed",
-          r"Mesh\.RecombineAll = 1"],
+          r"Mesh\.RecombineAll = 0, Mesh\.SubdivisionAlgorithm = 1"],
          [mesh("triangles")], scene=MESH_SCENE),
     Case("more_nodes_than_announced", 2,
          ["there are 15 nodes, but 3 are announced"],
@@ -917,7 +917,8 @@ UNUSED = [  # settings, and the warnings that they give
       r"\[Loads\] Period = 600: loads or material jump"]),
     (["Loads/Period=1", "Material/Relaxation time=1", "Periodic state/Secular split=on"],
      [r"\[Loads\] Period = 1: loads or material jump where the period ends and t "
-      "begins anew, though no formula has a jump in it"]),
+      "begins anew, though no formula has a jump in it; at t = Period the tables show "
+      "the load of t = 0.*applied once needs a longer Period"]),
     (["Material/Thermal expansion=1e-5", "Loads/Temperature=293 + 5*x*sin(2*pi*t/600)"],
      [r"\[Loads\] Temperature is at least 288\.\d+ everywhere and always, as one in "
       "kelvin would be"]),

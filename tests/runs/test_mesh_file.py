@@ -4,7 +4,9 @@ numbered differently."""
 import math
 import os
 import pathlib
+import re
 import shutil
+import subprocess
 
 import tubes
 from crevasse_run import (SOURCE, check, check_below, execute, run, run_on, tier)
@@ -242,6 +244,58 @@ def test_curved_cells_everywhere():
             "in space a mesh with curved edges cannot be refined")
 
 
+CROSSING = """SetFactory("OpenCASCADE");
+Rectangle(1) = {-1, -1, 0, 2, 2};
+Point(11) = {-0.5, -0.3, 0}; Point(12) = {0.5, 0.3, 0}; Line(11) = {11, 12};
+Point(13) = {-0.4, 0.4, 0}; Point(14) = {0.4, -0.5, 0}; Line(12) = {13, 14};
+BooleanFragments{ Surface{1}; Delete; }{ Curve{11, 12}; Delete; }
+Physical Surface("body") = Surface{:};
+Physical Curve("crack") = Curve In BoundingBox{-0.7, -0.7, -0.1, 0.7, 0.7, 0.1};
+Physical Curve("bottom") = Curve In BoundingBox{-1.1, -1.1, -0.1, 1.1, -0.9, 0.1};
+MeshSize{:} = 0.3;
+"""
+PENNY = """SetFactory("OpenCASCADE");
+Box(1) = {-1, -1, -1, 2, 2, 2};
+Disk(20) = {0, 0, 0, 0.5};
+Surface{20} In Volume{1};
+Physical Volume("body") = {1};
+Physical Surface("crack") = {20};
+Physical Surface("bottom") = {5};
+MeshSize{:} = 0.5;
+"""
+
+
+def test_advised_settings_of_gmsh():
+    """Where there are triangles or tetrahedra the message names settings of Gmsh: with
+    them it makes meshes around embedded cracks."""
+    if not shutil.which("gmsh"):
+        print("there is no gmsh")
+        return
+    for dim, text in ((2, CROSSING), (3, PENNY)):
+        scene = pathlib.Path(f"embedded_{dim}.prm")
+        scene.write_text(f"""set Dimension = {dim}
+subsection Geometry
+  set Shape     = mesh file
+  set Mesh file = embedded_{dim}.msh
+end
+subsection Boundary
+  set Crack   = crack
+  set Clamped = bottom
+end
+""")
+        error, found = "", []
+        for _ in range(2):  # without settings, with those of the message
+            geometry = pathlib.Path(f"embedded_{dim}.geo")
+            geometry.write_text(text + "".join(f"{name} = {value};\n"
+                                               for name, value in found))
+            made = subprocess.run(["gmsh", f"-{dim}", geometry], capture_output=True,
+                                  text=True, timeout=100)
+            check(made.returncode == 0, made.stdout + made.stderr)
+            status, _, error = execute(scene, "--check")
+            found = found or re.findall(r"(Mesh\.\w+) = (\d)", error)
+        check(found and status == 0, error)
+
+
 def refused(settings, message):
     path = pathlib.Path("refused.prm")
     path.write_text(tubes.TUBE)
@@ -275,6 +329,7 @@ test_formats()
 test_curved_cells()
 test_curved_cells_everywhere()
 test_refused_curves()
+test_advised_settings_of_gmsh()
 test_names()
 test_names_of_materials()
 test_list_of_materials()
