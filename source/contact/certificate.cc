@@ -89,6 +89,7 @@ namespace Crevasse
     tension         = std::max(tension, other.tension);
     complementarity = std::max(complementarity, other.complementarity);
     residual        = std::max(residual, other.residual);
+    newton_residual = std::max(newton_residual, other.newton_residual);
   }
 
 

@@ -47,5 +47,7 @@ namespace Crevasse
                               {"complementarity", certificate.complementarity},
                               {"residual", certificate.residual},
                               {"accuracy", accuracy}};
+    if (implicit_stages > 0)
+      summary["certificate"]["newton_residual"] = certificate.newton_residual;
   }
 } // namespace Crevasse

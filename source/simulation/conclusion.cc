@@ -44,15 +44,21 @@ namespace Crevasse
 
     void
     describe_certificate(const SolverStatistics &statistics,
-                         const double            tolerance,
+                         const Scene            &scene,
                          Log                    &log)
     {
+      const double tolerance = scene.contact.tolerance;
       if (statistics.certified == 0)
         return; // nothing to certify
       log.line("");
       log.line("  certificate of " + std::to_string(statistics.certified) +
                " solves: " + statistics.certificate.describe() +
                Text::format(" (accepted up to %.2g)", statistics.accuracy));
+      if (statistics.implicit_stages > 0)
+        log.line(
+          Text::format("  Newton's method: residual %.3g (accepted up to %.2g)",
+                       statistics.certificate.newton_residual,
+                       scene.time_integration.newton_tolerance));
       if (statistics.undetermined > 0)
         log.line("  In " + std::to_string(statistics.undetermined) +
                  " of them forces do not fix the position of what contact "
@@ -98,9 +104,7 @@ namespace Crevasse
     summary["counters"]["rate_evaluations"] =
       std::size_t(meters["rate evaluations"].calls);
     summarise_steps(work, log, summary);
-    describe_certificate(work.systems.statistics(),
-                         setup.scene.contact.tolerance,
-                         log);
+    describe_certificate(work.systems.statistics(), setup.scene, log);
   }
 
 

@@ -195,7 +195,7 @@ namespace Crevasse
         if (residual <= enough)
           {
             right_hand_side += next;
-            solver.count_error(residual);
+            solver.note_newton_residual(residual);
             return solver;
           }
         if (residual <= slow * last_residual)

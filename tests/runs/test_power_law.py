@@ -281,8 +281,15 @@ def test_long_steps():
     stage suffice, with about one factor a period."""
     n_bound, n_periods = 104, 32
     for scheme in ("sdirk2", "arkode implicit"):
-        counters = cyclic("long_steps", scheme, n_bound // 10,
-                          n_periods).summary["counters"]
+        results = cyclic("long_steps", scheme, n_bound // 10, n_periods)
+        counters = results.summary["counters"]
+        # Each error has the bound beside it that was applied to it.
+        lines = re.findall(r"^  (certificate of|Newton's method:) .*residual (\S+) "
+                           r"\(accepted up to (\S+)\)$",
+                           (results.directory / "log.txt").read_text(), re.M)
+        check(len(lines) == 2, f"{scheme}: {lines}")
+        for name, residual, bound in lines:
+            check_below(float(residual) / float(bound), 1, f"{scheme}: {name}")
         check_below(counters["vi_solves"] / counters["implicit_stages"], 4,
                     f"{scheme}: Newton iterations a stage")
         check_below(counters["factorisations"] / n_periods, 1.5,

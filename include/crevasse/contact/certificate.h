@@ -73,8 +73,8 @@ namespace Crevasse
   };
 
   /**
-   * How well q and g = L(Aq − b) solve a Signorini problem. All four are
-   * relative to Scales. 0 is exact.
+   * How well q and g = L(Aq − b) solve a Signorini problem. All are relative to
+   * Scales. 0 is exact.
    */
   struct Certificate
   {
@@ -82,8 +82,11 @@ namespace Crevasse
     double tension         = 0.; ///< largest −g
     double complementarity = 0.; ///< largest min(|g|, |Lq − gap|)
     double residual        = 0.; ///< largest |Aq − b| off the lip
+    /** What Newton's method, whose steps such problems are, leaves of the
+     * forces: it has a tolerance of its own. */
+    double newton_residual = 0.;
 
-    /** The largest of the four. */
+    /** The largest of the first four. */
     double
     worst() const;
 

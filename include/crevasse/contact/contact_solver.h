@@ -61,11 +61,12 @@ namespace Crevasse
       return residual.linfty_norm() / (k * scales.force());
     }
 
-    /** Counts an error of forces, such as that, in the certificate. */
+    /** Notes such an error of a law that is solved by several problems. */
     void
-    count_error(const double relative_residual)
+    note_newton_residual(const double relative_residual)
     {
-      maxima.residual = std::max(maxima.residual, relative_residual);
+      maxima.newton_residual =
+        std::max(maxima.newton_residual, relative_residual);
     }
 
     /** Which of the locally owned bounds bear more than rounding in the last
