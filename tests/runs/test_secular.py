@@ -228,6 +228,13 @@ def test_zero_mean():
                                  else "freely"), why)
             check_below(gain(results), 1e-10,
                         f"{shape}, {way}: gain in a period")
+            if shape == "rectangle":  # rounding is not reported as a drift
+                check(summary["drift"]["largest_rate"] == 0
+                      and summary["secular"]["largest_rate"] == 0, summary["drift"])
+                execute("report", results.directory)
+                page = (results.directory / "report.html").read_text()
+                check("Drift" not in page and "Gain of the last period" not in page,
+                      "nothing flows")
             runs.append([x for probe in PROBES
                          for x in last_period(results, f"probe_{probe}.csv",
                                               "s_22")])

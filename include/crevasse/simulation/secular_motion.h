@@ -100,14 +100,15 @@ namespace Crevasse
       if (effects.viscosity.on)
         {
           const double period = work.steps.period();
+          if (is_noise(largest_displacement(setup.body.space, gain)))
+            gain = 0.;
           drift["largest_rate"] =
             largest_displacement(setup.body.space, gain) / period;
           for (const auto &probe : setup.probes)
             drift["per_probe"][probe.name()] =
               components(probe.displacement(gain) / period);
           if (effects.contact.on)
-            drift["largest_closing_rate"] =
-              largest_closing_rate(summary["certificate"]["accuracy"]);
+            drift["largest_closing_rate"] = largest_closing_rate();
           if (follows_lip)
             summarise_lip(secular);
           if (work.start.flow)
@@ -182,19 +183,25 @@ namespace Crevasse
       last_instant = sample.instant;
     }
 
+    /** Whether a displacement is only what solves leave, as where nothing
+     * flows, or at the nodes of a lip that never opens. */
+    bool
+    is_noise(const double displacement) const
+    {
+      constexpr double some = 100.;
+      return displacement <= some * work.systems.statistics().accuracy *
+                               work.state.largest_displacement;
+    }
+
     /** How fast the lip closes at a node at most, which no β does. */
     double
-    largest_closing_rate(const double accuracy) const
+    largest_closing_rate() const
     {
       double closing = 0.;
       for (const LipNode<dim> &node : setup.body.lip.nodes)
         closing = std::max(closing, -node.sign * gain(node.dof));
       closing = dealii::Utilities::MPI::max(closing, communicator);
-      // Where the lip never opens, solves move its nodes by what they leave.
-      constexpr double some = 100.;
-      const bool       is_noise =
-        closing <= some * accuracy * work.state.largest_displacement;
-      return is_noise ? 0. : closing / work.steps.period();
+      return is_noise(closing) ? 0. : closing / work.steps.period();
     }
 
     void
@@ -203,6 +210,10 @@ namespace Crevasse
       State mean;
       mean.displacement   = work.start.flow->velocity;
       mean.contact_forces = work.start.flow->contact_forces;
+      const double rate =
+        largest_displacement(setup.body.space, mean.displacement);
+      if (is_noise(rate * work.steps.period()))
+        mean.displacement = 0.;
       secular["largest_rate"] =
         largest_displacement(setup.body.space, mean.displacement);
       secular["contact_force"] = dealii::Utilities::MPI::sum(
