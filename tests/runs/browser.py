@@ -74,7 +74,7 @@ def open_host(text, *options):
          f"--user-data-dir={pathlib.Path('browser').resolve()}",
          "--window-size=1500,1000", "--virtual-time-budget=60000", *options,
          "--dump-dom", host.resolve().as_uri()],
-        text=True, capture_output=True, timeout=120)
+        text=True, capture_output=True, timeout=600)
     shutil.rmtree("browser", ignore_errors=True)
     found = re.search(r'<pre id="found">(.*?)</pre>', process.stdout, re.S)
     check(found and found[1] != "nothing",

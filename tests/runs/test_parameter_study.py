@@ -274,7 +274,8 @@ def test_crash():
     directory, process = begin("crash", environment={
         name: text for name, text in ENVIRONMENT.items() if name != "OMP_NUM_THREADS"})
     lock = directory / "steps_per_period_1600/running"
-    while not lock.exists() or not lock.read_text().endswith("\n"):
+    while process.poll() is None and not (
+            lock.exists() and lock.read_text().endswith("\n")):
         time.sleep(0.002)
     number = int(lock.read_text().split()[1])
     check(b"\0OMP_NUM_THREADS=1\0" in b"\0" + pathlib.Path(

@@ -160,7 +160,7 @@ def test_build():
     """In a build the program is beside the package."""
     process = python("from crevasse.program import find_program; import crevasse; "
                      "print(find_program(), *dir(crevasse))", cwd="/")
-    output, error = process.communicate(timeout=60)
+    output, error = process.communicate(timeout=300)
     check(output.split() == [str(PROGRAM), "CommandError", "Results", "ResultsError",
                              "read", "run"], output + error)
 
@@ -178,7 +178,7 @@ def test_interrupt():
             table.exists() and table.read_text().count("\n") > 1):
         time.sleep(0.01)
     process.send_signal(signal.SIGINT)
-    _, error = process.communicate(timeout=60)
+    _, error = process.communicate(timeout=300)
     check("KeyboardInterrupt" in error, error)
     check((directory / "checkpoint").is_dir()
           and "SIGTERM" in (directory / "log.txt").read_text(), "no checkpoint")

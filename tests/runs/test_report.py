@@ -52,14 +52,14 @@ def command_line():
                                     ("results/nowhere", output, 2),
                                     ("results/bare", "results/no/report.html", 4)):
         process = subprocess.run([PROGRAM, "report", directory, "--output", file],
-                                 text=True, capture_output=True, timeout=120)
+                                 text=True, capture_output=True, timeout=300)
         check(process.returncode == status and "Traceback" not in process.stderr,
               f"status {process.returncode}: {process.stderr}")
     check(output.read_text() == report("results/bare")[0], "another page")
     for words in (["report", "results/bare", "--output", output], ["report", "--help"]):
         with open("/dev/full", "w") as full:
             process = subprocess.run([PROGRAM, *words], text=True, stdout=full,
-                                     stderr=subprocess.PIPE, timeout=120)
+                                     stderr=subprocess.PIPE, timeout=300)
         check(process.returncode == 4 and process.stderr.splitlines() == [
             "crevasse report: cannot write to the standard output (No space left on "
             "device)."], f"{words}: {process.returncode} {process.stderr}")
