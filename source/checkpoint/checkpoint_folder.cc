@@ -19,7 +19,7 @@ namespace Crevasse
   namespace
   {
     /** Of the files; what was written by another one cannot be read. */
-    constexpr int format_version = 15;
+    constexpr int format_version = 16;
 
     constexpr const char *manifest_file = "/manifest.json";
 

@@ -320,8 +320,9 @@ namespace Crevasse
     prm.add_parameter("Checkpoint every",
                       checkpoint_every,
                       "Number of periods after which a checkpoint is written, "
-                      "from which --resume continues; 0: only when the run is "
-                      "asked to stop, or by SIGUSR1.",
+                      "from which --resume continues; one more is written at "
+                      "the end. 0: only when the run is asked to stop, by "
+                      "SIGUSR1, or at an end that is not periodic.",
                       Integer(0));
   }
 } // namespace Crevasse

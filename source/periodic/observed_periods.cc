@@ -24,13 +24,13 @@ namespace Crevasse
   ObservedPeriods<dim>::ObservedPeriods(
     const PeriodIntegration<dim>  &integration,
     const std::vector<Observer *> &observers,
-    const unsigned int             maximum_periods,
+    const SearchLimits            &limits,
     const PeriodicResult          &before,
     const bool                     is_comparable,
     const ReturnDefect<dim>       *defect)
     : integration(integration)
     , observers(observers)
-    , maximum_periods(maximum_periods)
+    , limits(limits)
     , is_comparable(is_comparable)
     , defect(defect)
     , history(integration.steps.period())
@@ -52,6 +52,7 @@ namespace Crevasse
     archive.common(so_far.steps_repeat);
     archive.common(so_far.stress_change);
     archive.common(so_far.stress_error_estimate);
+    archive.common(so_far.converged);
     archive.common(is_comparable);
     std::size_t solves = n_solves() - solves_before;
     archive.common(solves);
@@ -74,6 +75,11 @@ namespace Crevasse
       observer->serialize(archive);
     if (archive.is_loading())
       {
+        // The tolerance may be smaller by now.
+        so_far.converged =
+          so_far.converged &&
+          (!has_memory() ||
+           so_far.stress_error_estimate.back() <= limits.tolerance);
         solves_before  = n_solves() - solves;
         seconds_before = seconds;
         timer.restart();
@@ -83,33 +89,31 @@ namespace Crevasse
 
 
   template <int dim>
-  void
-  ObservedPeriods<dim>::begin_period(const Vector &r)
+  bool
+  ObservedPeriods<dim>::begins_another(Vector &r)
   {
+    const bool ends = is_over();
+    // The first period on another mesh began as it cannot be begun again.
+    if (ends && has_memory() && integration.step_control.repeats_steps() &&
+        !integration.integrator->properties.controls_steps &&
+        std::isfinite(so_far.stress_change.back()))
+      replay_from = r_before;
     if (has_memory())
       r_before = r;
     timer.restart();
     seconds_before = 0.;
     solves_before  = n_solves();
+    first_step     = 0;
     ++so_far.periods;
-  }
-
-
-
-  template <int dim>
-  void
-  ObservedPeriods<dim>::stop_before(Vector &r)
-  {
-    if (has_memory() && integration.step_control.repeats_steps() &&
-        !integration.integrator->properties.controls_steps)
-      replay_from = r_before;
-    begin_period(r);
-    unsigned int             first = 0;
     const SerializationScope here(checkpointer(), [&](StateArchive &archive) {
-      serialize_step(archive, first, r);
+      serialize_step(archive, first_step, r);
     });
-    checkpointer()->at_end_of_search(so_far.periods);
-    --so_far.periods;
+    if (ends)
+      checkpointer()->at_end_of_search(so_far.periods, so_far.converged);
+    else
+      checkpointer()->between_steps(so_far.periods, first_step);
+    --so_far.periods; // those that are complete
+    return first_step > 0 || !is_over();
   }
 
 
@@ -138,7 +142,7 @@ namespace Crevasse
   ObservedPeriods<dim>::advance(Vector &r)
   {
     const StepList          &steps = integration.steps;
-    unsigned int             k     = 0;
+    unsigned int             k     = first_step;
     const SerializationScope here(checkpointer(), [&](StateArchive &archive) {
       serialize_step(archive, k, r);
     });
@@ -147,8 +151,9 @@ namespace Crevasse
     for (; k < steps.n_steps(); ++k)
       try
         {
-          if (k == 0 || !has_memory() ||
-              !integration.integrator->properties.controls_steps)
+          if (k > first_step &&
+              (!has_memory() ||
+               !integration.integrator->properties.controls_steps))
             checkpointer()->between_steps(so_far.periods, k);
           if (replay_from.size() > 0)
             replay();
@@ -247,7 +252,7 @@ namespace Crevasse
   double
   ObservedPeriods<dim>::compute(Vector &r)
   {
-    begin_period(r);
+    ++so_far.periods;
     advance(r);
     double change       = history.take_change();
     so_far.steps_repeat = history.is_comparable();
@@ -278,6 +283,8 @@ namespace Crevasse
   {
     last.stress_error_estimate = error_estimate;
     so_far.stress_error_estimate.push_back(error_estimate);
+    so_far.converged = !has_memory() || (limits.tolerance > 0. &&
+                                         error_estimate <= limits.tolerance);
     for (Observer *observer : observers)
       observer->end_of_period(last);
   }

@@ -51,7 +51,8 @@ namespace Crevasse
       const Scene   &scene = setup.scene;
       Workspace<dim> work(setup, output, state);
       const bool     any_periods = scene.periodic_state.maximum_periods > 0;
-      output.checkpoints.requests.stop_if_asked();
+      if (!state.has_tables()) // later the first step has a checkpoint
+        output.checkpoints.requests.stop_if_asked();
       if (any_periods)
         find_periodic_start(work);
       if (!scene.contact.relaxation_table.empty() && !state.has_tables())

@@ -85,8 +85,8 @@ namespace Crevasse
                 const std::vector<Observer *> &observers,
                 Checkpointer                  &checkpointer)
     {
-      constexpr double     tolerable = 1e-8;
-      const FourierResult &direct    = *work.start.direct;
+      const SearchLimits   limits{1, 1e-8};
+      const FourierResult &direct = *work.start.direct;
       StepControl          as_they_are;
       PrescribedMotion     motion(
         direct.motion,
@@ -99,16 +99,16 @@ namespace Crevasse
       ObservedPeriods<dim> periods(
         {work.evolution, &motion, as_they_are, work.steps, &checkpointer},
         all,
-        1);
+        limits);
       Vector r = direct.motion.viscous_strain.front();
+      periods.begins_another(r);
       periods.compute(r);
       periods.finish(r);
       const double defect = motion.largest_defect();
       periods.report(defect);
       work.output.log.line("  harmonic balance: states and samples differ by " +
                            Text::from_number(defect, 2) + " at most");
-      PeriodicResult result = periods.result();
-      result.converged      = defect <= tolerable;
+      const PeriodicResult &result = periods.result();
       if (!result.converged && !work.start.choice.may_fall_back)
         throw NumericalError(
           "[Periodic state] Method = fourier: the motion found is not "
@@ -158,7 +158,7 @@ namespace Crevasse
 
 
     template <int dim>
-    ConvergenceStatus
+    void
     accelerate(Workspace<dim>       &work,
                ObservedPeriods<dim> &periods,
                const double          slowness)
@@ -173,12 +173,12 @@ namespace Crevasse
           ? 0.
           : work.setup.scene.loads.period *
               work.setup.relaxation_times.mean_fluidity_factor);
-      Anderson<dim>           method(periods,
+      Anderson<dim> method(periods,
                            coordinates,
                            work.setup.scene.periodic_state,
                            slowness);
-      const ConvergenceStatus status = method.run(work.state.viscous_strain);
-      const auto             &counts = method.counts();
+      method.run(work.state.viscous_strain);
+      const auto &counts = method.counts();
       if (counts.shortened > 0)
         work.output.log.line(
           "  anderson left out the oldest of the periods that it combines in " +
@@ -188,13 +188,12 @@ namespace Crevasse
         work.output.log.line("  anderson followed a steady drift by " +
                              std::to_string(counts.leaps) +
                              " steps of two and more periods");
-      return status;
     }
 
 
 
     template <int dim>
-    ConvergenceStatus
+    void
     search(Workspace<dim> &work, ObservedPeriods<dim> &periods)
     {
       // Infinite where nothing relaxes; what does not relax does not change
@@ -205,12 +204,12 @@ namespace Crevasse
           ? slowness_of_relaxation(work.setup.scene.loads.period / slowest)
           : work.setup.relaxation_times.creep_exponent;
       if (work.start.choice.method != PeriodicMethodType::march)
-        return accelerate(work, periods, slowness);
-      return march(periods,
-                   work.setup.scene.periodic_state.tolerance,
-                   slowness,
-                   work.setup.relaxation_times.creep_exponent,
-                   work.state.viscous_strain);
+        accelerate(work, periods, slowness);
+      else
+        march(periods,
+              slowness,
+              work.setup.relaxation_times.creep_exponent,
+              work.state.viscous_strain);
     }
   } // namespace
 
@@ -221,22 +220,22 @@ namespace Crevasse
   compute_periods(Workspace<dim>                &work,
                   const std::vector<Observer *> &observers)
   {
-    work.output.checkpoints.requests.stop_if_asked();
     const Stopwatch                phase("time stepping");
     const Body<dim>               &body       = work.setup.body;
     const PeriodicStart           &start      = work.start;
     const PeriodicStateParameters &parameters = work.setup.scene.periodic_state;
     RunState                      &state      = work.state;
 
-    CheckpointWriter<dim> writer(
-      work.output.checkpoints,
-      body,
-      n_stresses_of_checkpoint(work.setup, start.choice),
-      parameters.tolerance > 0. ? parameters.maximum_periods : 0,
-      [&work](StateArchive &archive) {
-        work.state.solvers = work.systems.statistics();
-        work.state.serialize(archive);
-      });
+    CheckpointWriter<dim>    writer(work.output.checkpoints,
+                                 body,
+                                 n_stresses_of_checkpoint(work.setup,
+                                                          start.choice),
+                                 parameters,
+                                 [&work](StateArchive &archive) {
+                                   work.state.solvers =
+                                     work.systems.statistics();
+                                   work.state.serialize(archive);
+                                 });
     const SerializationScope systems(&writer, [&work](StateArchive &archive) {
       work.systems.serialize(archive);
     });
@@ -269,15 +268,15 @@ namespace Crevasse
                                       work.steps,
                                       &writer},
                                  observers,
-                                 std::min(parameters.maximum_periods,
-                                          state.stage.last_period),
+                                 {std::min(parameters.maximum_periods,
+                                           state.stage.last_period),
+                                      parameters.tolerance},
                                  before,
                                  !state.has_begun(),
                                  requires_return(work) ? &defect : nullptr);
-    const ConvergenceStatus  status = search(work, periods);
-    state.result                    = periods.result();
-    state.result.converged          = status == ConvergenceStatus::converged;
-    state.stage.ends_run            = state.result.converged ||
+    search(work, periods);
+    state.result         = periods.result();
+    state.stage.ends_run = state.result.converged ||
                            state.result.periods < state.stage.last_period ||
                            state.result.periods >= parameters.maximum_periods;
     periods.finish(state.viscous_strain, state.stage.ends_run);

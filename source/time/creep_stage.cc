@@ -195,7 +195,8 @@ namespace Crevasse
         if (residual <= enough)
           {
             right_hand_side += next;
-            solver.note_newton_residual(residual);
+            if (enough <= tolerance) // a shorter step only leads the way
+              solver.note_newton_residual(residual);
             return solver;
           }
         if (residual <= slow * last_residual)

@@ -14,8 +14,9 @@ import subprocess
 import time
 import zlib
 
-from crevasse_run import Results, check, check_below, tier
-from interrupted_runs import (CASES, COMMON, REDISTRIBUTES, check_same_bytes,
+from crevasse_run import Results, check, check_below, overrides, tier
+from crevasse_run import execute as served
+from interrupted_runs import (CASES, COMMON, REDISTRIBUTES, SCENE, check_same_bytes,
                               command, execute, finish, checkpoints, fresh,
                               interrupt, largest_difference, periods,
                               reference, times_resumed, wait_for)
@@ -120,9 +121,9 @@ def test_ranks():
 def test_damage():
     settings, whole = kept_march()
     check([path.name for path in sorted(
-        (whole.directory / "checkpoint").iterdir())] == ["2", "3"],
+        (whole.directory / "checkpoint").iterdir())] == ["3", "4"],
         "the last two checkpoints are kept")
-    # As if it had been killed in its last period, while it wrote its summary.
+    # As if it had been killed at its end, while it wrote its summary.
     interrupted = copy(whole.directory, "damage")
     (interrupted / "summary.json").write_text('{\n  "version": ')
     files = {path.name for path in newest(interrupted).iterdir()}
@@ -324,6 +325,45 @@ def test_out_of_periods():
     check(sizes[1] < 1.05 * sizes[0], f"bytes with 20 and 40 steps: {sizes}")
 
 
+def test_ends():
+    """After every number of periods, and of periods between checkpoints, a run that
+    has ended is resumed with more of them; so is one that ends where its mesh would be
+    adapted next, or that converged and is to be more accurate. Without anything left
+    to compute it writes its last rows again."""
+    every = "Output/Checkpoint every={}".format
+    tolerance = "Periodic state/Tolerance={}".format
+    stages = ["Refinement/Readapt every=3"]
+    ends = [(case, [every(n)], last, last + 2, []) for case, numbers in tier(
+                {"march": (1, 2), "anderson": (2,)},
+                {case: (1, 2, 3) for case in CASES if case not in (
+                    "harmonic balance", "readapted")}).items()
+            for n in numbers for last in tier((2,), (1, 2, 3))]
+    ends += [("readapted", stages + [tolerance(1e-12)], 3, 6, []),
+             ("readapted", stages + [every(3)], 6, 7, [])]
+    ends += [(case, [every(3), tolerance(1e-2)], 8, 8, [tolerance(1e-5)])
+             for case in ("march", "anderson")]
+    for case, settings, last, more, other in ends:
+        what = f"{case}, {settings[-1]}, {last} and {more} periods"
+        settings = COMMON + CASES[case] + settings
+        whole = served_run(fresh("ends_whole"), settings + periods(more) + other)
+        ended = served_run(fresh("ends"), settings + periods(last))
+        n = ended.summary["periods"]
+        for after in (f"{n} periods", "the end"):
+            served_run(ended.directory, settings + periods(more) + other, "--resume")
+            check_same_bytes(whole, ended, f"{what}, resumed after {after}")
+            (ended.directory / "summary.json").unlink()
+
+
+def served_run(directory, settings, *more):
+    """Of the server, which takes less time to start."""
+    before = times_resumed(directory)
+    code, _, error = served(SCENE, "--quiet", "--output", directory, *more,
+                            *overrides(settings))
+    check(code in (0, 3) and times_resumed(directory) == before + len(more),
+          f"{directory}: {code} {error}")
+    return Results(directory)
+
+
 def test_begun_anew():
     """Not by mistake where there is something to go on with."""
     settings, whole = kept_march()
@@ -334,7 +374,7 @@ def test_begun_anew():
           f"the same scene: {code} {error}")
     check(checkpoints(directory) == checkpoints(whole.directory), "left alone")
     code, error = execute(directory, settings + periods(1))
-    check(code in (0, 3) and not checkpoints(directory)
+    check(code in (0, 3) and checkpoints(directory) == {1}
           and checkpoints(directory / "earlier_1"),
           f"another scene: {code} {error}")
 
@@ -359,7 +399,7 @@ def test_two_runs():
     check(code == 4 and "Another run" in error
           and f"process {process.pid}" in error, f"{code} {error}")
     (directory / "stop").touch()
-    process.communicate(timeout=60)
+    process.communicate(timeout=300)
     check(process.returncode == 5, f"the first one: {process.returncode}")
     code, error = execute(directory, COMMON + periods(1))
     check(code in (0, 3), f"afterwards: {code} {error}")
@@ -371,14 +411,14 @@ def test_nobody_listens():
     process.stdout.close()
     time.sleep(0.5)
     (directory / "stop").touch()
-    process.wait(timeout=60)
+    process.wait(timeout=300)
     log = (directory / "log.txt").read_text()
     check(process.returncode == 5 and "standard output" in log
           and "--resume continues" in log, f"{process.returncode}\n{log}")
 
 
-for test in (test_two_runs, test_nobody_listens, test_out_of_periods, test_begun_anew,
-             test_interruptions, test_signals, test_kills, test_damage,
+for test in (test_two_runs, test_nobody_listens, test_out_of_periods, test_ends,
+             test_begun_anew, test_interruptions, test_signals, test_kills, test_damage,
              test_edited_table, test_full_disk, test_other_format, test_other_scenes,
              test_other_solvers, test_finished, test_ranks):
     test()

@@ -226,7 +226,7 @@ def test_meters():
             "rate evaluations": evaluations, "strain sweeps": 2 * evaluations,
             "contact problems": evaluations, "linear solves": evaluations,
             "contact on the lip": evaluations, "certificates": evaluations,
-            "tables": 2 * STEPS + 1, "fields": 2, "checkpoints": 1}.items():
+            "tables": 2 * STEPS + 1, "fields": 2, "checkpoints": 2}.items():
         check(calls[name] == number, f"{name}: {calls[name]}, not {number}")
         check(0 < share[name] * seconds["total"] <= seconds[name] * (1 + 1e-9), name)
     check(counter["vi_solves"] == counter["rate_evaluations"] == evaluations,

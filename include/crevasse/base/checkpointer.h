@@ -28,9 +28,11 @@ namespace Crevasse
     between_steps(const unsigned int period, const unsigned int step) = 0;
 
     /** Where the first step of a period would begin if there were one more:
-     * all parts are as if there were. Collective. */
+     * all parts are as if there were. Collective.
+     *
+     * @param has_converged or else no more periods are allowed. */
     virtual void
-    at_end_of_search(const unsigned int period) = 0;
+    at_end_of_search(const unsigned int period, const bool has_converged) = 0;
 
   protected:
     /** Shows all parts, in the order in which they became known. */

@@ -11,6 +11,7 @@
 #include <crevasse/checkpoint/checkpoints.h>
 #include <crevasse/checkpoint/field_archive.h>
 #include <crevasse/model/body.h>
+#include <crevasse/parameters/parameters.h>
 
 namespace Crevasse
 {
@@ -27,17 +28,16 @@ namespace Crevasse
     /** All arguments must outlive this object.
      *
      * @param n_stresses the fields of a stress that a checkpoint may have.
-     * @param last_period after which more periods may be wanted: then there
-     * is a checkpoint; 0: never.
+     * @param search whose end has a checkpoint, see at_end_of_search().
      * @param header which a resumed run has read already. */
-    CheckpointWriter(Checkpoints                  &checkpoints,
-                     const Body<dim>              &body,
-                     const unsigned int            n_stresses,
-                     const unsigned int            last_period,
-                     const Checkpoints::Serialize &header)
+    CheckpointWriter(Checkpoints                   &checkpoints,
+                     const Body<dim>               &body,
+                     const unsigned int             n_stresses,
+                     const PeriodicStateParameters &search,
+                     const Checkpoints::Serialize  &header)
       : checkpoints(checkpoints)
       , body(body)
-      , last_period(last_period)
+      , search(search)
       , header(header)
     {
       checkpoints.expected_bytes = sizeof(double) * n_stress_components<dim> *
@@ -49,10 +49,7 @@ namespace Crevasse
     between_steps(const unsigned int period, const unsigned int step) override
     {
       if (checkpoints.is_resuming())
-        {
-          resume();
-          return;
-        }
+        return resume();
       const StopRequests::Request request = checkpoints.ask({period, step});
       if (request == StopRequests::none)
         return;
@@ -66,11 +63,19 @@ namespace Crevasse
       checkpoints.stop();
     }
 
-    /** Keeps what a run with more periods can resume from. */
+    /** Keeps what a run with more periods or a smaller tolerance can resume
+     * from, if that is likely: checkpoints are wanted, or it has not converged.
+     * The end on one of several meshes is none of the run. */
     void
-    at_end_of_search(const unsigned int period) override
+    at_end_of_search(const unsigned int period,
+                     const bool         has_converged) override
     {
-      if (period == last_period + 1 && last_period > 0)
+      checkpoints.requests.skip_interval(); // another mesh may follow
+      if (checkpoints.is_resuming())
+        return resume();
+      const bool ends_run = has_converged || period > search.maximum_periods;
+      if (ends_run &&
+          (checkpoints.every > 0 || (search.tolerance > 0. && !has_converged)))
         write(period, 0);
     }
 
@@ -136,11 +141,11 @@ namespace Crevasse
       return true;
     }
 
-    Checkpoints                 &checkpoints;
-    const Body<dim>             &body;
-    const unsigned int           last_period;
-    const Checkpoints::Serialize header;
-    std::vector<std::size_t>     bytes_of_cells; ///< in the last checkpoint
+    Checkpoints                   &checkpoints;
+    const Body<dim>               &body;
+    const PeriodicStateParameters &search;
+    const Checkpoints::Serialize   header;
+    std::vector<std::size_t>       bytes_of_cells; ///< in the last checkpoint
   };
 } // namespace Crevasse
 

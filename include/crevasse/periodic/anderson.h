@@ -57,18 +57,22 @@ namespace Crevasse
 
     /** Starts from the viscous strain @p r at the beginning of a period, which
      * afterwards is that at the end of the last one computed. */
-    ConvergenceStatus
+    void
     run(Vector &r)
     {
       const SerializationScope part(periods.checkpointer(),
-                                    [this](StateArchive &archive) {
+                                    [this, &r](StateArchive &archive) {
                                       serialize(archive);
+                                      archive.at_points(r);
                                     });
-      Vector                   image, next;
+      Vector                   image, next, next_strain(r);
       coordinates.from_strain(r, start);
-      for (number = 0; periods.may_go_on(); ++number)
+      for (number = 0;; ++number)
         {
-          coordinates.to_strain(start, r);
+          coordinates.to_strain(start, next_strain);
+          if (!periods.begins_another(next_strain))
+            return;
+          r                   = next_strain;
           const double change = periods.compute(r);
           coordinates.from_strain(r, image);
           // Of steps that are rounding nothing is to be learned.
@@ -93,17 +97,9 @@ namespace Crevasse
               acceleration.extrapolate(next);
             }
           last_step = distance(next, start);
-          const double error =
-            rests ? slowness * change : estimated_error(change);
-          periods.report(error);
-          if (parameters.tolerance > 0. && error <= parameters.tolerance)
-            return ConvergenceStatus::converged;
+          periods.report(rests ? slowness * change : estimated_error(change));
           std::swap(start, next);
         }
-      Vector next_strain(r);
-      coordinates.to_strain(start, next_strain);
-      periods.stop_before(next_strain);
-      return ConvergenceStatus::out_of_periods;
     }
 
     const AndersonAcceleration::Counts &

@@ -15,17 +15,16 @@ namespace Crevasse
    * next; this one by its Contraction, and unless all of the lip goes on to
    * open, by what the viscous strain lacks to return (ReturnDefect).
    *
-   * @param tolerance for the estimated error of the stress relative to its
-   * maximum; 0: compute as many periods as are allowed.
+   * @param periods which end when the estimated error of the stress, relative
+   * to its maximum, is within their tolerance.
    * @param slowness 1/(1−λ) with the contraction λ of the slowest point by
    * itself: changes may decrease by that ratio in the end. 1: not known.
    * @param creep_exponent see Contraction.
    * @param r at the beginning of a period; afterwards at the end of the last.
    */
   template <int dim>
-  ConvergenceStatus
+  void
   march(ObservedPeriods<dim> &periods,
-        const double          tolerance,
         const double          slowness,
         const double          creep_exponent,
         Vector               &r)
@@ -39,24 +38,16 @@ namespace Crevasse
                                     archive.common(is_first);
                                   });
     periods.ignore_drift_while_opening();
-    for (; periods.may_go_on(); is_first = false)
+    for (; periods.begins_another(r); is_first = false)
       {
         const double change = periods.compute(r);
-        if (!periods.has_memory())
-          {
-            periods.report(0.);
-            return ConvergenceStatus::converged;
-          }
         // max() gives back its first argument if that is nan.
-        const double error = std::max({contraction.add(change, !is_first),
-                                       (slowness - 1.) * change,
-                                       periods.return_defect()});
-        periods.report(error);
-        if (tolerance > 0. && error <= tolerance)
-          return ConvergenceStatus::converged;
+        periods.report(periods.has_memory()
+                         ? std::max({contraction.add(change, !is_first),
+                                     (slowness - 1.) * change,
+                                     periods.return_defect()})
+                         : 0.);
       }
-    periods.stop_before(r);
-    return ConvergenceStatus::out_of_periods;
   }
 } // namespace Crevasse
 

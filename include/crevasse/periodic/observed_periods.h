@@ -22,7 +22,7 @@ namespace Crevasse
   struct PeriodicResult
   {
     unsigned int periods   = 0;
-    bool         converged = false;
+    bool         converged = false; ///< within the tolerance, or elastic
     /** Whether the last two periods had (most of) their samples in common. */
     bool steps_repeat = true;
     /** What the strain lacked to return in the last period, see ReturnDefect,
@@ -34,11 +34,11 @@ namespace Crevasse
     std::vector<double> stress_error_estimate;
   };
 
-  /** How the search for the periodic state ended. */
-  enum class ConvergenceStatus
+  /** When a search for the periodic state ends. */
+  struct SearchLimits
   {
-    converged,     ///< the estimated error is within the tolerance
-    out_of_periods ///< as many periods as allowed were computed
+    unsigned int maximum_periods;
+    double       tolerance; ///< for the estimated error of the stress; 0: none
   };
 
   /** What integrates a body over the steps of a period. */
@@ -73,17 +73,21 @@ namespace Crevasse
      * @param defect null: the strain is not known to return. */
     ObservedPeriods(const PeriodIntegration<dim>  &integration,
                     const std::vector<Observer *> &observers,
-                    const unsigned int             maximum_periods,
+                    const SearchLimits            &limits,
                     const PeriodicResult          &before = PeriodicResult(),
                     const bool                     is_comparable = true,
                     const ReturnDefect<dim>       *defect        = nullptr);
 
-    /** Whether another period is allowed. */
+    /** Begins another period, unless the search has converged or as many are
+     * computed as allowed. Between two periods, and at the end of the last one,
+     * a run can be saved and resumed.
+     *
+     * @param r at the beginning of the period; where a run is resumed, at its
+     * step. Unless steps are adaptive, a run resumed from the end of a search
+     * computes the last period once more: its stresses need not be kept.
+     * @return whether there is a period to compute(). */
     bool
-    may_go_on() const
-    {
-      return so_far.periods < maximum_periods;
-    }
+    begins_another(Vector &r);
 
     /** Whether the body remembers: without viscosity one period tells all. */
     bool
@@ -92,9 +96,9 @@ namespace Crevasse
       return integration.integrator != nullptr;
     }
 
-    /** Advances @p r over a period. A resumed run continues in the middle of
-     * another one. Returns the change of stress, see
-     * PeriodReport; nan if the steps are not those of the period before. */
+    /** Advances @p r over the period that was begun, or over the rest of it.
+     * Returns the change of stress, see PeriodReport; nan if the steps are not
+     * those of the period before. */
     double
     compute(Vector &r);
 
@@ -120,12 +124,6 @@ namespace Crevasse
       return defect != nullptr;
     }
 
-    /** Instead of compute(): another period is not allowed, but others may go
-     * on from here. Unless steps are adaptive they compute the last period once
-     * more, so that its stresses need not be kept. */
-    void
-    stop_before(Vector &r);
-
     /** Ends the period that was computed.
      *
      * @param error_estimate of its stress; nan: it cannot be told. */
@@ -143,7 +141,6 @@ namespace Crevasse
       return integration.checkpointer;
     }
 
-    /** All but whether it converged. */
     const PeriodicResult &
     result() const
     {
@@ -153,14 +150,18 @@ namespace Crevasse
   private:
     const PeriodIntegration<dim>   integration;
     const std::vector<Observer *> &observers;
-    const unsigned int             maximum_periods;
+    const SearchLimits             limits;
     bool                           is_comparable;
     const ReturnDefect<dim>       *defect;
 
-    void
-    begin_period(const Vector &r);
+    /** Whether the search needs no further period, or may have none. */
+    bool
+    is_over() const
+    {
+      return so_far.converged || so_far.periods >= limits.maximum_periods;
+    }
 
-    /** All steps of a period. */
+    /** All steps of a period from first_step on. */
     void
     advance(Vector &r);
 
@@ -194,6 +195,7 @@ namespace Crevasse
     serialize_step(StateArchive &archive, unsigned int &k, Vector &r);
 
     StressHistory  history;
+    unsigned int   first_step = 0; ///< of the period, or of what is left of it
     PeriodicResult so_far;
     PeriodReport   last; ///< not reported yet
     Vector         rate; ///< at the beginning of a step
