@@ -144,7 +144,7 @@ def execute_on(n_ranks, *arguments):
     """Runs the program on several processes, as execute() does on one."""
     process = subprocess.run(
         ["mpirun", "-np", str(n_ranks), PROGRAM, *map(str, arguments)],
-        text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=300,
+        text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=900,
         env=ENVIRONMENT)
     return process.returncode, process.stdout, process.stderr
 

@@ -106,7 +106,7 @@ def execute(directory, settings, n_ranks=1, more=(), **options):
     """Exit status and what was written to the standard error."""
     process = subprocess.run(
         command(directory, settings, n_ranks, more=more, **options), text=True,
-        capture_output=True, stdin=subprocess.DEVNULL, timeout=300,
+        capture_output=True, stdin=subprocess.DEVNULL, timeout=900,
         env=ENVIRONMENT)
     return process.returncode, process.stderr
 

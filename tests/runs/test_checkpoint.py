@@ -103,7 +103,10 @@ def test_kills():
 
 def test_ranks():
     for name in tier(("readapted",), ("anderson", "readapted", "crack tip")):
-        settings = COMMON + CASES[name] + ["Contact/Tolerance=1e-13"]
+        # Processes that share busy cores wait for each other at each solve.
+        settings = COMMON + CASES[name] + [
+            "Contact/Tolerance=1e-13", "Time integration/Scheme=sdirk2",
+            "Time integration/Steps per period=10"]
         whole, _ = reference("ranks_whole", settings)
         for _ in range(3):  # on a busy machine the run may end before
             directory = fresh("ranks")
@@ -113,7 +116,7 @@ def test_ranks():
             if 5 in codes:
                 break
         check(5 in codes, f"{name}: {codes}")
-        resumed = finish(directory, settings, 1 if name == "anderson" else 3)
+        resumed = finish(directory, settings, 1 if name == "anderson" else tier(1, 3))
         check_below(largest_difference(whole, resumed), 1e-10,
                     f"{name}: ranks 1, 2 and others, {codes}")
 
