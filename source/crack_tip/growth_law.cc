@@ -4,6 +4,7 @@
 #include <crevasse/base/text.h>
 #include <crevasse/crack_tip/growth_law.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Crevasse
@@ -13,12 +14,12 @@ namespace Crevasse
     double
     paris_growth(const CrackTipParameters &law, const TipHistory &history)
     {
-      const double range =
-        std::max(history.largest(), 0.) - std::max(history.least(), 0.);
-      return range > law.paris_threshold
-               ? law.paris_factor *
-                   std::pow(range - law.paris_threshold, law.paris_exponent)
-               : 0.;
+      // Not a number stays so.
+      return history.range <= law.paris_threshold
+               ? 0.
+               : law.paris_factor *
+                   std::pow(history.range - law.paris_threshold,
+                            law.paris_exponent);
     }
 
 

@@ -8,32 +8,41 @@
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 
 namespace Crevasse
 {
   using namespace dealii;
 
+  namespace
+  {
+    constexpr double       one_instant = 1e-6; ///< part of a step
+    constexpr unsigned int most_trials = 60;   ///< for one instant
+  }                                            // namespace
+
+
+
   template <int dim>
   LipClosure<dim>::LipClosure(const Body<dim>   &body,
                               const double       largest_load,
-                              const std::string &file_name)
+                              const std::string &file_name,
+                              Evolution<dim>    &evolution)
     : body(body)
     , negligible_force(1e-9 * largest_load)
     , file_name(file_name)
+    , evolution(evolution)
     , lips(numbers_of_lips())
   {
     std::map<types::global_dof_index, unsigned int> number_of;
     for (unsigned int i = 0; i < lips.size(); ++i)
       if (const auto &node = body.space.lip.nodes[i]; node.has_unknown())
         {
-          number_of[node.unknown] = nodes.size();
-          nodes.push_back({lips[i]});
+          number_of[node.unknown] = places.size();
           places.push_back(i);
+          n_lips = std::max(n_lips, lips[i] + 1);
         }
     for (const LipNode<dim> &node : body.lip.nodes)
       mine.push_back(number_of.at(node.dof));
-    steps.resize(
-      lips.empty() ? 1 : 2 + *std::max_element(lips.begin(), lips.end()));
   }
 
 
@@ -69,7 +78,7 @@ namespace Crevasse
   LipClosure<dim>::openings(const State &state) const
   {
     const double        touching = largest_opening_of_closed(state);
-    std::vector<double> values(nodes.size());
+    std::vector<double> values(places.size());
     for (unsigned int k = 0; k < mine.size(); ++k)
       {
         const LipNode<dim> &node  = body.lip.nodes[k];
@@ -92,54 +101,145 @@ namespace Crevasse
   {
     if (sample.step == 0)
       {
-        for (Node &node : nodes)
-          node = {node.lip};
-        for (auto &of_lip : steps)
-          of_lip.clear();
+        period.clear();
+        changes.clear();
       }
-    now = openings(sample.state);
-    for (unsigned int i = 0; i < nodes.size(); ++i)
+    period.push_back({sample.instant, openings(sample.state)});
+    if (period.size() > 1)
       {
-        Node &node            = nodes[i];
-        node.largest_opening  = std::max(node.largest_opening, now[i]);
-        node.largest_pressure = std::max(node.largest_pressure, -now[i]);
+        const Moment &begin = *(period.end() - 2), &end = period.back();
+        for (unsigned int lip = 0; lip < n_lips; ++lip)
+          if (status(lip, begin) != status(lip, end))
+            {
+              changes.push_back(
+                {begin.instant, end.instant, strain, sample.viscous_strain});
+              break;
+            }
       }
-    if (sample.step > 0)
-      add_step(last_instant, sample.instant);
-    earlier.swap(before);
-    before.swap(now);
-    last_step    = sample.time - last_time;
-    last_time    = sample.time;
-    last_instant = sample.instant;
+    strain = sample.viscous_strain;
+  }
+
+
+
+  template <int dim>
+  std::pair<double, double>
+  LipClosure<dim>::range(const unsigned int lip, const Moment &moment) const
+  {
+    std::pair<double, double> found = {std::numeric_limits<double>::max(),
+                                       std::numeric_limits<double>::lowest()};
+    for (unsigned int i = 0; i < places.size(); ++i)
+      if (lip == n_lips || lips[places[i]] == lip)
+        {
+          found.first  = std::min(found.first, moment.openings[i]);
+          found.second = std::max(found.second, moment.openings[i]);
+        }
+    return found;
+  }
+
+
+
+  template <int dim>
+  LipStatus
+  LipClosure<dim>::status(const unsigned int lip, const Moment &moment) const
+  {
+    const auto [least, most] = range(lip, moment);
+    return least >= 0. ? LipStatus::open
+           : most < 0. ? LipStatus::closed
+                       : LipStatus::partly_closed;
+  }
+
+
+
+  template <int dim>
+  std::vector<LipMoment>
+  LipClosure<dim>::period_of(const unsigned int lip) const
+  {
+    std::vector<LipMoment> all;
+    for (const Moment &moment : period)
+      all.push_back({moment.instant, status(lip, moment)});
+    return all;
+  }
+
+
+
+  template <int dim>
+  Sample
+  LipClosure<dim>::sample_at(const double instant)
+  {
+    const auto step =
+      std::find_if(changes.begin(), changes.end(), [=](const Change &change) {
+        return change.begin <= instant && instant <= change.end;
+      });
+    AssertThrow(step != changes.end(), ExcInternalError());
+    evolution.begin_step(step->begin);
+    if (step->strain_at_begin.size() == 0)
+      evolution.elastic_state(instant);
+    else
+      {
+        const double part = (instant - step->begin) / (step->end - step->begin);
+        Vector       rate(step->strain_at_begin);
+        strain = step->strain_at_begin;
+        strain.sadd(1. - part, part, step->strain_at_end);
+        evolution.rate(instant, strain, rate);
+      }
+    return {0,
+            0,
+            instant,
+            instant,
+            evolution.state(),
+            strain,
+            evolution.right_hand_side(),
+            evolution.secular_flow()};
   }
 
 
 
   template <int dim>
   void
-  LipClosure<dim>::add_step(const double begin, const double end)
+  LipClosure<dim>::locate(const Change &step, const unsigned int lip)
   {
-    for (unsigned int i = 0; i < nodes.size(); ++i)
+    for (const bool closes : {false, true})
       {
-        const bool   was_closed = before[i] < 0., is_closed = now[i] < 0.;
-        const double change =
-          was_closed == is_closed ? end : instant_of_change(i, begin, end);
-        const double closed_from = was_closed ? begin : change;
-        const double closed_to   = is_closed ? end : change;
-        nodes[i].closed += closed_to - closed_from;
-
-        const double open_from = was_closed ? change : begin;
-        const double open_to = is_closed ? (was_closed ? begin : change) : end;
-        for (auto *lip : {&steps[nodes[i].lip], &steps.back()})
-          {
-            if (lip->empty() || lip->back().end < end)
-              lip->push_back({begin, end, begin, end, begin, end});
-            LipStep &step    = lip->back();
-            step.closed_from = std::max(step.closed_from, closed_from);
-            step.closed_to   = std::min(step.closed_to, closed_to);
-            step.open_from   = std::max(step.open_from, open_from);
-            step.open_to     = std::min(step.open_to, open_to);
-          }
+        // Negative where a node is closed, or where all are.
+        const auto value = [&](const Moment &moment) {
+          const auto [least, most] = range(lip, moment);
+          return closes ? most : least;
+        };
+        const auto begin = std::adjacent_find(
+          period.begin(), period.end(), [&](const Moment &a, const Moment &b) {
+            return a.instant >= step.begin && b.instant <= step.end &&
+                   (value(a) < 0.) != (value(b) < 0.);
+          });
+        if (begin == period.end())
+          continue;
+        // Pressures and openings have scales of their own; 0 is open.
+        const double before = value(begin[0]), after = value(begin[1]);
+        const auto   scaled =
+          [low  = -std::min(before, after),
+           high = std::max({before, after, 1e-300})](const double v) {
+            return v < 0. ? v / low : std::max(v / high, 1e-12);
+          };
+        std::vector<Moment> tried;
+        std::uintmax_t      trials = most_trials;
+        const auto [last, next]    = boost::math::tools::toms748_solve(
+          [&](const double t) {
+            tried.push_back({t, openings(sample_at(t).state)});
+            return scaled(value(tried.back()));
+          },
+          begin[0].instant,
+          begin[1].instant,
+          scaled(before),
+          scaled(after),
+          [&step](const double a, const double b) {
+            return b - a <= one_instant * (step.end - step.begin);
+          },
+          trials);
+        std::vector<Moment> found;
+        for (const double t : {last, next})
+          for (const Moment &moment : tried)
+            if (moment.instant == t)
+              found.push_back(moment);
+        period.insert(begin + 1, found.begin(), found.end());
       }
   }
 
@@ -147,23 +247,26 @@ namespace Crevasse
 
   template <int dim>
   double
-  LipClosure<dim>::instant_of_change(const unsigned int node,
-                                     const double       begin,
-                                     const double       end) const
+  LipClosure<dim>::closed_time(const unsigned int node,
+                               const unsigned int i) const
   {
-    const double last = std::abs(before[node]);
-    if (last == 0.)
-      return begin;
-    if (!earlier.empty() && (earlier[node] < 0.) == (before[node] < 0.) &&
-        std::abs(earlier[node]) > last)
-      {
-        const double instant =
-          begin + last * last_step / (std::abs(earlier[node]) - last);
-        // A line that vanishes somewhat later is no jump.
-        if (instant <= end + last_step)
-          return std::min(instant, end);
-      }
-    return 0.5 * (begin + end);
+    const double length = period[i + 1].instant - period[i].instant;
+    const double begin  = period[i].openings[node];
+    const double end    = period[i + 1].openings[node];
+    if ((begin < 0.) == (end < 0.))
+      return end < 0. ? length : 0.;
+    // The period before has ended as this one does.
+    const Moment &earlier = period[i > 0 ? i - 1 : period.size() - 2];
+    const double  last_length =
+      period[i > 0 ? i : period.size() - 1].instant - earlier.instant;
+    const double before = earlier.openings[node];
+    const double falls  = std::abs(before) - std::abs(begin);
+    double       change = begin == 0. ? 0. : 0.5 * length;
+    // A line that vanishes somewhat later is no jump.
+    if ((before < 0.) == (begin < 0.) && falls > 0. &&
+        std::abs(begin) * last_length <= (length + last_length) * falls)
+      change = std::min(std::abs(begin) * last_length / falls, length);
+    return begin < 0. ? change : length - change;
   }
 
 
@@ -173,14 +276,24 @@ namespace Crevasse
   LipClosure<dim>::serialize(StateArchive &archive)
   {
     archive.section("closure of the lip");
-    archive.common_list(nodes);
-    for (auto &of_lip : steps)
-      archive.common_list(of_lip);
-    archive.common(before);
-    archive.common(earlier);
-    archive.common(last_instant);
-    archive.common(last_step);
-    archive.common(last_time);
+    std::size_t n_moments = period.size(), n_changes = changes.size();
+    archive.common(n_moments);
+    archive.common(n_changes);
+    period.resize(n_moments);
+    changes.resize(n_changes);
+    for (Moment &moment : period)
+      {
+        archive.common(moment.instant);
+        archive.common(moment.openings);
+      }
+    for (Change &change : changes)
+      {
+        archive.common(change.begin);
+        archive.common(change.end);
+        archive.at_points(change.strain_at_begin);
+        archive.at_points(change.strain_at_end);
+      }
+    archive.at_points(strain);
   }
 
 
@@ -189,9 +302,12 @@ namespace Crevasse
   void
   LipClosure<dim>::summarise(Summary &summary)
   {
-    if (!steps.back().empty())
+    for (const Change &change : changes)
+      for (unsigned int lip = 0; lip <= n_lips; ++lip)
+        locate(change, lip);
+    if (period.size() > 1)
       {
-        const auto [wholly, partly] = closed_parts(steps.back());
+        const auto [wholly, partly] = closed_parts(period_of(n_lips));
         summary["closed_part"]      = {{"wholly", wholly}, {"partly", partly}};
       }
     std::vector<std::string> columns = {"lip", "x", "y", "z"};
@@ -199,19 +315,21 @@ namespace Crevasse
     columns.insert(columns.end(),
                    {"closed_part", "largest_opening", "largest_pressure"});
     std::vector<std::vector<double>> rows;
-    for (unsigned int i = 0; i < nodes.size(); ++i)
+    for (unsigned int i = 0; i < places.size(); ++i)
       {
-        const Node                 &node   = nodes[i];
-        const std::vector<LipStep> &period = steps[node.lip];
-        std::vector<double>         row    = {1. + node.lip};
-        const Point<dim> &point = body.space.lip.nodes[places[i]].point;
+        double closed = 0., opening = 0., pressure = 0.;
+        for (unsigned int k = 0; k < period.size(); ++k)
+          {
+            opening  = std::max(opening, period[k].openings[i]);
+            pressure = std::max(pressure, -period[k].openings[i]);
+            if (k + 1 < period.size())
+              closed += closed_time(i, k) /
+                        (period.back().instant - period.front().instant);
+          }
+        std::vector<double> row   = {1. + lips[places[i]]};
+        const Point<dim>   &point = body.space.lip.nodes[places[i]].point;
         row.insert(row.end(), point.begin_raw(), point.end_raw());
-        row.insert(row.end(),
-                   {period.empty() ? 0.
-                                   : node.closed / (period.back().end -
-                                                    period.front().begin),
-                    node.largest_opening,
-                    node.largest_pressure});
+        row.insert(row.end(), {closed, opening, pressure});
         rows.push_back(row);
       }
     double size = 0.;
@@ -233,8 +351,8 @@ namespace Crevasse
 
 
   template <int dim>
-  const std::vector<LipStep> &
-  LipClosure<dim>::steps_of_lip_at(const Point<dim> &tip) const
+  std::vector<LipMoment>
+  LipClosure<dim>::lip_at(const Point<dim> &tip) const
   {
     const auto &all = body.space.lip.nodes;
     const auto  nearest =
@@ -243,7 +361,7 @@ namespace Crevasse
                        [&tip](const auto &a, const auto &b) {
                          return a.point.distance(tip) < b.point.distance(tip);
                        });
-    return steps[lips[nearest - all.begin()]];
+    return period_of(lips[nearest - all.begin()]);
   }
 
 

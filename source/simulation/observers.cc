@@ -289,7 +289,7 @@ namespace Crevasse
       add(std::make_unique<ProbeTables<dim>>(setup.probes,
                                              std::move(of_probes),
                                              body.space.communicator()));
-    const LipClosure<dim> *closure = nullptr;
+    LipClosure<dim> *closure = nullptr;
     if (body.effects.contact.on)
       {
         const LipState &lip = extremes->lip;
@@ -302,8 +302,9 @@ namespace Crevasse
                     lip.force,
                     lip.largest_pressure};
           }));
-        closure = add(std::make_unique<LipClosure<dim>>(
-          body, setup.largest_nodal_force, tables.path("lip.csv")));
+        const double force = setup.largest_nodal_force;
+        closure            = add(std::make_unique<LipClosure<dim>>(
+          body, force, tables.path("lip.csv"), work.evolution));
         instants.followed.emplace_back(
           [&lip](auto &) { return lip.largest_opening; });
         instants.followed.emplace_back(

@@ -4,7 +4,7 @@ of elastic bodies, on two ranks, resumed, and for each of several cracks."""
 import math
 
 from cracked import BOTTOM, CRACK, PLATE, TOP, steps, write_block
-from crevasse_run import check, check_below, check_close, run, run_on
+from crevasse_run import check, check_below, check_close, run, run_on, tier
 from interrupted_runs import SCENE as RAOUS
 from interrupted_runs import (COMMON, REDISTRIBUTES, finish, fresh, interrupt,
                               reference)
@@ -55,18 +55,18 @@ def test_uniform():
     results = run(ONE_CRACK, "uniform")
     tip, lip = results.summary["crack_tip"], results.table("lip.csv")
     expected = math.acos(0.3) / math.pi
-    check_close(tip["closed_part"]["wholly"], expected, 2e-3, "closed part")
-    check_below(tip["closed_part"]["partly"], 1e-9, "partly")
+    check_close(tip["closed_part"]["wholly"], expected, 1e-7, "closed part")
+    check_below(tip["closed_part"]["partly"], 1e-6, "partly")
     check(results.summary["closed_part"] == tip["closed_part"], "of all lips")
     check(lip["x"] == [0.625, 0.75, 0.875, 1] and set(lip["y"]) == {0}
           and set(lip["lip"]) == {1}, f"nodes of the lip: {lip}")
     for part, pressure in zip(lip["closed_part"], lip["largest_pressure"]):
-        check_close(part, expected, 2e-3, "closed part of a node")
+        check_close(part, expected, 1e-7, "closed part of a node")
         check_close(pressure, 7, 0.03, "largest pressure")
     check_close(lip["largest_opening"][-1],
                 max(results.table("probe_mouth.csv")["opening"]), 1e-14, "opening")
     largest = tip["K_I"]["largest"]
-    check_below(abs(tip["K_opening"]) / largest, 3e-3, "K_op")
+    check_below(abs(tip["K_opening"]) / largest, 1e-5, "K_op")
     check_close(tip["Delta_K_eff"], largest - tip["K_opening"], 1e-9, "Delta K_eff")
     check_close(tip["Delta_K"], largest - tip["K_I"]["smallest"], 1e-9, "Delta K")
 
@@ -80,14 +80,51 @@ def test_gap():
     expected = -tip["K_I"]["largest"] * gap / (max(mouth) - gap)
     largest = tip["K_I"]["largest"]
     check(expected < -0.1 * largest, "it opens under compression")
-    check_close(tip["K_opening"] / largest, expected / largest, 5e-3, "K_op")
+    check_close(tip["K_opening"] / largest, expected / largest, 1e-5, "K_op")
     check_close(tip["Delta_K_eff"], largest - tip["K_opening"], 1e-9, "Delta K_eff")
     check_close(tip["opening_ratio"], tip["K_opening"] / largest, 1e-12, "ratio")
     parts = lip["closed_part"]
     check(parts == sorted(parts) and 0 < parts[-1] < 0.5, f"the mouth first: {parts}")
     check_close(tip["closed_part"]["wholly"] + tip["closed_part"]["partly"],
-                parts[-1], 1e-12, "closed at all")
-    check_close(tip["closed_part"]["wholly"], parts[0], 1e-12, "wholly closed")
+                parts[-1], 1e-7, "closed at all")
+    check_close(tip["closed_part"]["wholly"], parts[0], 1e-7, "wholly closed")
+
+
+def test_phases():
+    """The mouth of a lip whose gap closes there opens with the load: K_op is 0 and
+    the lip is closed in part for the time of a negative load, whatever the steps and
+    wherever they meet the load."""
+    expected = 1 - math.acos(0.9) / math.pi
+    for n, phases in ((20, (0, 0.5, 5)), (40, tier((7, 20.25), range(40))), (80, (13,))):
+        for phase in phases:
+            tip = run(ONE_CRACK, f"phase_{n}_{phase}", [
+                f"Loads/Traction=0; 10*(sin(2*pi*(t/600 + {phase / n})) - 0.9)",
+                f"Time integration/Steps per period={n}", "Geometry/Subdivisions=8, 8",
+                "Boundary/Gap=-4e-3*(1-x)"]).summary["crack_tip"]
+            what = f"{n} steps, phase {phase}"
+            check_below(abs(tip["K_opening"]) / tip["K_I"]["largest"], 1e-4,
+                        f"K_op, {what}")
+            check_close(tip["Delta_K_eff"] / tip["K_I"]["largest"], 1, 1e-4, what)
+            check_close(sum(tip["closed_part"].values()), expected, 1e-7, what)
+
+
+def test_creeping_phases():
+    """With creep K_op and the closed part approach those of many steps by the second
+    order."""
+    def intensity(method, n, phase):
+        tip = run(CREEPING, f"creeping_{method}_{n}", [
+            f"Loads/Traction=0; 10*(sin(2*pi*(t/600 + {phase / n})) - 0.3)",
+            f"Time integration/Steps per period={n}", "Material/Relaxation time=600",
+            f"Periodic state/Method={method}"]).summary["crack_tip"]
+        return tip["K_opening"], tip["closed_part"]["wholly"], tip["K_I"]["largest"]
+    opening, closed, largest = intensity("fourier", 320, 0)
+    for method in ("fourier", "march"):
+        for n in (20, 40, 80):
+            for phase in (0, 0.5):
+                values = intensity(method, n, phase)
+                what = f"{method}, {n} steps, phase {phase}"
+                check_below(abs(values[0] - opening) / largest, 5. / n**2, what)
+                check_below(abs(values[1] - closed), 1. / n**2, f"closed, {what}")
 
 
 def test_no_opening():
@@ -128,8 +165,8 @@ def test_jumps():
                        ("ramp", "max(-1, min(1, (t - 300)/12))"),
                        ("bends", "if(t < 252, -1, if(t < 264, -0.5, 1))")):
         tip = run(ONE_CRACK, name, [f"Loads/Traction=0; 10*{load}"]).summary["crack_tip"]
-        check_below(abs(tip["K_opening"]) / tip["Delta_K"], 1e-3, f"{name}: K_op")
-        check_close(tip["Delta_K_eff"] / tip["Delta_K"], 1, 1e-3, f"{name}: effective")
+        check_below(abs(tip["K_opening"]) / tip["Delta_K"], 1e-9, f"{name}: K_op")
+        check_close(tip["Delta_K_eff"] / tip["Delta_K"], 1, 1e-9, f"{name}: effective")
 
 
 def same(one, other, what):
@@ -169,12 +206,12 @@ def test_two_cracks():
     tips, lip = results.summary["crack_tips"], results.table("lip.csv")
     check(len(tips) == 4 and set(lip["lip"]) == {1, 2}, "two lips with four tips")
     together = results.summary["closed_part"]
-    check_below(together["wholly"], 2e-3, "both closed")
-    check_close(together["partly"], 1, 2e-3, "one of them closed")
+    check_below(together["wholly"], 1e-6, "both closed")
+    check_close(together["partly"], 1, 1e-6, "one of them closed")
     for tip in tips:
-        check_close(tip["closed_part"]["wholly"], 0.5, 2e-3, "closed part")
+        check_close(tip["closed_part"]["wholly"], 0.5, 1e-7, "closed part")
         check_close(tip["Delta_K_eff"] / tip["equivalent_intensity"]["largest"], 1,
-                    6e-3, "Delta K_eff")
+                    1e-4, "Delta K_eff")
     for number, begin in ((1, 0.25), (2, 1.25)):
         x = [x for lip_number, x in zip(lip["lip"], lip["x"]) if lip_number == number]
         check(x == sorted(x) and begin < x[0] and x[-1] < begin + 0.5, f"{x}")
@@ -182,6 +219,8 @@ def test_two_cracks():
 
 test_uniform()
 test_gap()
+test_phases()
+test_creeping_phases()
 test_no_opening()
 test_touching()
 test_jumps()

@@ -284,13 +284,46 @@ def test_singular_functions_of_two_modes():
 
 
 def test_growth_law():
-    """Paris' law with the range of the equivalent intensity."""
+    """Paris' law with the equivalent of the ranges of both modes, K_I < 0 being 0; the
+    modes turn where the crack is closed under half of the load."""
     results = run(scene("grows", 10, 4, angle=ANGLE), "grows", [
         "Crack tip/Crack growth law=paris", "Crack tip/Paris factor=1e-20",
         "Crack tip/Paris exponent=2"])
     for table, tip in zip(tips(results), results.summary["crack_tips"]):
-        K = table["equivalent_intensity"]
-        check_close(tip["da_dN"] / (1e-20 * (max(K) - min(K))**2), 1, 1e-9, "da/dN")
+        range_I, range_II = (max(table[K]) - min(table[K]) for K in ("K_I", "K_II"))
+        check_close(tip["Delta_K_I"] / range_I, 1, 1e-9, "Delta K_I")
+        check_close(tip["Delta_K_II"] / range_II, 1, 1e-9, "Delta K_II")
+        expected = equivalent(range_I, range_II)
+        check_close(tip["Delta_K"] / expected, 1, 1e-9, "Delta K")
+        check_close(tip["da_dN"] / (1e-20 * expected**2), 1, 1e-9, "da/dN")
+    check(sum("K_II/K_I changes" in text for text in results.summary["warnings"]) == 2,
+          "the modes turn at both tips")
+
+
+def equivalent(K_I, K_II):
+    """K_I of a crack with the same largest hoop stress (Erdogan, Sih 1963)."""
+    half = math.atan2(-2 * K_II, K_I + math.hypot(K_I, math.sqrt(8) * K_II))
+    return math.cos(half) * (K_I * math.cos(half)**2 - 1.5 * K_II * math.sin(2 * half))
+
+
+def test_reversed_shear():
+    """The range of a shear that is reversed is twice that of one that is not: with the
+    exponent 3 a pressed crack grows by 8 times as much. No mode turns."""
+    growth = []
+    top = f"abs(y) > {7.99 * A!r}"
+    for name, wave in (("reversed", "sin(2*pi*t)"), ("pulsing", "(1+sin(2*pi*t))/2")):
+        along, across = (f"1e7*{wave}*if({s}>0, 1, -1)" for s in "yx")
+        results = run(scene(name, 4, 2), name, [
+            "Boundary/Loaded=1, 2, 3, 4", "Loads/Traction="
+            f"if({top}, {along}, 0); if({top}, -3e7*if(y>0, 1, -1), {across})",
+            "Crack tip/Crack growth law=paris", "Crack tip/Paris factor=1e-20",
+            "Crack tip/Paris exponent=3"])
+        tip = results.summary["crack_tips"][0]
+        growth.append(tip["da_dN"])
+        check_close(tip["Delta_K_II"],
+                    tip["K_II"]["largest"] - tip["K_II"]["smallest"], 1e-9, name)
+        check(not any("K_II/K_I" in text for text in results.summary["warnings"]), name)
+    check_close(growth[0] / growth[1], 8, 1e-6, "da/dN of reversed shear")
 
 
 def test_creep():
@@ -358,7 +391,8 @@ def test_refusals():
 
 TESTS = [test_inclined, test_half_model, test_invariances,
          test_singular_functions, test_singular_functions_of_two_modes,
-         test_growth_law, test_creep, test_support_at_tip, test_refusals]
+         test_growth_law, test_reversed_shear, test_creep, test_support_at_tip,
+         test_refusals]
 
 if __name__ == "__main__":
     for test in TESTS:

@@ -4,39 +4,43 @@
 #ifndef crevasse_crack_tip_crack_closure_h
 #define crevasse_crack_tip_crack_closure_h
 
-#include <crevasse/crack_tip/growth_law.h>
-
 #include <array>
+#include <string>
+#include <vector>
 
 namespace Crevasse
 {
-  /** A lip in a step of the period. */
-  struct LipStep
+  /** How much of a lip is pressed. */
+  enum class LipStatus
   {
-    double begin, end;
-    /** Between these instants all its nodes are open, or closed; at none if
-     * the first is the later one. */
-    double open_from, open_to, closed_from, closed_to;
+    open,
+    partly_closed,
+    closed
+  };
+
+  /** What a lip is like at the instants of a period, those at which it changes
+   * included: the last that has one status and the first that has another. */
+  struct LipMoment
+  {
+    double    instant;
+    LipStatus status;
   };
 
   /** The parts of the period in which a lip is closed wholly, and partly. */
   std::array<double, 2>
-  closed_parts(const std::vector<LipStep> &lip);
+  closed_parts(const std::vector<LipMoment> &lip);
 
-  /**
-   * What lives are computed from: ΔK, the opening intensity K_op (Elber,
-   * ASTM STP 486, 1971) and ΔK_eff of the last period, and for which part of
-   * it the lip is closed; for the summary of a tip and the log. K_op is K at
-   * the last instant before that of K_max at which the lip becomes wholly open.
-   *
-   * @param lip steps between the instants of the history; null: no contact.
-   * @param title of the line in the log. */
-  void
-  summarise_closure(const TipHistory           &history,
-                    const std::vector<LipStep> *lip,
-                    const std::string          &title,
-                    Summary                    &tip,
-                    Log                        &log);
+  /** When a lip becomes wholly open. */
+  struct LipOpening
+  {
+    double      instant; ///< the last one at which it is not wholly open
+    std::string why_not; ///< why there is none; empty: there is one
+  };
+
+  /** The last opening before an instant of a period that is one of many.
+   * @param instant of the largest intensity, one of those of the lip. */
+  LipOpening
+  last_opening(const std::vector<LipMoment> &lip, const double instant);
 } // namespace Crevasse
 
 #endif

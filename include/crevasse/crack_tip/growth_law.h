@@ -8,7 +8,9 @@
 #include <crevasse/base/summary.h>
 #include <crevasse/parameters/parameters.h>
 
-#include <algorithm>
+#include <limits>
+#include <optional>
+#include <vector>
 
 namespace Crevasse
 {
@@ -16,26 +18,16 @@ namespace Crevasse
   struct TipHistory
   {
     std::vector<double>   instants;       ///< from 0 to the period
-    std::vector<double>   intensity;      ///< K_I at these
+    std::vector<double>   intensity;      ///< K_I, or what is equivalent
     std::vector<double>   creep_integral; ///< C(t) at these; nan: not known
     std::optional<double> c_star; ///< C* of the steady flow, if it is known
+    /** ΔK, with K_I < 0 counted as 0. */
+    double range = std::numeric_limits<double>::quiet_NaN();
 
     double
     period() const
     {
       return instants.back() - instants.front();
-    }
-
-    double
-    largest() const
-    {
-      return *std::max_element(intensity.begin(), intensity.end());
-    }
-
-    double
-    least() const
-    {
-      return *std::min_element(intensity.begin(), intensity.end());
     }
   };
 
@@ -45,7 +37,7 @@ namespace Crevasse
    *
    * - da/dN = C (ΔK − ΔK_th)^m above the threshold (Paris, Erdogan, J. Basic
    *   Eng. 85, 1963; with a threshold: Donahue et al., Int. J. Fract. Mech. 8,
-   *   1972), ΔK = K_max − K_min;
+   *   1972);
    * - da/dt = D C*^φ over the whole period, or D K_I(t)^φ or D C(t)^φ by the
    *   trapezoidal rule over the steps. Where C(t) is not known yet, as after a
    *   jump, it is taken to be what it is next; before one, what it was last.

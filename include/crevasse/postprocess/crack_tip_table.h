@@ -63,7 +63,8 @@ namespace Crevasse
         [](const Values &v) { return std::abs(v.intensity); },
         error,
         summary);
-      summarise_growth(intensity, "  crack tip: ", tip);
+      const auto itself = [](const double K) { return K; };
+      summarise_growth(intensity, intensity, itself, "  crack tip: ", tip);
       summary["crack_tip"] = tip;
     }
 

@@ -6,6 +6,7 @@
 
 #include <crevasse/crack_tip/crack_closure.h>
 #include <crevasse/model/body.h>
+#include <crevasse/time/evolution.h>
 #include <crevasse/time/observer.h>
 
 namespace Crevasse
@@ -17,21 +18,25 @@ namespace Crevasse
    * where its flow leaves the least opening open, is open. Lips are what faces
    * join.
    *
-   * A node changes between two samples: where the straight line through its
-   * last two pressures, or openings, vanishes; half way, where that is much
-   * later, as at jumps.
+   * The instants at which a lip becomes, or ceases to be, wholly open or closed
+   * are found after the last period, to 10⁻⁶ of a step: the variational
+   * inequality is solved between two samples, with the loads of that instant
+   * and a viscous strain that changes in proportion to time. A node changes
+   * where the straight line through its last two pressures, or openings,
+   * vanishes; half way, where that is much later, as at jumps.
    */
   template <int dim>
   class LipClosure : public Observer
   {
   public:
-    /** Collective.
-     * @param body must outlive this object.
+    /** Collective. References must outlive this object.
      * @param largest_load on a node, beside which contact forces are rounding.
-     * @param file_name empty on ranks that do not write. */
+     * @param file_name empty on ranks that do not write.
+     * @param evolution solves between samples once the run has ended. */
     LipClosure(const Body<dim>   &body,
                const double       largest_load,
-               const std::string &file_name);
+               const std::string &file_name,
+               Evolution<dim>    &evolution);
 
     void
     observe(const Sample &sample) override;
@@ -39,55 +44,78 @@ namespace Crevasse
     void
     serialize(StateArchive &archive) override;
 
-    /** Writes the table, and adds "closed_part" of all lips together. */
+    /** Finds the instants of change, writes the table, and adds "closed_part"
+     * of all lips together. Collective. */
     void
     summarise(Summary &summary) override;
 
-    /** Of the last period, of the lip that begins at a tip. */
-    const std::vector<LipStep> &
-    steps_of_lip_at(const dealii::Point<dim> &tip) const;
+    /** The last period of the lip that begins at a tip, after summarise(). */
+    std::vector<LipMoment>
+    lip_at(const dealii::Point<dim> &tip) const;
+
+    /** The body at an instant within a step in which a lip changes. It lasts
+     * until the next one is asked for. Collective. */
+    Sample
+    sample_at(const double instant);
 
   private:
-    /** A contact node of all ranks, and what it did in the last period. */
-    struct Node
+    /** A step of the last period in which a lip changes. Without viscosity
+     * strains are empty. */
+    struct Change
     {
-      unsigned int lip;
-      double       closed = 0., largest_opening = 0., largest_pressure = 0.;
+      double begin, end;
+      Vector strain_at_begin, strain_at_end;
+    };
+
+    /** What the contact nodes of all ranks are like at an instant: the opening
+     * of each, or minus its pressure where it presses. */
+    struct Moment
+    {
+      double              instant;
+      std::vector<double> openings;
     };
 
     /** The number of the lip of each node of LipBasis. */
     std::vector<unsigned int>
     numbers_of_lips() const;
 
-    /** Of each node the opening, or minus the pressure where it presses.
-     * Collective. */
+    /** Moment::openings. Collective. */
     std::vector<double>
     openings(const State &state) const;
 
-    void
-    add_step(const double begin, const double end);
+    /** The least and the largest opening of a lip; of all if its number is
+     * n_lips. */
+    std::pair<double, double>
+    range(const unsigned int lip, const Moment &moment) const;
 
-    /** When a node that has changed in a step did so. */
+    LipStatus
+    status(const unsigned int lip, const Moment &moment) const;
+
+    std::vector<LipMoment>
+    period_of(const unsigned int lip) const;
+
+    /** Adds moments at which a lip begins or ceases to be wholly open or
+     * closed in a step. Collective. */
+    void
+    locate(const Change &step, const unsigned int lip);
+
+    /** For how long a node is closed between the i-th moment and the next. */
     double
-    instant_of_change(const unsigned int node,
-                      const double       begin,
-                      const double       end) const;
+    closed_time(const unsigned int node, const unsigned int i) const;
 
     const Body<dim>                &body;
     const double                    negligible_force;
     const std::string               file_name;
+    Evolution<dim>                 &evolution;
     const std::vector<unsigned int> lips;   ///< of the nodes of LipBasis
-    std::vector<Node>               nodes;  ///< those with unknowns
-    std::vector<unsigned int>       places; ///< of these in LipBasis
-    std::vector<unsigned int>       mine;   ///< of ContactBoundary in these
+    std::vector<unsigned int>       places; ///< in LipBasis of nodes with
+                                            ///< unknowns, which are those below
+    std::vector<unsigned int> mine;         ///< of ContactBoundary in these
+    unsigned int              n_lips = 0;
 
-    std::vector<std::vector<LipStep>> steps; ///< by lip, then of all together
-
-    // openings() at this sample and the two before, as far as there are.
-    std::vector<double> now, before, earlier;
-    /** Instant of the last sample, and how long before that the one before. */
-    double last_instant = 0., last_step = 0.;
-    double last_time = 0.;
+    std::vector<Moment> period; ///< the last one
+    std::vector<Change> changes;
+    Vector              strain; ///< of the last sample, or where it was solved
   };
 } // namespace Crevasse
 

@@ -7,6 +7,8 @@
 #include <crevasse/crack_tip/growth_direction.h>
 #include <crevasse/postprocess/tip_table.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 namespace Crevasse
 {
   struct MixedModeValues
@@ -84,10 +86,23 @@ namespace Crevasse
       tip["equivalent_intensity"] = {{"largest", worst.equivalent}};
       tip["growth_angle"]         = worst.growth_angle;
       tip["growth_angle_G"]       = worst.angle_of_release;
-      summarise_growth([](const Values &v) { return v.equivalent; },
-                       title,
-                       tip);
+      const auto K_I           = [](const Values &v) { return v.intensity[0]; };
+      const auto K_II          = [](const Values &v) { return v.intensity[1]; };
+      const auto [low, high]   = range(K_I);
+      const auto [left, right] = range(K_II);
+      const double of_sliding  = right - left;
+      tip["Delta_K_I"]         = high - low;
+      tip["Delta_K_II"]        = of_sliding;
+      summarise_growth(
+        K_I,
+        [](const Values &v) { return v.equivalent; },
+        [of_sliding](const double of_opening) {
+          return GrowthDirection(of_opening, of_sliding).intensity;
+        },
+        title,
+        tip);
       summary["crack_tips"].push_back(tip);
+      warn_of_turning(summary);
       const auto size = [](const std::array<double, 2> &of_modes) {
         return std::hypot(of_modes[0], of_modes[1]);
       };
@@ -99,6 +114,31 @@ namespace Crevasse
     }
 
   private:
+    /** Warns where K_II/K_I changes over the period: no range of one intensity
+     * does what the two do. */
+    void
+    warn_of_turning(Summary &summary) const
+    {
+      // Its principal axis is that of (K_I, K_II), the other one is across.
+      dealii::SymmetricTensor<2, 2> moments;
+      for (const MixedModeValues &v : of_last_period)
+        {
+          const dealii::Tensor<1, 2> K(
+            {std::max(v.intensity[0], 0.), v.intensity[1]});
+          moments += symmetrize(outer_product(K, K));
+        }
+      const auto       sizes = eigenvalues(moments);
+      constexpr double small = 0.1; // angle
+      if (sizes[1] <= small * small * sizes[0])
+        return;
+      warn("[Crack tip]: at " +
+             Text::from_point(analysis.intensity.region.tip.position) +
+             " K_II/K_I changes over the period: Delta_K, equivalent to the "
+             "ranges of K_I and K_II, and da_dN are those of modes in phase. "
+             "Judge growth by K_I and K_II in crack_tip_N.csv",
+           summary);
+    }
+
     std::vector<double>
     numbers_of(const MixedModeValues &v) const override
     {

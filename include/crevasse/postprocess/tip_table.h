@@ -63,7 +63,7 @@ namespace Crevasse
   {
     const StepList                   &steps;
     const std::optional<SecularFlow> &flow;    ///< none: none was found
-    const LipClosure<2>              *closure; ///< null without contact
+    LipClosure<2>                    *closure; ///< null without contact
     Log                              &log;
   };
 
@@ -181,7 +181,11 @@ namespace Crevasse
                      size > 0. ? 100. * error / size : 0.));
       if (least < -10. * error && mode == CrackMode::opening)
         context.log.line(
-          "    negative: creep has left compressive stress ahead of the tip");
+          analysis.body.effects.viscosity.on
+            ? "    negative: creep has left compressive stress ahead of the tip"
+            : "    negative: the load presses on the crack, and its lips do "
+              "not "
+              "touch at the tip");
     }
 
     /** Warns if K is uncertain.
@@ -214,33 +218,95 @@ namespace Crevasse
         (analysis.intensity.region.tip.two_lips
            ? ""
            : " or use [Discretisation] Singular functions");
+      warn(warning, summary);
+    }
+
+    void
+    warn(const std::string &warning, Summary &summary) const
+    {
       summary["warnings"].push_back(warning);
       context.log.line("  warning: " + warning);
     }
 
-    /** What lives are computed from, C*, and what the law makes of an
-     * intensity. */
-    template <typename Function>
+    /** What lives are computed from: ΔK and what summarise_closure() adds, C*,
+     * and the growth of the crack by its law.
+     *
+     * @param opening K_I of Values.
+     * @param intensity what drives growth by creep, of Values.
+     * @param equivalent the range of one intensity that does what this range of
+     * K_I does, together with those of other modes. */
+    template <typename Opening, typename Intensity, typename Equivalent>
     void
-    summarise_growth(const Function    &intensity,
+    summarise_growth(const Opening     &opening,
+                     const Intensity   &intensity,
+                     const Equivalent  &equivalent,
                      const std::string &title,
                      Summary           &tip) const
     {
+      const auto [least, most] = range(opening);
+      tip["Delta_K"]           = equivalent(most - least);
+      context.log.line(title + "Delta K " +
+                       Text::from_number(equivalent(most - least), 6) +
+                       (context.closure != nullptr && instants.size() > 1
+                          ? summarise_closure(opening, equivalent, tip)
+                          : ""));
       TipHistory history;
       history.instants = instants;
       for (const Values &values : of_last_period)
         history.intensity.push_back(intensity(values));
-      summarise_closure(history,
-                        context.closure == nullptr
-                          ? nullptr
-                          : &context.closure->steps_of_lip_at(
-                              analysis.intensity.region.tip.position),
-                        title,
-                        tip,
-                        context.log);
+      history.range    = equivalent(std::max(most, 0.) - std::max(least, 0.));
       const auto &flow = context.flow;
       history.c_star   = analysis.c_star(flow ? &*flow : nullptr);
       analysis.summarise_growth(history, title, tip, context.log);
+    }
+
+    /** The opening intensity K_op (Elber, ASTM STP 486, 1971), ΔK_eff, and for
+     * which part of the period the lip is closed. Returns the end of a line for
+     * the log. Collective. */
+    template <typename Opening, typename Equivalent>
+    std::string
+    summarise_closure(const Opening    &opening,
+                      const Equivalent &equivalent,
+                      Summary          &tip) const
+    {
+      const std::vector<LipMoment> lip =
+        context.closure->lip_at(analysis.intensity.region.tip.position);
+      const auto [wholly, partly] = closed_parts(lip);
+      const auto       worst      = std::max_element(of_last_period.begin(),
+                                          of_last_period.end(),
+                                          [&](const auto &a, const auto &b) {
+                                            return opening(a) < opening(b);
+                                          });
+      const double     most       = opening(*worst);
+      const LipOpening opens =
+        last_opening(lip, instants[worst - of_last_period.begin()]);
+      tip["K_opening"] = tip["opening_ratio"] = Summary();
+      tip["Delta_K_eff"] = wholly + partly == 0. ? tip["Delta_K"] : Summary();
+      tip["closed_part"] = {{"wholly", wholly}, {"partly", partly}};
+      std::string line   = ", no K_op: " + opens.why_not;
+      if (opens.why_not.empty())
+        {
+          // That of a sample, or of an instant within a step.
+          const auto at =
+            std::find(instants.begin(), instants.end(), opens.instant);
+          const double K_op =
+            opening(at != instants.end()
+                      ? of_last_period[at - instants.begin()]
+                      : evaluate(context.closure->sample_at(opens.instant)));
+          const double effective = equivalent(most - K_op);
+          tip["K_opening"]       = K_op;
+          tip["Delta_K_eff"]     = effective;
+          if (most > 0.)
+            tip["opening_ratio"] = K_op / most;
+          line = Text::format(", Delta K_eff %.6g, K_op %.4g", effective, K_op);
+        }
+      else
+        tip["no_K_opening"] = opens.why_not;
+      return line + Text::format(
+                      "; lip wholly closed for %.1f %% of the period, "
+                      "partly for %.1f %%",
+                      100. * wholly,
+                      100. * partly);
     }
 
     /** For the summary. */

@@ -27,6 +27,7 @@ SHAPES = {
                     "energy_release_rate": {EACH: NUMBER},
                     "equivalent_intensity": {EACH: NUMBER}, "growth_angle": NUMBER,
                     "growth_angle_G": NUMBER, "Delta_K": NUMBER,
+                    "Delta_K_I": NUMBER, "Delta_K_II": NUMBER,
                     "Delta_K_eff": NUMBER, "K_opening": NUMBER,
                     "closed_part": {EACH: NUMBER}}],
     "creep_integrals": [{"position": [NUMBER], "direction": [NUMBER],
