@@ -235,11 +235,8 @@ namespace Crevasse
     const std::vector<double> &contact_forces,
     const double               kappa) const
   {
-    if (kappa_of_ring > 0. && std::abs(kappa - kappa_of_ring) > 1e-8)
-      throw SceneError(
-        "[Crack tip] Stress intensity = true: with [Material] Plane state = "
-        "axisymmetric Poisson's ratio at the crack tip must not vary in time. "
-        "Set Stress intensity = false.");
+    Assert(kappa_of_ring == 0. || std::abs(kappa - kappa_of_ring) <= 1e-8,
+           ExcInternalError());
     double sum = 0.;
     for (const Kernel &kernel : kernels)
       {

@@ -187,22 +187,30 @@ namespace Crevasse
 
 
   std::vector<std::unique_ptr<const CrackTipAnalysis>>
-  analyse_crack_tips(const Scene        &scene,
-                     const Body<2>      &body,
-                     const SecularSplit &split,
-                     const StepList     &steps)
+  analyse_crack_tips(const Scene          &scene,
+                     const Body<2>        &body,
+                     const SecularSplit   &split,
+                     const StepList       &steps,
+                     std::vector<Summary> &without)
   {
     const auto geometry =
       std::make_shared<const PointGeometry>(body.space, body.points);
     std::vector<std::unique_ptr<const CrackTipAnalysis>> all;
-    for (const CrackTip &tip :
-         crack_tips(body.space.mesh(),
-                    body.space.roles,
-                    Text::parameter(CrackTipParameters::section,
-                                    "Stress intensity") +
-                      " = true"))
-      all.push_back(std::make_unique<const CrackTipAnalysis>(
-        scene, body, tip, split, steps, geometry));
+    for (const CrackTip &tip : crack_tips(body.space.mesh(),
+                                          body.space.roles,
+                                          StressIntensity::setting(scene)))
+      try
+        {
+          all.push_back(std::make_unique<const CrackTipAnalysis>(
+            scene, body, tip, split, steps, geometry));
+        }
+      catch (const SceneError &error)
+        {
+          if (scene.crack_tip.demands_stress_intensity())
+            throw;
+          without.push_back(place_of(tip));
+          without.back()["no_K"] = error.what();
+        }
     return all;
   }
 

@@ -40,6 +40,9 @@ namespace Crevasse
     , no_integral(find_no_integral(steps))
     , square(choose_square())
   {
+    for (const double t :
+         instants_of_variation(body.material.stiffness_varies, steps))
+      elasticity(t);
     if (no_integral.empty())
       for (const CrackMode mode : modes())
         integrals.push_back(make_integrals(mode));
@@ -55,12 +58,22 @@ namespace Crevasse
   PlaneElasticity
   StressIntensity::find_elasticity(const double t) const
   {
-    return elasticity_at(region.tip,
-                         body.space.mesh(),
-                         body.law,
-                         body.temperature,
-                         t,
-                         "[Crack tip] Stress intensity = true");
+    const PlaneElasticity now = elasticity_at(region.tip,
+                                              body.space.mesh(),
+                                              body.law,
+                                              body.temperature,
+                                              t,
+                                              setting(scene));
+    if (body.space.roles.has_axis && t > 0. &&
+        std::abs(now.kappa() - first_elasticity.kappa()) > 1e-8)
+      throw SceneError(
+        setting(scene) +
+        ": with [Material] Plane state = axisymmetric Poisson's ratio at the "
+        "crack tip " +
+        Text::from_point(region.tip.position) +
+        " must not vary in time; it does at t = " + Text::from_number(t) +
+        ". Set Stress intensity = false.");
+    return now;
   }
 
 
@@ -143,11 +156,10 @@ namespace Crevasse
   void
   StressIntensity::require_ring() const
   {
-    const CrackTip   &tip = region.tip;
-    const std::string where =
-      "[Material] Plane state = axisymmetric, [Crack "
-      "tip] Stress intensity = true: the crack at " +
-      Text::from_point(tip.position);
+    const CrackTip   &tip   = region.tip;
+    const std::string where = "[Material] Plane state = axisymmetric, " +
+                              setting(scene) + ": the crack at " +
+                              Text::from_point(tip.position);
     if (tip.two_lips)
       throw SceneError(where +
                        " has two lips. K of a ring is known to this program "

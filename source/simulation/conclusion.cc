@@ -116,6 +116,9 @@ namespace Crevasse
     const RunState       &state        = work.state;
     const PeriodicResult &result       = state.result;
     const MPI_Comm        communicator = work.setup.body.space.communicator();
+    // Behind those with tables, which have their numbers.
+    for (const Summary &tip : work.setup.tips_without_intensity)
+      summary["crack_tips"].push_back(tip);
     if (work.start.direct)
       work.start.direct->add_to(summary);
     // By which --resume tells whether they are of the scene that is asked for.

@@ -296,6 +296,8 @@ namespace Crevasse
       log.line("  crack tip: no K_I (" + setup.stress_intensity.why + ")");
     for (const auto &tip : setup.crack_tips)
       log.line(tip->describe());
+    for (const Summary &tip : setup.tips_without_intensity)
+      log.line("  crack tip without K: " + tip["no_K"].get<std::string>());
     for (const auto &integral : setup.creep_integrals)
       log.line(
         "  crack tip: " + Text::from_point(integral->region.tip.position) +

@@ -148,6 +148,21 @@ def test_asked_for_or_not():
         check(code == 2 and reason in error, f"{settings}: {error}")
 
 
+def test_ratio_varies():
+    """K of a ring is not known where Poisson's ratio varies in time: it is switched off
+    before computing, unless it is asked for."""
+    settings = ["Geometry/Shape=centre crack", "Material/Plane state=axisymmetric",
+                "Material/Poisson ratio=0.2+0.001*theta", "Material/Viscosity=none",
+                "Loads/Temperature=10*sin(2*pi*t/600)"]
+    effect = run_defaults("ratio", settings).summary["effects"]["stress intensity"]
+    check(not effect["on"] and "must not vary in time" in effect["why"], f"{effect}")
+    code, output, error = execute("--check", "ratio.prm", *overrides(settings))
+    check(code == 0 and "no K_I" in output and "must not vary" in output, error)
+    code, _, error = execute("--check", "ratio.prm", *overrides(
+        settings + ["Crack tip/Stress intensity=true"]))
+    check(code == 2 and "must not vary in time" in error, error)
+
+
 def test_not_used():
     """How K_I is found does not matter where none is looked for."""
     for setting in ("Radius=0.1", "Method=interaction integral"):
@@ -190,9 +205,10 @@ def test_field_times():
         if wanted is None:
             lip, mouth = results.table("contact.csv"), results.table("probe_mouth.csv")
             last = [k for k, t in enumerate(lip["t"]) if t >= 600]
-            wanted = sorted({lip["t"][max(last, key=values.__getitem__)]
-                             for values in (lip["force"], mouth["opening"])} | {1200})
-            check(len(wanted) == 3, f"extremes at {wanted}")
+            K = results.table("crack_tip.csv")["K_I"]
+            wanted = sorted({lip["t"][max(last, key=values.__getitem__)] for values in (
+                lip["force"], mouth["opening"], K, [-x for x in K])} | {1200})
+            check(len(wanted) > 3, f"extremes at {wanted}")
         check(times == wanted, f"{name}: fields at {times} instead of {wanted}")
     scene = pathlib.Path("field_times.prm")
     scene.write_text(SCENE)
@@ -208,5 +224,6 @@ test_choices()
 test_scripts()
 test_schemes()
 test_asked_for_or_not()
+test_ratio_varies()
 test_not_used()
 test_displacements()

@@ -9,6 +9,9 @@ from interrupted_runs import SCENE as RAOUS
 from interrupted_runs import (COMMON, REDISTRIBUTES, finish, fresh, interrupt,
                               reference)
 
+import crevasse
+from crevasse import report
+
 ELASTIC = """
 subsection Material
   set Viscosity = none
@@ -212,9 +215,29 @@ def test_two_cracks():
         check_close(tip["closed_part"]["wholly"], 0.5, 1e-7, "closed part")
         check_close(tip["Delta_K_eff"] / tip["equivalent_intensity"]["largest"], 1,
                     1e-4, "Delta K_eff")
+    try:
+        crevasse.read("results/two").crack_tip()
+        check(False, "tables of four tips, and none is chosen")
+    except crevasse.ResultsError as error:
+        check("4 tables crack_tip_N.csv" in str(error), f"{error}")
     for number, begin in ((1, 0.25), (2, 1.25)):
         x = [x for lip_number, x in zip(lip["lip"], lip["x"]) if lip_number == number]
         check(x == sorted(x) and begin < x[0] and x[-1] < begin + 0.5, f"{x}")
+
+
+def test_tip_without_intensity():
+    """A tip between two materials has no K, and takes it from no other tip unless K is
+    asked for."""
+    jump = "Material/Young modulus=13000*if(x<0.75, 1, 2)"
+    results = run(TWO_CRACKS, "jump", [jump, "Crack tip/Stress intensity=automatic"])
+    *others, last = results.summary["crack_tips"]
+    check(abs(last["position"][0] - 0.75) < 1e-12 and "all sides" in last["no_K"],
+          f"{last}")
+    check(len(others) == 3 and all(tip["Delta_K"] > 0 for tip in others)
+          and results.table("crack_tip_3.csv"), "K of the other tips")
+    check(not crevasse.read("results/jump").damages, "tables of the others are missed")
+    check(report.main(["results/jump"]) == 0, "a report of it")
+    run(TWO_CRACKS, "refused", [jump], status=2)
 
 
 test_uniform()
@@ -226,3 +249,4 @@ test_touching()
 test_jumps()
 test_ranks_and_resume()
 test_two_cracks()
+test_tip_without_intensity()

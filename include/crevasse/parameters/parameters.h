@@ -346,6 +346,15 @@ namespace Crevasse
     /** Whether K is asked for, by itself or for the growth. */
     bool
     needs_stress_intensity() const;
+
+    /** Whether K is computed or the scene is refused: also where it says how.
+     */
+    bool
+    demands_stress_intensity() const
+    {
+      return needs_stress_intensity() || radius > 0. ||
+             method != StressIntensityMethod::automatic;
+    }
   };
 
   struct OutputParameters

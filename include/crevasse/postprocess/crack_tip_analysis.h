@@ -77,13 +77,16 @@ namespace Crevasse
                           const TipRegion &region,
                           const StepList  &steps);
 
-  /** Of the one tip of a half model, or of each tip with two lips. Collective.
-   * Arguments must outlive what is returned. @throw SceneError */
+  /** The one tip of a half model, or each tip with two lips. Collective.
+   * Arguments must outlive what is returned.
+   * @param[out] without places of tips without K that is not demanded, and why.
+   * @throw SceneError */
   std::vector<std::unique_ptr<const CrackTipAnalysis>>
-  analyse_crack_tips(const Scene        &scene,
-                     const Body<2>      &body,
-                     const SecularSplit &split,
-                     const StepList     &steps);
+  analyse_crack_tips(const Scene          &scene,
+                     const Body<2>        &body,
+                     const SecularSplit   &split,
+                     const StepList       &steps,
+                     std::vector<Summary> &without);
 } // namespace Crevasse
 
 #endif

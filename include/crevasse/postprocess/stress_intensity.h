@@ -48,6 +48,14 @@ namespace Crevasse
 
     StressIntensity(const StressIntensity &) = delete;
 
+    /** The parameter that asks for it, as "[Section] Name = value". */
+    static std::string
+    setting(const Scene &scene)
+    {
+      return "[Crack tip] Stress intensity = " +
+             name_of(scene.crack_tip.stress_intensity);
+    }
+
     /** Collective. @param t within the period. @param material of that.
      * @param at_tip elasticity(t) */
     Estimate
@@ -89,7 +97,8 @@ namespace Crevasse
     }
 
     /** That of the law at the tip at an instant within the period, without its
-     * factor k. */
+     * factor k. @throw SceneError if K is not known with it; not at instants
+     * of the first period's steps. */
     PlaneElasticity
     elasticity(const double t) const
     {

@@ -144,14 +144,14 @@ namespace Crevasse
     SecularSplit                            secular_split;
     SolverChoice                            solvers;
     std::vector<std::unique_ptr<const CrackTipAnalysis>> crack_tips;
-    std::vector<std::unique_ptr<const CreepIntegral>>    creep_integrals;
+    std::vector<Summary> tips_without_intensity; ///< places, and why ("no_K")
+    std::vector<std::unique_ptr<const CreepIntegral>> creep_integrals;
     std::unique_ptr<const CrackFrontAnalysis>
                                crack_front;  ///< in space, or null
     std::optional<LoadFactors> load_factors; ///< to compare by
 
   private:
-    /** "automatic" does without K where it cannot be had, unless something is
-     * said of how. */
+    /** "automatic" does without K where no tip has one. */
     void
     find_crack_tips()
     {
@@ -159,17 +159,20 @@ namespace Crevasse
         return;
       try
         {
-          crack_tips = analyse_crack_tips(scene, body, secular_split, steps);
+          crack_tips = analyse_crack_tips(
+            scene, body, secular_split, steps, tips_without_intensity);
+          if (!crack_tips.empty())
+            return;
+          stress_intensity.why = tips_without_intensity.front()["no_K"];
+          tips_without_intensity.clear();
         }
       catch (const SceneError &error)
         {
-          const CrackTipParameters &wish = scene.crack_tip;
-          if (wish.needs_stress_intensity() || wish.radius > 0. ||
-              wish.method != StressIntensityMethod::automatic)
+          if (scene.crack_tip.demands_stress_intensity())
             throw;
-          stress_intensity.on  = false;
-          stress_intensity.why = std::string("automatic: ") + error.what();
+          stress_intensity.why = error.what();
         }
+      stress_intensity.on = false;
     }
   };
 } // namespace Crevasse

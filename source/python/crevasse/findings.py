@@ -42,7 +42,7 @@ FINDINGS = {name: Finding(*rest) for name, *rest in (
      ("closed_part",)),
     ("wholly_closed_part", "lip wholly closed", "part of the period",
      ("wholly_closed_part",)),
-    ("largest_stress", "largest stress", "stress", ("extremes", "stress")),
+    ("largest_stress", "largest stress at quadrature points", "stress", ("extremes", "stress")),
     ("largest_displacement", "largest displacement", "length",
      ("extremes", "displacement")),
     ("drift", "largest drift of the displacement", "length / time",

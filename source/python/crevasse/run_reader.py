@@ -180,7 +180,8 @@ class Run:
                   if self.summary.get("effects", {}).get(effect, {}).get("on")]
         if tips := self.summary.get("crack_tips"):  # with two lips
             names = [name for name in names if name != "crack_tip.csv"]
-            names += [f"crack_tip_{k}.csv" for k in range(1, len(tips) + 1)]
+            names += [f"crack_tip_{k}.csv" for k, tip in enumerate(tips, 1)
+                      if "no_K" not in tip]
         for name in names:
             if not (self.directory / name).is_file():
                 self.note(self.directory / name, "is missing")

@@ -68,17 +68,26 @@ class Results(Run):
     def probe(self, name):
         return self.table(f"probe_{name}.csv")
 
-    def crack_tip(self, number=1):
+    def crack_tip(self, number=None):
         return self.numbered_table("crack_tip", number)
 
-    def creep_integral(self, number=1):
+    def creep_integral(self, number=None):
         return self.numbered_table("creep_integral", number)
 
     def numbered_table(self, kind, number):
-        """The only tip of a body with one lip has no number in its file."""
+        """Where there is one tip it needs no number. The only tip of a body with one
+        lip has no number in its file."""
+        tips = [name for name in self.tables if name.startswith(f"{kind}_")]
+        if number is None and len(tips) > 1:
+            places = self.summary.get(f"{kind}s", ())
+            raise ResultsError(
+                f"{self.directory}: there are {len(tips)} tables {kind}_N.csv; choose "
+                f"one by its number, as {kind}(1)." + "".join(
+                    f" {k}: tip at {tuple(tip['position'])}."
+                    for k, tip in enumerate(places, 1) if f"{kind}_{k}.csv" in tips))
         single = f"{kind}.csv"
-        is_single = number == 1 and (self.directory / single).exists()
-        return self.table(single if is_single else f"{kind}_{number}.csv")
+        is_single = number in (None, 1) and (self.directory / single).exists()
+        return self.table(single if is_single else f"{kind}_{number or 1}.csv")
 
     @property
     def contact(self):
