@@ -15,7 +15,8 @@ from browser import open_host
 from crevasse_run import SOURCE, check, check_below, run
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
-from crevasse import field_view, report as make_report  # noqa: E402
+from crevasse import field_figures, field_view, report as make_report  # noqa: E402
+from crevasse.fields import Fields  # noqa: E402
 from crevasse.run_reader import Run  # noqa: E402
 from crevasse.skin import OUTLINE, mixed  # noqa: E402
 
@@ -208,6 +209,14 @@ def materials():
     check(all(words in text for words in ("Stress at t = 1350", "no boundary ids",
                                           "<figcaption>Mesh</figcaption>"))
           and "Figure 4" not in text, "titles of another scene")
+    named = Run(results.directory)  # 10 has a name in the mesh file
+    component, = (component for component in field_view.pack(named)["components"]
+                  if component["name"] == "material")
+    legend = field_figures.mesh(named, Fields(named.instants()[0][1])).axes[0].get_legend()
+    for names, other in ((component["names"], "20"),
+                         ([text.get_text() for text in legend.get_texts()],
+                          "material 20")):
+        check(names[:2] == ["body", other], f"names of materials: {names}")
 
 
 plane = run(PAPER, "plane", PLANE)

@@ -22,7 +22,7 @@ from crevasse_run import PROGRAM, SOURCE, Results, check, check_close, execute, 
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import figures as make_figures, report as make_report  # noqa: E402
-from crevasse import wording  # noqa: E402
+from crevasse import study_figures, wording  # noqa: E402
 
 PAPER = SOURCE / "prm" / "raous1980.prm"
 
@@ -313,6 +313,10 @@ def study():
     check("accura" not in words_of(page) and "error" not in "".join(titles(page)),
           "nothing about errors")
     chart, = (chart for chart in data_of(page)["charts"]
+              if chart["title"] == "wall time")
+    check([y for line in chart["series"] for _, y, *_ in line["points"]]
+          == [float(row["seconds"]) for row in rows if row["seconds"]], f"{chart}")
+    chart, = (chart for chart in data_of(page)["charts"]
               if chart["title"] == "largest opening")
     check([line["label"] for line in chart["series"]] == ["heun", "sdirk2"], chart)
     for line in chart["series"]:
@@ -321,6 +325,20 @@ def study():
                     and row["Time integration/Scheme"] == line["label"]]
         check([[x, y, hollow] for x, y, _, hollow in line["points"]] == expected
               and any(hollow for *_, hollow in expected), f"{line} {expected}")
+
+
+def charts_of_many_lines():
+    """Ten lines whose numbers span decades: a logarithmic axis, and a legend beside the
+    axes."""
+    rows = [{"point": f"{i}_{k}", "Geometry/Width": str(i), "Title": f"form {k}",
+             "status": "done"} for i in (1, 2) for k in range(10)]
+    numbers = {row["point"]: 10. ** (k % 10) for k, row in enumerate(rows)}
+    axes, = study_figures.draw(rows, "opening", numbers, "Geometry/Width").axes
+    check(axes.get_yscale() == "log", f"the axis is {axes.get_yscale()}")
+    axes.figure.canvas.draw()
+    legend = axes.get_legend().get_window_extent()
+    check(len(axes.get_legend().get_texts()) == 10
+          and legend.x0 >= axes.get_window_extent().x1, "the legend hides lines")
 
 
 def copy(source, name):
@@ -475,6 +493,7 @@ long_run()
 other_runs()
 sweep()
 study()
+charts_of_many_lines()
 unfinished_runs()
 damaged_runs()
 odd_names()

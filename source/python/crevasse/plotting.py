@@ -74,6 +74,19 @@ def line_style(k):
             "marker": MARKERS[k % len(MARKERS)], "markersize": 4.5}
 
 
+MOST_IN_LEGEND = 3  # lines, within the axes
+
+
+def add_legend(axes):
+    """Beside the axes where it would hide them."""
+    n = len(axes.get_legend_handles_labels()[1])
+    if n > MOST_IN_LEGEND:
+        axes.legend(loc="upper left", bbox_to_anchor=(1, 1), fontsize=7,
+                    ncol=1 + (n - 1) // 20)
+    else:
+        axes.legend()
+
+
 def name_numbers(axes):
     """Of a logarithmic axis to the right, without powers of ten: 1, 2, 5, 10, ..."""
     low, high = axes.get_xlim()

@@ -5,7 +5,8 @@
 combination of the parameters that are not followed along a line."""
 
 from crevasse import findings, sweep_table
-from crevasse.plotting import line_style, name_numbers, pyplot
+from crevasse.histories import spans_decades
+from crevasse.plotting import add_legend, line_style, name_numbers, pyplot
 
 
 def draw(rows, name, numbers, along=None):
@@ -23,11 +24,13 @@ def draw(rows, name, numbers, along=None):
         axes.plot([x[k] for k in unsettled], [y[k] for k in unsettled], linestyle="",
                   **style | {"markerfacecolor": "white"})
     axes.set(xlabel=along.split("/")[-1],
-             ylabel=f"{findings.label(name)} ({findings.unit(name)})")
+             ylabel=sweep_table.label(name))
+    if spans_decades(list(numbers.values())):
+        axes.set_yscale("log")
     axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
     if numeric and sweep_table.is_geometric(rows, along):
         axes.set_xscale("log")
         name_numbers(axes)
     if others and len(lines) > 1:
-        axes.legend()
+        add_legend(axes)
     return figure

@@ -6,7 +6,7 @@
 from crevasse import study_figures, work_precision
 from crevasse.results import ResultsError
 from crevasse.sweep_table import (findings_of, first_of_size, parameters, quantities,
-                                  read_rows, varying)
+                                  read_rows, varying, wall_times)
 
 
 def drawings(options):
@@ -20,7 +20,7 @@ def drawings(options):
         errors = [name for name in errors if name == chosen]
         found = {name: found[name] for name in found if name == chosen}
     else:
-        found = varying(found)
+        found = varying(found) | ({} if errors else wall_times(rows))
     if errors:
         quantity = first_of_size(rows, errors)
         if not options.quantity:

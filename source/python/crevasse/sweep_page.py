@@ -9,7 +9,7 @@ import math
 import re
 
 from crevasse import findings, sweep_table
-from crevasse.histories import COLOURS
+from crevasse.histories import COLOURS, spans_decades
 from crevasse.page import render
 from crevasse.plotting import INK
 from crevasse.results import ResultsError, number
@@ -28,7 +28,8 @@ def page(directory):
     charts = [chart for part in studies for chart in part["charts"]]
     found = sweep_table.findings_of(rows)
     drawn = sweep_table.varying(found)
-    result_charts = finding_charts(rows, lines, along, drawn)
+    result_charts = finding_charts(rows, lines, along, drawn | (
+        {} if quantities else sweep_table.wall_times(rows)))
     charts += result_charts
     for k, chart in enumerate(charts):
         chart["id"] = f"chart{k}"
@@ -177,15 +178,18 @@ def finding_charts(rows, lines, along, found):
     names = sweep_table.parameters(rows)
     charts = []
     for name, numbers in found.items():
-        series = [{"label": label or findings.label(name), **style(k),
+        title, unit = (("wall time", "s") if name == "seconds" else
+                       (findings.label(name), findings.unit(name)))
+        series = [{"label": label or title, **style(k),
                    "loose": "categories" in axis,
                    "points": [[read_x(row[along]), numbers[row["point"]],
                                words(row, names) + not_done(row),
                                row["status"] != "done"]
                               for row in members if row["point"] in numbers]}
                   for k, (label, members) in enumerate(sweep_table.joined(lines))]
-        charts.append({"kind": "points", "title": findings.label(name), **axis,
-                       "y": findings.unit(name), "what": findings.label(name),
+        log = ["y"] if spans_decades(list(numbers.values())) else []
+        charts.append({"kind": "points", "title": title, **axis,
+                       "log": axis.get("log", []) + log, "y": unit, "what": title,
                        "series": [line for line in series if line["points"]]})
     return charts
 

@@ -16,6 +16,18 @@ COSTS = {"vi_solves": "contact problems",
          "seconds_time_stepping": "wall time of the time stepping (s)"}
 
 
+def label(name):
+    """A finding with its unit, or a cost."""
+    return COSTS.get(name) or f"{findings.label(name)} ({findings.unit(name)})"
+
+
+def wall_times(rows):
+    """{point: seconds}, as findings_of(); empty where they are not known."""
+    times = {row["point"]: float(row["seconds"]) for row in rows
+             if is_number(row["seconds"])}
+    return {"seconds": times} if times else {}
+
+
 def read_rows(directory):
     path = directory / "sweep.csv"
     try:

@@ -4,7 +4,8 @@
 """Errors of a sweep against their costs, one line for each combination of the
 parameters that are not followed along a line."""
 
-from crevasse.plotting import GREY, line_style, name_numbers, pyplot
+from crevasse.plotting import (GREY, add_legend, line_style, name_numbers,
+                               pyplot)
 from crevasse.results import ResultsError, number
 from crevasse.sweep_table import COSTS, lines_of
 
@@ -35,5 +36,5 @@ def draw(rows, cost, quantity, along=None):
     axes.grid(True, which="major", alpha=0.25, linewidth=0.6)
     name_numbers(axes)
     if others:
-        axes.legend()
+        add_legend(axes)
     return figure

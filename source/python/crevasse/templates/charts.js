@@ -151,7 +151,9 @@ function drawPoints(spec, canvas) {
       interaction: { mode: "nearest", intersect: false },
       scales: { x: across, y: axis(spec.y, logarithmic.includes("y")) },
       plugins: {
-        legend: { display: spec.series.length > 1,
+        // Longer legends stand beside the chart; the longest leave no room for it.
+        legend: { display: spec.series.length > 1 && spec.series.length <= 16,
+                  position: spec.series.length > 7 ? "right" : "top",
                   labels: { usePointStyle: true, boxHeight: 7 } },
         tooltip: {
           filter: (item) => !spec.series[item.datasetIndex].hollow &&
