@@ -71,7 +71,10 @@ def numbers_of_tip(tip):
                          INTENSITY)
     for label, path, error, unit in (
             ("largest equivalent K", ("equivalent_intensity", "largest"), None, INTENSITY),
-            ("ΔK", ("Delta_K",), None, INTENSITY),
+            ("ΔK_I", ("Delta_K_I",), None, INTENSITY),
+            ("ΔK_II", ("Delta_K_II",), None, INTENSITY),
+            ("equivalent ΔK" if "Delta_K_I" in tip else "ΔK_I", ("Delta_K",), None,
+             INTENSITY),
             ("ΔK_eff", ("Delta_K_eff",), None, INTENSITY),
             ("largest C(t)", ("largest",), "error_of_largest", FLOW),
             ("C*", ("C_star",), None, FLOW),
