@@ -15,6 +15,9 @@ import socket
 import subprocess
 import sys
 import time
+import types
+
+import numpy
 
 from browser import WIDTHS, in_browser
 import crevasse_run
@@ -22,7 +25,7 @@ from crevasse_run import PROGRAM, SOURCE, Results, check, check_close, execute, 
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import figures as make_figures, report as make_report  # noqa: E402
-from crevasse import study_figures, wording  # noqa: E402
+from crevasse import histories, study_figures, wording  # noqa: E402
 
 PAPER = SOURCE / "prm" / "raous1980.prm"
 
@@ -339,6 +342,10 @@ def charts_of_many_lines():
     legend = axes.get_legend().get_window_extent()
     check(len(axes.get_legend().get_texts()) == 10
           and legend.x0 >= axes.get_window_extent().x1, "the legend hides lines")
+    for K, constant in (([3, 3 + 1e-9], True), ([3, 4], False)):
+        chart = histories.chart(types.SimpleNamespace(period=1), {
+            "t": numpy.array([0, 1]), "K_I": numpy.array(K)}, ["K_I"], "K", "K")
+        check(chart["from_zero"] == constant, f"axis of {K} with equal ticks")
 
 
 def copy(source, name):

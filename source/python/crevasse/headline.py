@@ -148,6 +148,8 @@ def chart(run):
     title, axis, log = "Stress intensity", "K (stress × √length)", False
     if found and len(found[1]) > 1 and "K_I" not in found[1]:
         title, axis = "Equivalent stress intensity", f"equivalent {axis}"
+    if "crack_front.csv" in run.tables:
+        title = "Largest K_I along the front"
     if not found:
         names = [name for name in run.tables if name.startswith("creep_integral")]
         if not names:

@@ -106,6 +106,7 @@ def chart(run, table, columns, axis, title, noise=0, log=False):
             t >= begin - 1e-6 * run.period))
     return {"kind": "history", "title": title, "y": axis, "period": run.period,
             "log": log and spans_decades(values),
+            "from_zero": all(numpy.ptp(v) <= 1e-6 * abs(v).max() for v in values),
             "series": [{"label": symbol(column), "colour": colour}
                        for column, colour in zip(columns, COLOURS)],
             "views": views}

@@ -89,6 +89,8 @@ function drawHistory(spec, canvas) {
   time.afterBuildTicks = (scale) => periodTicks(scale, spec.period);
   time.min = whole.t[0];
   time.max = whole.t[whole.t.length - 1];
+  const values = axis(spec.y, spec.log);
+  values.beginAtZero = spec.from_zero; // ticks around a constant would be alike
   const chart = new Chart(canvas, {
     type: "line",
     data: { datasets: datasetsOf(spec, whole) },
@@ -96,7 +98,7 @@ function drawHistory(spec, canvas) {
     options: {
       parsing: false, normalized: true,
       interaction: { mode: "nearest", axis: "x", intersect: false },
-      scales: { x: time, y: axis(spec.y, spec.log) },
+      scales: { x: time, y: values },
       plugins: {
         lipStates: { shown: data.lip },
         legend: { display: spec.series.length > 1,
