@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Crevasse authors
 
 #include <crevasse/base/problems.h>
+#include <crevasse/base/text.h>
 #include <crevasse/grid/cut_cracks.h>
 #include <crevasse/grid/gmsh_file.h>
 
@@ -17,11 +18,13 @@ namespace Crevasse
 {
   namespace
   {
-    /** The nodes in the middle of the edges of an element of second order. */
+    /** The nodes in the middle of the edges of an element of second order. Of
+     * several at one place, as where lips with nodes of their own meet at a
+     * front, one stands for all: nothing but its place matters. */
     void
-    read_middles(const MeshElement                &element,
-                 const std::vector<std::size_t>   &all_nodes,
-                 std::map<EdgeNodes, std::size_t> &middles)
+    read_middles(const MeshElement              &element,
+                 const std::vector<std::size_t> &all_nodes,
+                 GmshMesh                       &mesh)
     {
       // Two vertices for each edge, in Gmsh's order of the nodes in the middle.
       const std::size_t n    = element.nodes.size();
@@ -34,12 +37,19 @@ namespace Crevasse
           const EdgeNodes   edge =
             std::minmax(element.nodes[ends[2 * e] - '0'],
                         element.nodes[ends[2 * e + 1] - '0']);
-          if (middles.emplace(edge, middle).first->second != middle)
+          const auto &place = mesh.nodes.at(middle);
+          const auto &other =
+            mesh.nodes.at(mesh.middles.emplace(edge, middle).first->second);
+          const double length =
+            mesh.nodes.at(edge.first).distance(mesh.nodes.at(edge.second));
+          if (place.distance(other) > 1e-6 * length)
             throw SceneError("element " + std::to_string(element.number) +
                              ": between the nodes " +
                              std::to_string(edge.first) + " and " +
                              std::to_string(edge.second) +
-                             " another element has another node");
+                             " another element has another node, at " +
+                             Text::from_point(other) + " and not at " +
+                             Text::from_point(place));
         }
     }
 
@@ -176,13 +186,11 @@ namespace Crevasse
 
 
     /** All elements of a dimension, by their vertices.
-     * @param middles gets the further nodes of their edges.
+     * @param mesh has the nodes, and gets the middles of edges.
      * @throw SceneError if there are others than lines, quadrilaterals or
      * hexahedra of first or second order. */
     std::vector<MeshElement>
-    read_elements(const int                         element_dim,
-                  const unsigned int                dim,
-                  std::map<EdgeNodes, std::size_t> &middles)
+    read_elements(const int element_dim, const unsigned int dim, GmshMesh &mesh)
     {
       std::vector<MeshElement>         all;
       std::vector<std::pair<int, int>> entities;
@@ -216,7 +224,7 @@ namespace Crevasse
                 throw SceneError("element " + std::to_string(numbers[0][i]) +
                                  ": a node occurs twice");
               if (n > all.back().nodes.size())
-                read_middles(all.back(), {begin, begin + n}, middles);
+                read_middles(all.back(), {begin, begin + n}, mesh);
             }
         }
       std::stable_sort(all.begin(),
@@ -244,9 +252,9 @@ namespace Crevasse
                                   coordinates[3 * i + 1],
                                   coordinates[3 * i + 2]};
       if (dim == 2)
-        read_elements(3, dim, mesh.middles); // none is allowed
-      mesh.cells    = read_elements(dim, dim, mesh.middles);
-      mesh.boundary = read_elements(dim - 1, dim, mesh.middles);
+        read_elements(3, dim, mesh); // none is allowed
+      mesh.cells    = read_elements(dim, dim, mesh);
+      mesh.boundary = read_elements(dim - 1, dim, mesh);
       return mesh;
     }
 

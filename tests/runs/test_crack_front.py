@@ -123,6 +123,45 @@ def test_two_pennies():
                     "K_I of a closed front")
 
 
+def test_two_middles():
+    """Where the front meets a plane of symmetry a cell has a node of its own in the
+    middle of an edge: at the same place it makes no difference."""
+    mesh = penny_mesh("shared.msh", "4", "0.1")
+    expected = [row["K_I"] for row in front(run(PENNY, "shared", [mesh]))]
+    lines = open("shared.msh").read().split("\n")
+    begin, end = lines.index("$Nodes") + 2, lines.index("$EndNodes")
+    point = {int(n): tuple(map(float, x)) for n, *x in map(str.split, lines[begin:end])}
+    # Gmsh's edges of a hexahedron.
+    edges = ((0, 1), (0, 3), (0, 4), (1, 2), (1, 5), (2, 3), (2, 6), (3, 7), (4, 5),
+             (4, 7), (5, 6), (6, 7))
+
+    def is_at_end(a, b):
+        on_front = [math.isclose(math.hypot(*point[n][:2]), RADIUS) and point[n][2] == 0
+                    for n in (a, b)]
+        return all(on_front) and 0. in (point[a][1], point[b][1])
+    i, k = next((i, k) for i, line in enumerate(lines) if line.split()[1:2] == ["17"]
+                for k, (a, b) in enumerate(edges)
+                if is_at_end(*(int(line.split()[5 + v]) for v in (a, b))))
+    words = lines[i].split()
+    place = point[int(words[13 + k])]
+    words[13 + k] = str(max(point) + 1)
+    lines[i] = " ".join(words)
+    lines[begin - 1] = str(len(point) + 1)
+    for name, shift in (("own", 0), ("other", 0.01)):
+        x, y, z = place
+        with open(f"{name}.msh", "w") as file:
+            file.write("\n".join([*lines[:end], f"{words[13 + k]} {x!r} {y + shift!r} {z!r}",
+                                  *lines[end:]]))
+    rows = front(run(PENNY, "own", ["Geometry/Mesh file=own.msh"]))
+    for row, K in zip(rows, expected, strict=True):
+        check_below(abs(row["K_I"] / K - 1), 1e-9, "K_I with a node of its own")
+    with open("refused.prm", "w") as file:
+        file.write(plain(PENNY.read_text()))
+    status, _, error = execute("refused.prm", "--output", "results/refused",
+                               *overrides(["Geometry/Mesh file=other.msh"]))
+    check(status == 2 and "another element has another node, at (" in error, error)
+
+
 def test_slice():
     """Between rigid planes a straight front is in plane strain."""
     for name, more, error, spread in (
@@ -219,6 +258,7 @@ def test_refusals():
 test_slice()
 test_body_force()
 test_penny()
+test_two_middles()
 test_two_pennies()
 test_free_strain()
 test_creep()
