@@ -113,8 +113,12 @@ namespace Crevasse
     displacement_weights = displacement_at(place, space);
     find_stress_weights(place);
     find_lip_weights(place, space);
-    if (on_lip)
-      other_lip_weights = displacement_at(find_place(space, true), space);
+    if (!on_lip)
+      return;
+    const Place other = find_place(space, true);
+    other_lip_weights = displacement_at(other, space);
+    if (Utilities::MPI::max(other.found ? 1 : 0, communicator) == 1)
+      side_of_crack = Tensor<1, dim>() + normal; // 0 instead of −0
   }
 
 

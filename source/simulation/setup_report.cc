@@ -307,11 +307,18 @@ namespace Crevasse
     if (setup.crack_front != nullptr)
       log.line(setup.crack_front->describe());
     for (const auto &probe : setup.probes)
-      if (const auto &side = probe.side_of_interface)
-        log.line("  probe " + probe.name() +
-                 ": lies between materials, and has the stress of the cell "
-                 "around " +
-                 Text::from_point(*side));
+      {
+        if (const auto &side = probe.side_of_interface)
+          log.line("  probe " + probe.name() +
+                   ": lies between materials, and has the stress of the cell "
+                   "around " +
+                   Text::from_point(*side));
+        if (const auto &side = probe.side_of_crack)
+          log.line("  probe " + probe.name() +
+                   ": lies on a crack, and has displacement and stress of the "
+                   "lip whose body lies towards " +
+                   Text::from_point(dealii::Point<dim>(*side)));
+      }
     for (const std::string &warning :
          warnings(setup, setup.periodic_choice, setup.secular_split))
       log.line("  warning: " + warning);

@@ -42,6 +42,11 @@ namespace Crevasse
      * on the left, else below, else in front. */
     std::optional<dealii::Point<dim>> side_of_interface;
 
+    /** On a crack of two lips: the unit normal from it into the body on whose
+     * side the displacement and stress are, that of a cell on the left, else
+     * below, else in front. */
+    std::optional<dealii::Tensor<1, dim>> side_of_crack;
+
     /** Collective. */
     dealii::Tensor<1, dim>
     displacement(const Vector &displacement) const

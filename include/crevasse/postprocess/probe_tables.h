@@ -41,6 +41,17 @@ namespace Crevasse
         tables[k].add_row(probes[k].row(sample.time, values[k]));
     }
 
+    /** Adds "probes": on which side of a crack they are. */
+    void
+    summarise(Summary &summary) override
+    {
+      for (const ProbeEvaluator<dim> &probe : probes)
+        if (const auto &side = probe.side_of_crack)
+          for (unsigned int d = 0; d < dim; ++d)
+            summary["probes"][probe.name()]["body_of_lip"].push_back(
+              (*side)[d]);
+    }
+
   private:
     const std::vector<ProbeEvaluator<dim>> &probes;
     std::vector<CsvTable>                   tables;
