@@ -149,20 +149,24 @@ namespace Crevasse
             "[Boundary] Gap, or hold the part by Fixed points.");
         before = on_lip;
       }
-    if (!determine_position(forces))
-      ++undetermined;
+    const std::uint64_t free = motions_left_free(forces);
+    undetermined += free != 0 ? 1 : 0;
+    never_held &= free;
     return n_sets;
   }
 
 
 
-  bool
-  CondensedActiveSet::determine_position(const LipVector &forces) const
+  std::uint64_t
+  CondensedActiveSet::motions_left_free(const LipVector &forces) const
   {
     const unsigned int n_motions = free_motions.n();
+    // As in ContactBoundary: what rounding leaves of loads stops nothing.
+    constexpr double   negligible = 1e-9;
     FullMatrix<double> gram(n_motions); // of openings where there are forces
     for (unsigned int i = 0; i < forces.size(); ++i)
-      if (sign(i) * forces(i) > residual_target())
+      if (sign(i) * forces(i) >
+          std::max(residual_target(), negligible * scales.force()))
         for (unsigned int a = 0; a < n_motions; ++a)
           for (unsigned int b = 0; b < n_motions; ++b)
             gram(a, b) += free_motions(i, a) * free_motions(i, b);
@@ -172,7 +176,12 @@ namespace Crevasse
     FullMatrix<double> eigenvectors;
     matrix.compute_eigenvalues_symmetric(
       -1., 1e-12 * loads.size(), 0., eigenvalues, eigenvectors);
-    return eigenvalues.size() == 0;
+    std::uint64_t free = 0;
+    for (unsigned int m = 0; m < std::min(n_motions, 64u); ++m)
+      for (unsigned int k = 0; k < eigenvalues.size(); ++k)
+        if (std::abs(eigenvectors(m, k)) > 1e-6)
+          free |= std::uint64_t(1) << m;
+    return free;
   }
 
 

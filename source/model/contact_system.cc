@@ -165,6 +165,7 @@ namespace Crevasse
     all.linear_iterations = contact->n_linear_iterations();
     all.certified         = contact->n_solves();
     all.undetermined      = contact->n_undetermined();
+    all.never_held        = contact->never_held_motions();
     all.certificate       = contact->worst_certificate();
     all.accuracy          = contact->accuracy();
     if (problem().n_bounds() > 0)

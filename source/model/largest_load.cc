@@ -101,7 +101,7 @@ namespace Crevasse
     // Between the samples too, where the stages of the integrators are.
     Vector loads;
     body.strain_operator.initialize(loads);
-    double largest = 0., work = 0.;
+    double largest = 0.;
     for (unsigned int k = 0; k < steps.n_steps(); ++k)
       for (const double fraction : {0., 0.25, 0.5, 0.75})
         {
@@ -109,17 +109,7 @@ namespace Crevasse
                                                   fraction * steps.step(k)),
                               loads);
           largest = std::max(largest, loads.linfty_norm());
-          for (const RigidMotion &motion : body.held_by_contact)
-            work = std::max(work, std::abs(loads * motion.displacement));
         }
-    constexpr double rounding = 1e-10;
-    if (!body.held_by_contact.empty() && work <= rounding * largest)
-      throw NumericalError(
-        "Unconstrained rigid-body motion: " +
-        body.held_by_contact.front().name +
-        "\nContact could stop it, but no load does work on it: nothing tells "
-        "where the part is. Hold it by [Boundary] Clamped, Symmetry or Fixed "
-        "points, or load it.");
     if (body.material.has_thermal_strain)
       for (unsigned int k = 0; k < steps.n_steps(); ++k)
         largest =

@@ -32,17 +32,16 @@ namespace Crevasse
       /** Follows the largest values in the state of the run, on this mesh after
        * others. */
       explicit Extremes(Workspace<dim> &work)
-        : body(work.setup.body)
-        , choice(work.start.choice)
+        : work(work)
+        , body(work.setup.body)
         , run(work.state)
-        , log(work.output.log)
       {
       }
 
       void
       observe(const Sample &sample) override
       {
-        if (choice.periods_are_iterates() && sample.step == 0)
+        if (work.start.choice.periods_are_iterates() && sample.step == 0)
           run.largest_displacement = run.largest_opening = viscous_strain = 0.;
         run.largest_displacement =
           std::max(run.largest_displacement,
@@ -59,9 +58,11 @@ namespace Crevasse
       void
       end_of_period(const PeriodReport &report) override
       {
-        run.largest_stress =
-          std::max(choice.periods_are_iterates() ? 0. : run.largest_stress,
-                   report.largest_stress);
+        run.largest_stress = std::max(work.start.choice.periods_are_iterates()
+                                        ? 0.
+                                        : run.largest_stress,
+                                      report.largest_stress);
+        work.systems.statistics().require_held(body.held_by_contact);
       }
 
       void
@@ -106,19 +107,18 @@ namespace Crevasse
         const auto            &corners = box.get_boundary_points();
         const double diagonal          = corners.first.distance(corners.second);
         if (run.largest_displacement > small * diagonal)
-          log.line(Text::Message()
-                   << "  Beware: displacements reach "
-                   << run.largest_displacement << ", and the body is "
-                   << diagonal
-                   << " from corner to corner: the theory is one of small "
-                      "strains. Have loads, lengths and moduli one system of "
-                      "units, and may the body flow for so long?");
+          work.output.log.line(
+            Text::Message()
+            << "  Beware: displacements reach " << run.largest_displacement
+            << ", and the body is " << diagonal
+            << " from corner to corner: the theory is one of small "
+               "strains. Have loads, lengths and moduli one system of "
+               "units, and may the body flow for so long?");
       }
 
+      const Workspace<dim> &work;
       const Body<dim>      &body;
-      const PeriodicChoice &choice;
       RunState             &run;
-      Log                  &log;
       double                viscous_strain = 0.; ///< largest component
     };
 

@@ -167,6 +167,12 @@ def test_refused():
         refused(pressed, 2, "translation along x2 of part 2 of 2",
                 "Solver = condensed active set and [Linear solver] Type = cholesky or "
                 "mumps", settings=[setting])
+    # The traction pulls through the pin: the moment that rounding leaves counts for
+    # nothing, whatever its sign.
+    refused("subsection Material\n  set Viscosity = none\nend\n", 3,
+            "rotation in the plane x1-x2 about (0.5, 0)", settings=[
+                "Boundary/Symmetry=none", "Boundary/Fixed points=0.5, 0",
+                "Loads/Traction=0; 10"])
     refused(pressed, 2, "Elastic comparison = open",
             settings=["Output/Elastic comparison=open"])
     refused(pressed, 2, "contact alone holds the body", "Method = march",
@@ -175,8 +181,43 @@ def test_refused():
             settings=["Periodic state/Method=anderson"])
 
 
+def test_enclosed():
+    """A square within a crack: each of its motions must be stopped. Pressed from all
+    sides it has the pressure of the load; pushed along x within a crack that is wide
+    along y nothing tells where it is along y."""
+    def is_crack(middle, normal):
+        return abs(middle[normal]) == 0.5 > abs(middle[1 - normal])
+    write_block("enclosed.msh", (steps(-1, 1, 8), steps(-1, 1, 8)), is_crack)
+    text = scene("enclosed.msh", f"set Crack = {CRACK}\n  set Fixed points = "
+                 "-1, -1; 1, -1: 2", probes="top: 0.25, 0.25")
+    text = text.replace("relaxation time\n", "none\n", 1)
+    sides = ["Boundary/Loaded=1, 2, 3, 4", "Periodic state/Maximum periods=1"]
+
+    def load(sign):
+        return (f"Loads/Traction=if(x < -0.999, {sign}, if(x > 0.999, -{sign}, 0)); "
+                f"if(y < -0.999, {sign}, if(y > 0.999, -{sign}, 0))")
+    pressed = run(text, "enclosed", [*sides, load("3")]).table("probe_top.csv")
+    check_below(max(abs(s / 3 + 1) for s in pressed["s_11"] + pressed["s_22"]), 1e-9,
+                "stress of the square")
+    refused(text, 3, "translation along x1 of part 2", "translation along x2 of part 2",
+            "rotation in the plane x1-x2", "no load presses a lip",
+            settings=[*sides, load("(-3)")])
+    with open("refused.prm", "w") as file:
+        file.write(plain(text))
+    code, _, error = execute("refused.prm", "--output", "results/refused", "--force",
+                             *overrides(["Boundary/Loaded=", "Loads/Traction=0; 0",
+                                         "Boundary/Clamped=1, 2, 3, 4",
+                                         "Boundary/Fixed points=none",
+                                         "Loads/Body force=if(max(abs(x), abs(y)) < 0.5, "
+                                         "1, 0); 0",
+                                         "Boundary/Gap=if(abs(y) < 0.4999, 0, -0.01)"]))
+    check(code == 3 and "motions:\n  translation along x2 of part 2 of 2" in error
+          and "x1" not in error, f"{code}: {error}")
+
+
 test_block_on_block()
 test_block_on_plane()
 test_loads_that_pause()
 test_in_space()
 test_refused()
+test_enclosed()

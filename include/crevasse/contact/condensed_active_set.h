@@ -65,9 +65,9 @@ namespace Crevasse
     unsigned int
     solve_with_springs(LipVector &on_lip);
 
-    /** Whether these contact forces stop all free motions. */
-    bool
-    determine_position(const LipVector &forces) const;
+    /** Bit m: these contact forces do not stop free motion m. */
+    std::uint64_t
+    motions_left_free(const LipVector &forces) const;
 
     void
     require_no_escape(const LipVector &step) const;

@@ -115,6 +115,14 @@ namespace Crevasse
       return undetermined;
     }
 
+    /** Bit m: no contact force has stopped free motion m in any solution. The
+     * first 64 motions. */
+    std::uint64_t
+    never_held_motions() const
+    {
+      return never_held;
+    }
+
     std::size_t
     n_iterations() const
     {
@@ -217,6 +225,7 @@ namespace Crevasse
     const double            tolerance;
     Scales                  scales; ///< of all solutions and the candidate
     std::size_t             undetermined = 0;
+    std::uint64_t           never_held   = ~std::uint64_t(0);
 
   private:
     /** Certifies into this object's own work space. */

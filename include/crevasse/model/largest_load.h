@@ -28,9 +28,7 @@ namespace Crevasse
 
   /** The largest force on a node over all steps and the stages between them;
    * for thermal strain, that which holds the body still.
-   * @throw SceneError if it is too small or too large to compute with.
-   * @throw NumericalError if contact alone holds the body, and loads do no work
-   * on any motion that it stops. */
+   * @throw SceneError if it is too small or too large to compute with. */
   template <int dim>
   double
   largest_load(const Body<dim> &body, const StepList &steps);

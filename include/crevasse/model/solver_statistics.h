@@ -6,6 +6,7 @@
 
 #include <crevasse/base/summary.h>
 #include <crevasse/contact/certificate.h>
+#include <crevasse/discretisation/rigid_motions.h>
 
 namespace Crevasse
 {
@@ -21,14 +22,21 @@ namespace Crevasse
     std::size_t vi_iterations     = 0;
     std::size_t implicit_stages   = 0; ///< of a power law
 
-    std::size_t certified    = 0; ///< solves with a certificate
-    std::size_t undetermined = 0; ///< ContactSolver::n_undetermined()
+    std::size_t   certified    = 0; ///< solves with a certificate
+    std::size_t   undetermined = 0; ///< ContactSolver::n_undetermined()
+    std::uint64_t never_held   = ~std::uint64_t(0); ///< likewise
 
     Certificate certificate;
     double      accuracy = 0.; ///< ContactSolver::accuracy()
 
     void
     add(const SolverStatistics &other);
+
+    /** @param motions that contact alone holds.
+     * @throw NumericalError if no solution's contact forces stop one of them.
+     */
+    void
+    require_held(const std::vector<RigidMotion> &motions) const;
 
     /** Counters and certificate of summary.json. */
     void
