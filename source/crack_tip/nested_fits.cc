@@ -15,20 +15,16 @@ namespace Crevasse
               const State              &state,
               const MPI_Comm            communicator)
   {
-    constexpr double never    = std::numeric_limits<double>::max();
-    const double     touching = 1e-10 * state.displacement.linfty_norm();
+    constexpr double never = std::numeric_limits<double>::max();
+    const auto states = lip.states(state.displacement, state.contact_forces);
     // From the tip to each node of its lip on this rank, and whether the node
     // is closed.
     std::vector<std::pair<double, bool>> nodes;
     for (std::size_t k = 0; k < lip.nodes.size(); ++k)
       {
-        const LipNode<2> &node  = lip.nodes[k];
-        const Point<2>    local = tip.local(node.point);
+        const Point<2> local = tip.local(lip.nodes[k].point);
         if (local[0] < 0. && tip.is_on_line(local))
-          nodes.emplace_back(-local[0],
-                             node.is_pressed(state.contact_forces[k],
-                                             state.displacement,
-                                             touching));
+          nodes.emplace_back(-local[0], states[k].is_closed);
       }
 
     double closed = never, open = 0.;

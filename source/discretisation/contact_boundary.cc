@@ -38,38 +38,27 @@ namespace Crevasse
   {
     const auto &all   = space.lip.nodes;
     const auto &owned = space.locally_owned_unknowns;
-    // Of a body of revolution, on the axis and of degree 2: the pressure there
-    // is that of the nearest other node.
-    const auto has_no_share = [&](const auto &node) {
-      return space.roles.has_axis && space.finite_element.degree == 2 &&
-             node.point[0] < 1e6 * rounding;
-    };
-    const auto nearest_with_share = [&](const auto &node) {
-      auto nearest = node;
-      for (const auto &other : all)
-        if (other.has_unknown() && !has_no_share(other) &&
-            (has_no_share(nearest) || other.point.distance(node.point) <
-                                        nearest.point.distance(node.point)))
-          nearest = other;
-      return nearest;
-    };
-    for (const auto &node : all)
+    std::map<types::global_dof_index, unsigned int> n_at;
+    for (unsigned int i = 0; i < all.size(); ++i)
       {
+        const auto  &node      = all[i];
         const double gap_there = gap_at(node.point);
+        Place        place;
+        if (node.weight > 0.)
+          place.masters.emplace_back(node.unknown, 1.);
+        for (const auto &[number, factor] : node.masters)
+          place.masters.emplace_back(all[number].unknown, factor);
         if (node.has_unknown() && owned.is_element(node.unknown))
           nodes.push_back({node.unknown,
                            node.sign,
                            gap_there,
                            node.weight,
-                           node.held_weight,
+                           node.area,
+                           place.masters.empty() ? numbers::invalid_dof_index
+                                                 : place.masters[0].first,
                            node.point,
+                           i,
                            node.normal});
-        Place place;
-        if (node.has_unknown())
-          place.masters.emplace_back(
-            (has_no_share(node) ? nearest_with_share(node) : node).unknown, 1.);
-        for (const auto &[number, factor] : node.masters)
-          place.masters.emplace_back(all[number].unknown, factor);
         for (const auto first :
              std::set<types::global_dof_index>(node.sides.begin(),
                                                node.sides.end()))
@@ -77,14 +66,51 @@ namespace Crevasse
             {
               place.dof = first + node.component();
               if (owned.is_element(place.dof))
-                places.push_back(place);
+                {
+                  places.push_back(place);
+                  ++n_at[place.dof];
+                }
             }
       }
+    for (Place &place : places)
+      for (auto &[unknown, factor] : place.masters)
+        factor /= n_at[place.dof];
     std::sort(nodes.begin(),
               nodes.end(),
               [](const LipNode<dim> &a, const LipNode<dim> &b) {
                 return a.dof < b.dof;
               });
+  }
+
+
+
+  template <int dim>
+  std::vector<LipNodeState>
+  ContactBoundary<dim>::states(const Vector              &displacement,
+                               const std::vector<double> &contact_forces) const
+  {
+    const double touching  = 1e-10 * displacement.linfty_norm();
+    Vector       pressures = space.ghosted_vector(); // negative where open
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (const LipNode<dim> &node = nodes[k]; node.weight > 0.)
+        {
+          const double force = contact_forces[k];
+          const bool   is_closed =
+            force > negligible_force && node.opening(displacement) <= touching;
+          pressures(node.dof) =
+            (is_closed ? force : -std::abs(force)) / node.weight;
+        }
+    pressures.update_ghost_values();
+    std::vector<LipNodeState> all;
+    for (const LipNode<dim> &node : nodes)
+      {
+        const double value = node.source == numbers::invalid_dof_index
+                               ? 0.
+                               : pressures(node.source);
+        all.push_back(
+          {node.opening(displacement), std::abs(value), value > 0.});
+      }
+    return all;
   }
 
 
@@ -96,7 +122,8 @@ namespace Crevasse
   {
     Vector at_unknowns = space.ghosted_vector();
     for (unsigned int k = 0; k < nodes.size(); ++k)
-      at_unknowns(nodes[k].dof) = contact_forces[k] / nodes[k].weight;
+      if (nodes[k].weight > 0.)
+        at_unknowns(nodes[k].dof) = contact_forces[k] / nodes[k].weight;
     at_unknowns.update_ghost_values();
     Vector values = make_vector(space.dof_handler);
     for (const Place &place : places)
@@ -120,7 +147,8 @@ namespace Crevasse
     at_unknowns.compress(VectorOperation::add);
     std::vector<double> factors;
     for (const LipNode<dim> &node : nodes)
-      factors.push_back(at_unknowns(node.dof) / node.weight);
+      factors.push_back(node.weight > 0. ? at_unknowns(node.dof) / node.weight
+                                         : 0.);
     return factors;
   }
 

@@ -52,6 +52,7 @@ namespace Crevasse
   {
     std::vector<std::vector<unsigned int>> nodes_of_faces;
     std::multimap<Index, unsigned int>     nodes_at; ///< by their first dofs
+    std::vector<Tensor<1, dim>>            loads;    ///< ∫φ n of the nodes
     Meanings                               supported;
   };
 
@@ -72,6 +73,7 @@ namespace Crevasse
       if (const auto found = renumbered.find(node.unknown);
           found != renumbered.end())
         node.unknown = found->second;
+    set_weights(surroundings);
     choose_masters(surroundings);
   }
 
@@ -111,8 +113,11 @@ namespace Crevasse
                                               : opposite->first,
                           inward,
                           surroundings);
+            surroundings.loads.resize(nodes.size());
+            surroundings.loads[number] +=
+              inward * node.inward >= 0. ? node.load : -node.load;
             nodes[number].normal += inward;
-            nodes[number].weight += node.weight;
+            nodes[number].area += node.area;
             of_face.push_back(number);
           }
       }
@@ -257,14 +262,40 @@ namespace Crevasse
 
   template <int dim>
   void
+  LipBasis<dim>::set_weights(Surroundings &surroundings)
+  {
+    auto &loads = surroundings.loads;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      for (const auto &[master, factor] : nodes[i].masters)
+        loads[master] +=
+          (nodes[i].normal * nodes[master].normal > 0. ? factor : -factor) *
+          loads[i];
+    for (const auto &on_face : surroundings.nodes_of_faces)
+      {
+        double largest = 0.;
+        for (const unsigned int i : on_face)
+          largest = std::max(largest, loads[i].norm());
+        // A force on less would amplify the error of the elements.
+        constexpr double least = 1e-3;
+        for (const unsigned int i : on_face)
+          if (const double weight = loads[i] * nodes[i].normal;
+              nodes[i].has_unknown() && weight > least * largest)
+            nodes[i].weight = weight;
+      }
+  }
+
+
+
+  template <int dim>
+  void
   LipBasis<dim>::choose_masters(const Surroundings &surroundings)
   {
     std::map<unsigned int, std::pair<double, unsigned int>> nearest;
     for (const auto &on_face : surroundings.nodes_of_faces)
       for (const unsigned int i : on_face)
-        if (!nodes[i].has_unknown())
+        if (nodes[i].weight == 0.)
           for (const unsigned int j : on_face)
-            if (nodes[j].has_unknown())
+            if (nodes[j].weight > 0.)
               {
                 const double length = nodes[i].point.distance(nodes[j].point);
                 const auto [at, is_first] =
@@ -281,7 +312,7 @@ namespace Crevasse
         const auto                                   best = nearest.find(i);
         int strongest = best == nearest.end() ? -1 : int(best->second.second);
         for (const auto &[master, factor] : node.masters)
-          if (nodes[master].has_unknown())
+          if (nodes[master].weight > 0.)
             {
               masters.emplace_back(master, factor);
               rest -= factor;
@@ -289,18 +320,13 @@ namespace Crevasse
                 strongest = master;
               most = std::max(most, factor);
             }
-        node.masters = masters;
-        if (node.has_unknown() || strongest < 0)
-          continue;
-        // What a hanging node has from held ones, it takes from the nearest of
-        // the others.
+        if (node.weight == 0. && strongest >= 0 && std::abs(rest) > 1e-10)
+          // What a hanging node has from others without weight, it takes from
+          // the nearest.
+          masters.emplace_back(strongest, rest);
         for (const auto &[master, factor] : masters)
-          nodes[master].weight += factor * node.weight;
-        if (std::abs(rest) > 1e-10)
-          {
-            nodes[strongest].held_weight += rest * node.weight;
-            node.masters.emplace_back(strongest, rest);
-          }
+          nodes[master].area += factor * node.area;
+        node.masters = masters;
       }
   }
 

@@ -6,6 +6,8 @@
 #include <crevasse/discretisation/lip_faces.h>
 #include <crevasse/discretisation/space.h>
 
+#include <deal.II/numerics/rtree.h>
+
 #include <algorithm>
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/vector.hpp>
@@ -31,18 +33,19 @@ namespace Crevasse
         if (fe.system_to_component_index(i).first == 0 &&
             fe.has_support_on_face(i, face.get_face_number()))
           {
-            typename LipFace<dim>::Node node{dofs[i],
-                                             support.quadrature_point(i),
-                                             0.,
-                                             {}};
+            typename LipFace<dim>::Node node{
+              dofs[i], support.quadrature_point(i), 0., {}, {}};
             for (const unsigned int q : face.quadrature_point_indices())
               {
                 const double share =
                   face.shape_value_component(i, q, 0) * face.JxW(q);
-                node.weight += share;
+                const double radius = face.quadrature_point(q)[0];
+                const bool   on_axis =
+                  has_axis && node.point[0] < LipFace<dim>::tolerance * radius;
+                node.area += share;
+                node.load -= share * face.normal_vector(q);
                 node.inward -=
-                  (has_axis ? share / face.quadrature_point(q)[0] : share) *
-                  face.normal_vector(q);
+                  (on_axis ? share / radius : share) * face.normal_vector(q);
               }
             nodes.push_back(node);
           }
@@ -89,13 +92,6 @@ namespace Crevasse
           }
 
     auto all = of_all_ranks(space.communicator(), faces);
-    // On the axis ∫φx₁ vanishes for quadratic φ (for linear ones it is this):
-    // see ContactBoundary.
-    if (space.roles.has_axis)
-      for (LipFace<dim> &face : all)
-        for (auto &node : face.nodes)
-          if (node.point[0] < LipFace<dim>::tolerance * face.size)
-            node.weight = face.size * face.size / 6.;
     std::sort(all.begin(),
               all.end(),
               [](const LipFace<dim> &a, const LipFace<dim> &b) {
@@ -111,35 +107,16 @@ namespace Crevasse
   find_partners(const std::vector<Point<dim>> &points,
                 const std::vector<double>     &sizes)
   {
-    // Along a direction in which no mesh is aligned.
-    Tensor<1, dim> direction;
-    for (unsigned int d = 0; d < dim; ++d)
-      direction[d] = 1. / (1.618 + d * d);
-    const auto along = [&](const unsigned int i) {
-      return points[i] * direction;
-    };
     std::vector<unsigned int> partner(points.size());
     std::iota(partner.begin(), partner.end(), 0);
-    std::vector<unsigned int> order(partner);
-    std::sort(order.begin(),
-              order.end(),
-              [&](const unsigned int i, const unsigned int j) {
-                return along(i) < along(j);
-              });
-    for (std::size_t k = 0; k < order.size(); ++k)
-      {
-        const unsigned int i         = order[k];
-        const double       tolerance = LipFace<dim>::tolerance * sizes[i];
-        for (std::size_t l = k + 1;
-             l < order.size() && along(order[l]) <= along(i) + tolerance;
-             ++l)
-          if (const unsigned int j = order[l];
-              points[i].distance(points[j]) <= tolerance)
-            {
-              partner[i] = j;
-              partner[j] = i;
-            }
-      }
+    const auto tree = pack_rtree_of_indices(points);
+    for (unsigned int i = 0; i < points.size(); ++i)
+      for (const auto j :
+           tree | boost::geometry::index::adaptors::queried(
+                    boost::geometry::index::nearest(points[i], 2)))
+        if (j != i &&
+            points[i].distance(points[j]) <= LipFace<dim>::tolerance * sizes[i])
+          partner[i] = j;
     return partner;
   }
 

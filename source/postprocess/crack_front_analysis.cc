@@ -219,17 +219,15 @@ namespace Crevasse
     // not.
     std::vector<double> least(2 * closed.size(),
                               std::numeric_limits<double>::max());
-    const double        touching = 1e-10 * state.displacement.linfty_norm();
-    for (std::size_t k = 0; k < body.lip.nodes.size(); ++k)
+    const auto          states =
+      body.lip.states(state.displacement, state.contact_forces);
+    for (std::size_t k = 0; k < states.size(); ++k)
       {
-        const LipNode<3> &node       = body.lip.nodes[k];
-        const bool        is_pressed = node.is_pressed(state.contact_forces[k],
-                                                state.displacement,
-                                                touching);
-        const std::size_t first      = is_pressed ? 0 : closed.size();
+        const Point<3>   &point = body.lip.nodes[k].point;
+        const std::size_t first = states[k].is_closed ? 0 : closed.size();
         for (std::size_t v = 0; v < closed.size(); ++v)
           least[first + v] =
-            std::min(least[first + v], node.point.distance(vertices[v].point));
+            std::min(least[first + v], point.distance(vertices[v].point));
       }
     Utilities::MPI::min(least, body.space.communicator(), least);
     for (std::size_t v = 0; v < closed.size(); ++v)

@@ -24,25 +24,19 @@ namespace Crevasse
 
   template <int dim>
   LipClosure<dim>::LipClosure(const Body<dim>   &body,
-                              const double       largest_load,
                               const std::string &file_name,
                               Evolution<dim>    &evolution)
     : body(body)
-    , negligible_force(1e-9 * largest_load)
     , file_name(file_name)
     , evolution(evolution)
     , lips(numbers_of_lips())
   {
-    std::map<types::global_dof_index, unsigned int> number_of;
     for (unsigned int i = 0; i < lips.size(); ++i)
-      if (const auto &node = body.space.lip.nodes[i]; node.has_unknown())
+      if (body.space.lip.nodes[i].has_unknown())
         {
-          number_of[node.unknown] = places.size();
           places.push_back(i);
           n_lips = std::max(n_lips, lips[i] + 1);
         }
-    for (const LipNode<dim> &node : body.lip.nodes)
-      mine.push_back(number_of.at(node.dof));
   }
 
 
@@ -77,17 +71,15 @@ namespace Crevasse
   std::vector<double>
   LipClosure<dim>::openings(const State &state) const
   {
-    const double        touching = largest_opening_of_closed(state);
+    const auto here = body.lip.states(state.displacement, state.contact_forces);
     std::vector<double> values(places.size());
-    for (unsigned int k = 0; k < mine.size(); ++k)
+    for (unsigned int k = 0; k < here.size(); ++k)
       {
-        const LipNode<dim> &node  = body.lip.nodes[k];
-        const double        force = state.contact_forces[k];
-        values[mine[k]] =
-          force > negligible_force &&
-              node.is_pressed(force, state.displacement, touching)
-            ? -force / node.weight
-            : std::max(0., node.opening(state.displacement));
+        const auto place = std::lower_bound(places.begin(),
+                                            places.end(),
+                                            body.lip.nodes[k].number);
+        values[place - places.begin()] =
+          here[k].is_closed ? -here[k].pressure : std::max(0., here[k].opening);
       }
     Utilities::MPI::sum(values, body.space.communicator(), values);
     return values;

@@ -10,33 +10,46 @@ namespace Crevasse
   using namespace dealii;
 
   template <int dim>
+  std::vector<Tensor<1, dim>>
+  lip_jumps(const Space<dim> &space, const Vector &displacement)
+  {
+    const auto         &nodes = space.lip.nodes;
+    std::vector<double> all(nodes.size() * dim);
+    for (unsigned int i = 0; i < all.size(); ++i)
+      for (const unsigned int side : {0, 1})
+        // Those of a node are on one rank. Before a rigid plane it has one
+        // side.
+        if (const auto first = nodes[i / dim].sides[side];
+            first != numbers::invalid_dof_index &&
+            displacement.in_local_range(first))
+          all[i] += (side == 0 ? 1. : -1.) * displacement(first + i % dim);
+    Utilities::MPI::sum(all, space.communicator(), all);
+    std::vector<Tensor<1, dim>> jumps(nodes.size());
+    for (unsigned int i = 0; i < all.size(); ++i)
+      jumps[i / dim][i % dim] = all[i];
+    return jumps;
+  }
+
+
+
+  template <int dim>
   Vector
   lip_opening(const Space<dim>           &space,
               const ContactBoundary<dim> &lip,
               const Vector               &displacement)
   {
-    const auto         &nodes = space.lip.nodes;
-    std::vector<double> openings(nodes.size());
-    Vector              at_dofs = make_vector(space.dof_handler);
-    // Those of a node are on one rank. Before a rigid plane it has one side.
-    const auto is_here = [&at_dofs](const types::global_dof_index first) {
-      return first != numbers::invalid_dof_index &&
-             at_dofs.in_local_range(first);
-    };
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      for (const unsigned int side : {0, 1})
-        if (const auto first = nodes[i].sides[side]; is_here(first))
-          for (unsigned int d = 0; d < dim; ++d)
-            openings[i] += (side == 0 ? 1. : -1.) * nodes[i].normal[d] *
-                           displacement(first + d);
-    Utilities::MPI::sum(openings, space.communicator(), openings);
-    for (unsigned int i = 0; i < nodes.size(); ++i)
-      for (const auto first : nodes[i].sides)
-        if (is_here(first))
+    const auto jumps   = lip_jumps(space, displacement);
+    Vector     at_dofs = make_vector(space.dof_handler);
+    for (unsigned int i = 0; i < jumps.size(); ++i)
+      for (const auto first : space.lip.nodes[i].sides)
+        if (first != numbers::invalid_dof_index &&
+            at_dofs.in_local_range(first))
           {
-            const double opening = openings[i] - lip.gap_at(nodes[i].point);
-            double      &value   = at_dofs(first + nodes[i].component());
-            value = value == 0. ? opening : std::min(value, opening);
+            const auto  &node = space.lip.nodes[i];
+            const double opening =
+              jumps[i] * node.normal - lip.gap_at(node.point);
+            double &value = at_dofs(first + node.component());
+            value         = value == 0. ? opening : std::min(value, opening);
           }
     at_dofs.update_ghost_values();
     return at_dofs;
@@ -44,6 +57,10 @@ namespace Crevasse
 
 
 
+  template std::vector<Tensor<1, 2>>
+  lip_jumps(const Space<2> &, const Vector &);
+  template std::vector<Tensor<1, 3>>
+  lip_jumps(const Space<3> &, const Vector &);
   template Vector
   lip_opening(const Space<2> &, const ContactBoundary<2> &, const Vector &);
   template Vector

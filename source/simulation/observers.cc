@@ -302,9 +302,9 @@ namespace Crevasse
                     lip.force,
                     lip.largest_pressure};
           }));
-        const double force = setup.largest_nodal_force;
-        closure            = add(std::make_unique<LipClosure<dim>>(
-          body, force, tables.path("lip.csv"), work.evolution));
+        closure = add(std::make_unique<LipClosure<dim>>(body,
+                                                        tables.path("lip.csv"),
+                                                        work.evolution));
         instants.followed.emplace_back(
           [&lip](auto &) { return lip.largest_opening; });
         instants.followed.emplace_back(

@@ -53,6 +53,8 @@ for a, settings in (
     opened = run(SCENE, "opened", settings + ["Loads/Traction=0; 10"])
     contact = opened.table("contact.csv")
     check(contact["closed_nodes"][0] == 0, "the crack is open")
+    resting = run(SCENE, "resting", settings + ["Loads/Traction=0; 0"])
+    check(resting.table("contact.csv")["closed_nodes"][0] == 0, "a lip at rest is open")
     check_close(contact["force"][0], 0, 1e-10, "force on an open crack")
     for name in ON_LIP:
         probe = opened.table(f"probe_{name}.csv")

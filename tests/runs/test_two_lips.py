@@ -378,6 +378,104 @@ def test_slip():
     size = sheared.summary["extremes"]["displacement"]
     check(slip["largest"] > 0.01 * size and abs(slip["at"][1]) < 1e-12,
           f"sheared lips slide: {slip}")
+    # Open lips have forces of rounding, and lips that touch have none.
+    for pull in ("5+sin(2*pi*t/600)", "0"):
+        opened = run(square_scene("full.msh"), "opened", [
+            *AUTOMATIC, f"Loads/Traction=sin(2*pi*t/600)*y; ({pull})*y"])
+        check(opened.summary["slip_while_closed"]["largest"] == 0.,
+              f"{pull}: what does not press does not slide")
+        check("slide on each other" not in (opened.directory / "log.txt").read_text(),
+              f"{pull}: a line of the log")
+
+
+HYDROSTATIC = """
+subsection Geometry
+  set Shape = mesh file
+end
+subsection Boundary
+  set Fixed points = -1, -1; 1, -1: 2
+end
+subsection Material
+  set Young modulus = 1000
+  set Viscosity = none
+end
+subsection Loads
+  set Traction = if(x<-0.999, 5, if(x>0.999, -5, 0)); if(y<-0.999, 5, if(y>0.999, -5, 0))
+end
+subsection Time integration
+  set Steps per period = 1
+end
+subsection Crack tip
+  set Stress intensity = false
+end
+"""
+
+
+def test_kink():
+    """Under hydrostatic pressure lips bear it, whatever way they go: in an L, along
+    an edge in space, around a part that contact alone holds, and where rigid planes
+    meet. The force is p times the length of the lip."""
+    def is_l(middle, normal):
+        return (normal == 1 and middle[1] == 0 and 0 < middle[0] < 0.5
+                or normal == 0 and middle[0] == 0 and 0 < middle[1] < 0.5)
+
+    def is_square(middle, normal):
+        return abs(middle[normal]) == 0.5 > abs(middle[1 - normal])
+    axis = steps(-1, 1, 8)
+    write_block("kink.msh", (axis, axis), is_l)
+    write_block("edge.msh", (axis, axis, steps(0, 1, 2)), is_l)
+    write_block("part.msh", (axis, axis), is_square)
+    write_block("planes.msh", (axis, steps(0, 1, 2)), lambda *_: False,
+                lambda at: (at[0], at[1] - 0.75 * max(0, at[0]) * (1 - at[1])))
+    block = run(HYDROSTATIC.replace("-1, -1; 1, -1: 2", "-1, -1, 0: 1, 2; 1, -1, 0: 2"),
+                "edge", ["Dimension=3", "Geometry/Mesh file=edge.msh",
+                         f"Boundary/Symmetry={FRONT}, {FRONT + 1}",
+                         f"Boundary/Crack={CRACK}", "Boundary/Loaded=1, 2, 3, 4",
+                         "Loads/Traction=if(x<-0.999, 5, if(x>0.999, -5, 0)); "
+                         "if(y<-0.999, 5, if(y>0.999, -5, 0)); 0",
+                         "Output/Probes=kink: 0, 0, 0.5; on: 0.25, 0, 0.5"])
+    check_pressed(block, "edge", 1, ("kink", "on"))
+    for degree in (1, 2):
+        for name, length, roles in (
+                ("kink", 1, [f"Boundary/Crack={CRACK}", "Boundary/Loaded=1, 2, 3, 4"]),
+                ("part", 4, [f"Boundary/Crack={CRACK}", "Boundary/Loaded=1, 2, 3, 4"]),
+                ("planes", 2.25, [f"Boundary/Contact={BOTTOM}", "Boundary/Loaded=1, 2, 4",
+                                  "Boundary/Fixed points=none"])):
+            place = {"kink": "0, 0", "part": "0.5, 0.5", "planes": "0, 0"}[name]
+            results = run(HYDROSTATIC, f"{name}_{degree}", [
+                f"Geometry/Mesh file={name}.msh", f"Discretisation/Degree={degree}",
+                f"Output/Probes=kink: {place}", *roles])
+            check_pressed(results, f"{name}, degree {degree}", length, ("kink",))
+
+
+def check_pressed(results, what, length, probes):
+    contact, lip = results.table("contact.csv"), results.table("lip.csv")
+    check_below(abs(contact["force"][0] / (5 * length) - 1), 1e-9, f"{what}: force")
+    check_below(max(abs(p / 5 - 1) for p in (*lip["largest_pressure"],
+                                             *contact["largest_pressure"])), 1e-9,
+                f"{what}: pressure")
+    check(contact["closed_nodes"][0] == len(lip["lip"]), f"{what}: all is closed")
+    for name in probes:
+        check_below(abs(results.table(f"probe_{name}.csv")["pressure"][0] / 5 - 1), 1e-9,
+                    f"{what}: pressure at {name}")
+
+
+def test_side_of_probe():
+    """Log and summary name the lip whose displacement a probe has: pulled apart, it
+    moves into its body, away from the other one."""
+    square("full.msh")
+    results = run(square_scene("full.msh"), "side", [
+        *AUTOMATIC, "Loads/Traction=0; 5*y", *FOUR_STEPS])
+    side = results.summary["probes"]["mouth"]["body_of_lip"]
+    check(largest([side[0], abs(side[1]) - 1]) < 1e-12, f"{side}")
+    table = results.table("probe_mouth.csv")
+    check(table["opening"][-1] > 0 and
+          abs(table["u_2"][-1] - side[1] * table["opening"][-1] / 2)
+          < 1e-6 * table["opening"][-1],
+          "the lip moves into its body by half of the opening")
+    log = (results.directory / "log.txt").read_text()
+    check("probe mouth: lies on a crack" in log and f"(0, {side[1]:g})" in log, log)
+    check("inside" not in results.summary["probes"], "a probe within the body")
 
 
 def test_sweep():
@@ -442,6 +540,8 @@ test_crossing_cracks()
 test_random_scenes()
 test_resumed()
 test_slip()
+test_kink()
+test_side_of_probe()
 test_sweep()
 test_pictures()
 test_unmatched_lip()

@@ -16,11 +16,14 @@ namespace Crevasse
     dealii::types::global_dof_index dof = 0; ///< opening: sign × u[dof] − gap
     double                          sign   = 1.; ///< of the normal displacement
     double                          gap    = 0.; ///< that is at least this
-    double                          weight = 0.; ///< ∫φ over a lip
-    /** ∫φ of the held nodes that take their pressure from this one. */
-    double                 held_weight = 0.;
-    dealii::Point<dim>     point;
-    dealii::Tensor<1, dim> normal; ///< unit, into the body of the first side
+    double                          weight = 0.; ///< see LipBasis
+    double                          area   = 0.; ///< likewise
+    /** The unknown of the node whose pressure it has: without weight another
+     * one, or none. */
+    dealii::types::global_dof_index source = dof;
+    dealii::Point<dim>              point;
+    unsigned int                    number = 0; ///< in LipBasis
+    dealii::Tensor<1, dim> normal; ///< unit, into the first side's body
 
     /** u_N − gap */
     double
@@ -29,23 +32,24 @@ namespace Crevasse
       return sign * displacement(dof) - gap;
     }
 
-    /** Whether it is pressed with this contact force, not only touched.
-     * @param touching the opening that rounding leaves. */
-    bool
-    is_pressed(const double  force,
-               const Vector &displacement,
-               const double  touching) const
-    {
-      return force > 0. && opening(displacement) <= touching;
-    }
-
-    /** The force on the part of the lip whose pressure this node has, from its
-     * contact force g: g and the share of the held nodes around. */
+    /** ∫ pressure over the part of the lip whose pressure this node has, from
+     * its contact force g. */
     double
     force(const double g) const
     {
-      return g * (1. + held_weight / weight);
+      return weight > 0. ? g / weight * area : g;
     }
+  };
+
+  /** What a place of the lips does at an instant. */
+  struct LipNodeState
+  {
+    double opening;  ///< u_N − gap
+    double pressure; ///< of the node that has it for this one
+    /** Whether that node is pressed, not only touched: its opening vanishes
+     * against the largest displacement of the body, and its force does not
+     * against the loads. */
+    bool is_closed;
   };
 
   /**
@@ -61,10 +65,12 @@ namespace Crevasse
    * quadratic ones at the nodes of the coarser side.
    *
    * A held node, as the crack tip, has no contact force of its own: the support
-   * or the body bears it. Its neighbours show what the lip bears: a held node
-   * takes the pressure of the nearest free node on a face that it belongs to (0
-   * if there is none). The error is of the order of the mesh size, and none if
-   * the pressure is uniform; an open crack has no pressure at its tip.
+   * or the body bears it. That of a node without weight, as on an axis, tells
+   * no pressure. Their neighbours show what the lip bears: such a node takes
+   * the pressure of the nearest node with weight on a face that it belongs to
+   * (0 if there is none), and is closed with it. The error is of the order of
+   * the mesh size, and none if the pressure is uniform; an open crack has no
+   * pressure at its tip.
    */
   template <int dim>
   class ContactBoundary
@@ -83,6 +89,14 @@ namespace Crevasse
     /** Of this rank, in the order of their unknowns. */
     std::vector<LipNode<dim>> nodes;
 
+    /** Contact forces up to this one are rounding beside the loads. */
+    double negligible_force = 0.;
+
+    /** What the nodes of this rank do. Collective. */
+    std::vector<LipNodeState>
+    states(const Vector              &displacement,
+           const std::vector<double> &contact_forces) const;
+
     /** The least u_N at any point of the lip. @throw SceneError if it is not
      * finite or positive. */
     double
@@ -90,7 +104,8 @@ namespace Crevasse
 
     /** The pressure at all nodes of the lips, on both sides: values at degrees
      * of freedom, with ghost values, zero but for the component of a node that
-     * is nearest to the lip's normal. Collective.
+     * is nearest to the lip's normal. Where several lips have that in common,
+     * the mean of theirs. Collective.
      * @param contact_forces of the nodes of this rank. */
     Vector
     pressure(const std::vector<double> &contact_forces) const;

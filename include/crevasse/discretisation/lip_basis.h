@@ -37,11 +37,15 @@ namespace Crevasse
        * shared by both lips, or hangs between others. */
       Index  unknown = dealii::numbers::invalid_dof_index;
       double sign    = 1.;
-      /** ∫φ over one lip, with the share of hanging nodes. */
+      /** Contact force under a uniform pressure 1: the part of ∫φ n along the
+       * normal, with the share of hanging nodes; at a kink it is less than ∫φ.
+       * 0 if the node has no unknown, or if this is too little for its force to
+       * tell a pressure, as for quadratic φ on an axis. */
       double weight = 0.;
-      /** ∫φ of the held nodes that take their pressure from this one. */
-      double held_weight = 0.;
-      /** Of a node without unknown: those whose pressures it takes, by their
+      /** ∫φ over one lip, with the shares of the nodes that take their pressure
+       * from this one. */
+      double area = 0.;
+      /** The nodes whose pressures a node without weight takes, by their
        * numbers, with factors. */
       std::vector<std::pair<unsigned int, double>> masters;
 
@@ -84,8 +88,8 @@ namespace Crevasse
     Surroundings
     collect_nodes(const std::vector<LipFace<dim>> &faces);
 
-    /** The number of the node on these sides, new or not. @param inward ∫φ n
-     * of the face, whose sign it changes if the sides come the other way. */
+    /** The number of the node on these sides, new or not. @param inward of the
+     * face, whose sign it changes if the sides come the other way. */
     unsigned int
     node_number(const typename LipFace<dim>::Node &node,
                 const Index                        other_side,
@@ -104,7 +108,11 @@ namespace Crevasse
     void
     make_opening(Node &node, const Meanings &supported);
 
-    /** For nodes without unknown, which give their weights away. */
+    /** Hanging nodes hand their loads on, which makes the weights. */
+    void
+    set_weights(Surroundings &surroundings);
+
+    /** For nodes without weight. */
     void
     choose_masters(const Surroundings &surroundings);
   };

@@ -24,14 +24,17 @@ namespace Crevasse
     {
       dealii::types::global_dof_index first; ///< of its degrees of freedom
       dealii::Point<dim>              point;
-      double                          weight; ///< ∫φ over the face
-      dealii::Tensor<1, dim>          inward; ///< ∫φ n, into the body
+      double                          area; ///< ∫φ over the face
+      dealii::Tensor<1, dim>          load; ///< ∫φ n, into the body
+      /** The load or, on an axis, where that vanishes for quadratic φ, what it
+       * is without the factor r. */
+      dealii::Tensor<1, dim> inward;
 
       template <typename Archive>
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &first &point &weight &inward;
+        archive &first &point &area &load &inward;
       }
     };
 

@@ -47,7 +47,7 @@ namespace Crevasse
     const QuadratureField<dim>     points;
     const MaterialField<dim>       material;
     const StrainOperator<dim>      strain_operator;
-    const ContactBoundary<dim>     lip;
+    ContactBoundary<dim>           lip;
     const ExternalLoads<dim>       loads;
   };
 

@@ -30,11 +30,9 @@ namespace Crevasse
   {
   public:
     /** Collective. References must outlive this object.
-     * @param largest_load on a node, beside which contact forces are rounding.
      * @param file_name empty on ranks that do not write.
      * @param evolution solves between samples once the run has ended. */
     LipClosure(const Body<dim>   &body,
-               const double       largest_load,
                const std::string &file_name,
                Evolution<dim>    &evolution);
 
@@ -104,14 +102,12 @@ namespace Crevasse
     closed_time(const unsigned int node, const unsigned int i) const;
 
     const Body<dim>                &body;
-    const double                    negligible_force;
     const std::string               file_name;
     Evolution<dim>                 &evolution;
     const std::vector<unsigned int> lips;   ///< of the nodes of LipBasis
     std::vector<unsigned int>       places; ///< in LipBasis of nodes with
                                             ///< unknowns, which are those below
-    std::vector<unsigned int> mine;         ///< of ContactBoundary in these
-    unsigned int              n_lips = 0;
+    unsigned int n_lips = 0;
 
     std::vector<Moment> period; ///< the last one
     std::vector<Change> changes;

@@ -8,11 +8,9 @@
 #include <crevasse/base/log.h>
 #include <crevasse/base/text.h>
 #include <crevasse/model/body.h>
+#include <crevasse/postprocess/lip_opening.h>
 #include <crevasse/time/observer.h>
 
-#include <boost/serialization/map.hpp>
-#include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
 
 namespace Crevasse
 {
@@ -32,44 +30,6 @@ namespace Crevasse
       , log(log)
       , lengths(body.space.lip.nodes.size())
     {
-      const Space<dim>             &space = body.space;
-      std::map<Index, Jumps>        mine;
-      std::map<Index, unsigned int> numbers;
-      for (unsigned int i = 0; i < lengths.size(); ++i)
-        // Before rigid planes nothing slides on another lip.
-        if (const auto &node = space.lip.nodes[i];
-            node.sides[1] != dealii::numbers::invalid_dof_index)
-          {
-            numbers[node.unknown] = i;
-            for (unsigned int d = 0; d < dim; ++d)
-              for (const unsigned int side : {0, 1})
-                if (const Index dof = node.sides[side] + d;
-                    space.locally_owned_unknowns.is_element(dof))
-                  {
-                    const auto *line =
-                      space.constraints.get_constraint_entries(dof);
-                    const Weights itself{{dof, 1.}};
-                    for (const auto &[unknown, weight] :
-                         line == nullptr ? itself : *line)
-                      mine[unknown].emplace_back(i * (dim + 1) + d,
-                                                 side == 0 ? weight : -weight);
-                  }
-          }
-      for (const auto &of_rank :
-           dealii::Utilities::MPI::all_gather(space.communicator(), mine))
-        for (const auto &[unknown, entries] : of_rank)
-          if (const auto &owned = space.locally_owned_unknowns;
-              owned.is_element(unknown))
-            {
-              Jumps &of_unknown = jumps[owned.index_within_set(unknown)];
-              of_unknown.insert(of_unknown.end(),
-                                entries.begin(),
-                                entries.end());
-            }
-      for (unsigned int k = 0; k < body.lip.nodes.size(); ++k)
-        if (const auto at = numbers.find(body.lip.nodes[k].dof);
-            at != numbers.end())
-          bounds.emplace_back(k, at->second * (dim + 1) + dim);
     }
 
     void
@@ -80,7 +40,7 @@ namespace Crevasse
           lengths.assign(lengths.size(), 0.);
           before.clear();
         }
-      look_at(sample);
+      std::vector<double> now = look_at(sample);
       for (unsigned int i = 0; i < lengths.size() && !before.empty(); ++i)
         {
           const double *const here  = &now[i * (dim + 1)];
@@ -127,41 +87,36 @@ namespace Crevasse
     }
 
   private:
-    using Index   = dealii::types::global_dof_index;
-    using Weights = OpeningUnknowns::Weights;
-    /** Entries of a list of jumps, and with which weights an unknown is there.
-     */
-    using Jumps = std::vector<std::pair<unsigned int, double>>;
-
     /** Of each node of LipBasis the jump of the displacement, and 1 if it is
      * closed. Collective. */
-    void
-    look_at(const Sample &sample)
+    std::vector<double>
+    look_at(const Sample &sample) const
     {
-      const SecularFlow *const flow = sample.secular_flow;
-      now.assign(lengths.size() * (dim + 1), 0.);
-      for (const auto &[unknown, entries] : jumps)
-        {
-          double u = sample.state.displacement.local_element(unknown);
-          if (flow != nullptr)
-            u += sample.time * flow->velocity.local_element(unknown);
-          for (const auto &[entry, weight] : entries)
-            now[entry] += weight * u;
-        }
-      for (const auto &[k, entry] : bounds)
-        now[entry] = sample.state.contact_forces[k] > 0. ? 1. : 0.;
-      dealii::Utilities::MPI::sum(now, body.space.communicator(), now);
+      Vector u = sample.state.displacement;
+      if (const SecularFlow *const flow = sample.secular_flow; flow != nullptr)
+        u.add(sample.time, flow->velocity);
+      const Space<dim>   &space = body.space;
+      std::vector<double> all(lengths.size() * (dim + 1));
+      const auto          states =
+        body.lip.states(sample.state.displacement, sample.state.contact_forces);
+      for (unsigned int k = 0; k < states.size(); ++k)
+        // Before rigid planes nothing slides on another lip.
+        if (const unsigned int i = body.lip.nodes[k].number;
+            space.lip.nodes[i].sides[1] != dealii::numbers::invalid_dof_index)
+          all[i * (dim + 1) + dim] = states[k].is_closed ? 1. : 0.;
+      dealii::Utilities::MPI::sum(all, space.communicator(), all);
+      const auto jumps = lip_jumps(space, space.nodal_values(u));
+      for (unsigned int i = 0; i < jumps.size(); ++i)
+        std::copy(jumps[i].begin_raw(),
+                  jumps[i].end_raw(),
+                  all.begin() + i * (dim + 1));
+      return all;
     }
 
     const Body<dim>    &body;
     Log                &log;
-    std::vector<double> lengths;     ///< of the last period
-    std::vector<double> now, before; ///< look_at() at this and the last sample
-
-    std::map<unsigned int, Jumps> jumps; ///< of this rank's unknowns
-    /** This rank's bounds, and the entries that tell whether they are closed.
-     */
-    std::vector<std::pair<unsigned int, unsigned int>> bounds;
+    std::vector<double> lengths; ///< of the last period
+    std::vector<double> before;  ///< look_at() at the last sample
   };
 } // namespace Crevasse
 

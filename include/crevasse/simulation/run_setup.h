@@ -50,7 +50,8 @@ namespace Crevasse
         body.material.relaxation_times(instants, steps.period());
       largest_thermal_strain = body.material.largest_thermal_strain(instants);
       largest_nodal_force    = largest_load(body, steps);
-      missed_load            = load_missed_by_steps(body, steps);
+      body.lip.negligible_force = 1e-9 * largest_nodal_force;
+      missed_load               = load_missed_by_steps(body, steps);
       // Choices depend on the jumps.
       steps.set_jumps(find_jumps(scene, body, steps, largest_nodal_force));
       periodic_choice =
@@ -130,7 +131,7 @@ namespace Crevasse
     }
 
     const Scene                             scene;
-    const Body<dim>                         body;
+    Body<dim>                               body;
     const StressRecovery<dim>               recovery;
     const std::vector<ProbeEvaluator<dim>>  probes;
     StepList                                steps;      ///< of the first period
