@@ -65,12 +65,7 @@ namespace Crevasse
 
     /** Collective.
      *
-     * @param flow of mean_load()
-    {
-      Vector mean = load[0];
-      mean /= material.viscosity_factor;
-      return mean;
-    } null: that vanishes.
+     * @param flow that mean_load() causes; null: that load vanishes.
      * @param solve_contact called if a node bears a mean force, on all ranks
      * with the same problem.
      * @param memory for complex factors, in bytes, of all ranks.
