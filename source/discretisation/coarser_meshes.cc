@@ -108,16 +108,8 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                           \
-  template std::vector<CoarserMesh<dim>> coarser_meshes<dim>(      \
-    const Mesh<dim> &, const std::size_t);                         \
-  template std::vector<VoigtMatrix<dim>> means_over_children<dim>( \
-    const Mesh<dim> &,                                             \
-    const CoarserMesh<dim> &,                                      \
-    const std::vector<VoigtMatrix<dim>> &)
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template decltype(coarser_meshes<2>)      coarser_meshes<2>;
+  template decltype(coarser_meshes<3>)      coarser_meshes<3>;
+  template decltype(means_over_children<2>) means_over_children<2>;
+  template decltype(means_over_children<3>) means_over_children<3>;
 } // namespace Crevasse

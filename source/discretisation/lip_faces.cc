@@ -135,14 +135,10 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                 \
-  template std::vector<LipFace<dim>> find_lip_faces(const Space<dim> &); \
-  template std::vector<unsigned int> find_partners(                      \
-    const std::vector<Point<dim>> &, const std::vector<double> &);       \
-  template std::string describe_unmatched(const Point<dim> &)
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template decltype(find_lip_faces<2>)     find_lip_faces<2>;
+  template decltype(find_lip_faces<3>)     find_lip_faces<3>;
+  template decltype(find_partners<2>)      find_partners<2>;
+  template decltype(find_partners<3>)      find_partners<3>;
+  template decltype(describe_unmatched<2>) describe_unmatched<2>;
+  template decltype(describe_unmatched<3>) describe_unmatched<3>;
 } // namespace Crevasse

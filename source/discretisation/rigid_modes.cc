@@ -99,8 +99,6 @@ namespace Crevasse
 
   template class RigidParts<2>;
   template class RigidParts<3>;
-  template std::vector<Vector>
-  rigid_modes<2>(const Space<2> &);
-  template std::vector<Vector>
-  rigid_modes<3>(const Space<3> &);
+  template decltype(rigid_modes<2>) rigid_modes<2>;
+  template decltype(rigid_modes<3>) rigid_modes<3>;
 } // namespace Crevasse

@@ -367,14 +367,10 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                \
-  template std::vector<std::string> find_free_rigid_motions<dim>(       \
-    const Space<dim> &);                                                \
-  template std::vector<RigidMotion> rigid_motions_held_by_contact<dim>( \
-    const Space<dim> &)
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template decltype(find_free_rigid_motions<2>) find_free_rigid_motions<2>;
+  template decltype(find_free_rigid_motions<3>) find_free_rigid_motions<3>;
+  template decltype(rigid_motions_held_by_contact<2>)
+    rigid_motions_held_by_contact<2>;
+  template decltype(rigid_motions_held_by_contact<3>)
+    rigid_motions_held_by_contact<3>;
 } // namespace Crevasse

@@ -295,8 +295,6 @@ namespace Crevasse
 
 
 
-  template CrackFront<2>
-  crack_front<2>(const Triangulation<2> &, const BoundaryRoles &);
-  template CrackFront<3>
-  crack_front<3>(const Triangulation<3> &, const BoundaryRoles &);
+  template decltype(crack_front<2>) crack_front<2>;
+  template decltype(crack_front<3>) crack_front<3>;
 } // namespace Crevasse

@@ -126,16 +126,10 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                       \
-  template void set_curved_edges(const EdgeMiddles<dim> &,     \
-                                 Triangulation<dim> &);        \
-  template bool has_curved_edges(const Triangulation<dim> &);  \
-  template void require_flat_faces(const Triangulation<dim> &, \
-                                   const char *,               \
-                                   const std::set<types::boundary_id> &)
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template decltype(set_curved_edges<2>)   set_curved_edges<2>;
+  template decltype(set_curved_edges<3>)   set_curved_edges<3>;
+  template decltype(has_curved_edges<2>)   has_curved_edges<2>;
+  template decltype(has_curved_edges<3>)   has_curved_edges<3>;
+  template decltype(require_flat_faces<2>) require_flat_faces<2>;
+  template decltype(require_flat_faces<3>) require_flat_faces<3>;
 } // namespace Crevasse

@@ -350,14 +350,6 @@ namespace Crevasse
 
 
 
-  template void
-  make_mesh<2>(const GeometryParameters &,
-               Triangulation<2> &,
-               const std::function<void(const CellCounts &)> &,
-               const std::set<unsigned int> &);
-  template void
-  make_mesh<3>(const GeometryParameters &,
-               Triangulation<3> &,
-               const std::function<void(const CellCounts &)> &,
-               const std::set<unsigned int> &);
+  template decltype(make_mesh<2>) make_mesh<2>;
+  template decltype(make_mesh<3>) make_mesh<3>;
 } // namespace Crevasse

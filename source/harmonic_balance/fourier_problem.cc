@@ -233,21 +233,10 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                                  \
-  template std::vector<std::string> fourier_obstacles<dim>(const Scene &,                 \
-                                                           const Body<dim> &,             \
-                                                           const StepList &);             \
-  template void                     require_fourier<dim>(const Scene &,                   \
-                                     const Body<dim> &,               \
-                                     const StepList &);               \
-  template FourierResult            solve_fourier_problem<dim>(const Scene &,             \
-                                                    const Body<dim> &,         \
-                                                    const StepList &,          \
-                                                    ContactSystemCache<dim> &, \
-                                                    const double)
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template decltype(fourier_obstacles<2>)     fourier_obstacles<2>;
+  template decltype(fourier_obstacles<3>)     fourier_obstacles<3>;
+  template decltype(require_fourier<2>)       require_fourier<2>;
+  template decltype(require_fourier<3>)       require_fourier<3>;
+  template decltype(solve_fourier_problem<2>) solve_fourier_problem<2>;
+  template decltype(solve_fourier_problem<3>) solve_fourier_problem<3>;
 } // namespace Crevasse

@@ -115,14 +115,6 @@ namespace Crevasse
 
 
 
-  template void
-  require_same_product<2>(const StiffnessOperator<2> &,
-                          const Space<2> &,
-                          const QuadratureField<2> &,
-                          const PointValues<VoigtMatrix<2>> &);
-  template void
-  require_same_product<3>(const StiffnessOperator<3> &,
-                          const Space<3> &,
-                          const QuadratureField<3> &,
-                          const PointValues<VoigtMatrix<3>> &);
+  template decltype(require_same_product<2>) require_same_product<2>;
+  template decltype(require_same_product<3>) require_same_product<3>;
 } // namespace Crevasse

@@ -76,16 +76,6 @@ namespace Crevasse
 
 
 
-  template std::unique_ptr<LinearSolver>
-  make_matrix_solver(const LinearSolverType,
-                     const Space<2> &,
-                     const LinearSolver::Matrix &,
-                     const DirectSolver::Indices &,
-                     std::shared_ptr<const Cholesky::Factor> &);
-  template std::unique_ptr<LinearSolver>
-  make_matrix_solver(const LinearSolverType,
-                     const Space<3> &,
-                     const LinearSolver::Matrix &,
-                     const DirectSolver::Indices &,
-                     std::shared_ptr<const Cholesky::Factor> &);
+  template decltype(make_matrix_solver<2>) make_matrix_solver<2>;
+  template decltype(make_matrix_solver<3>) make_matrix_solver<3>;
 } // namespace Crevasse

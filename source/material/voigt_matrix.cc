@@ -357,7 +357,7 @@ namespace Crevasse
 
 
 #define INSTANTIATE(dim)                                                       \
-  template VoigtMatrix<dim> inverse<dim>(const VoigtMatrix<dim> &);            \
+  template decltype(inverse<dim>) inverse<dim>;                                \
   template VoigtMatrix<dim> relaxed_stiffness<dim>(const VoigtMatrix<dim> &,   \
                                                    const VoigtMatrix<dim> &,   \
                                                    const double);              \
@@ -365,19 +365,15 @@ namespace Crevasse
     const VoigtMatrix<dim> &,                                                  \
     const VoigtMatrix<dim> &,                                                  \
     const std::complex<double>);                                               \
-  template VoigtMatrix<dim> condense_thickness<dim>(const VoigtMatrix<dim> &); \
-  template VoigtMatrix<dim> in_plane<dim>(const VoigtMatrix<dim> &);           \
-  template double least_relative_eigenvalue<dim>(const VoigtMatrix<dim> &,     \
-                                                 const bool);                  \
-  template RelaxationRates   relaxation_rates<dim>(const VoigtMatrix<dim> &,   \
-                                                 const VoigtMatrix<dim> &);  \
-  template VoigtMatrix<dim>  isotropic_stiffness<dim>(const double,            \
-                                                     const double,            \
-                                                     const bool);             \
-  template VoigtMatrix<dim>  isotropic_compliance<dim>(const double,           \
-                                                      const double);          \
-  template bool              is_isotropic<dim>(const VoigtMatrix<dim> &);      \
-  template PhiFunctions<dim> decay_functions<dim>(const VoigtMatrix<dim> &)
+  template decltype(condense_thickness<dim>) condense_thickness<dim>;          \
+  template decltype(in_plane<dim>)           in_plane<dim>;                    \
+  template decltype(least_relative_eigenvalue<dim>)                            \
+                                               least_relative_eigenvalue<dim>; \
+  template decltype(relaxation_rates<dim>)     relaxation_rates<dim>;          \
+  template decltype(isotropic_stiffness<dim>)  isotropic_stiffness<dim>;       \
+  template decltype(isotropic_compliance<dim>) isotropic_compliance<dim>;      \
+  template decltype(is_isotropic<dim>)         is_isotropic<dim>;              \
+  template decltype(decay_functions<dim>)      decay_functions<dim>
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -338,16 +338,12 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                 \
-  template struct Body<dim>;                                             \
-  template UnilateralBounds unilateral_bounds(                           \
-    const ContactBoundary<dim> &,                                        \
-    const Space<dim> &,                                                  \
-    const std::vector<RigidMotion> &);                                   \
-  template std::shared_ptr<Mesh<dim>>   make_scene_mesh(const Scene &,   \
-                                                        const MPI_Comm); \
-  template std::vector<FixedPoint<dim>> fixed_points(const Scene &);     \
-  template std::string                  describe_boundaries<dim>(const Scene &)
+#define INSTANTIATE(dim)                                              \
+  template struct Body<dim>;                                          \
+  template decltype(unilateral_bounds<dim>)   unilateral_bounds<dim>; \
+  template decltype(make_scene_mesh<dim>)     make_scene_mesh<dim>;   \
+  template decltype(fixed_points<dim>)        fixed_points<dim>;      \
+  template decltype(describe_boundaries<dim>) describe_boundaries<dim>
 
   INSTANTIATE(2);
   INSTANTIATE(3);

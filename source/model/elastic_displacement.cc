@@ -93,19 +93,8 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                   \
-  template Vector elastic_displacement<dim>(const Scene &,                 \
-                                            const Body<dim> &,             \
-                                            ContactSystemCache<dim> &,     \
-                                            const Vector &,                \
-                                            const bool);                   \
-  template void   look_at_elastic_states<dim>(const Body<dim> &,           \
-                                            ContactSystemCache<dim> &,   \
-                                            const std::vector<double> &, \
-                                            StressEstimator<dim> &)
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template decltype(elastic_displacement<2>)   elastic_displacement<2>;
+  template decltype(elastic_displacement<3>)   elastic_displacement<3>;
+  template decltype(look_at_elastic_states<2>) look_at_elastic_states<2>;
+  template decltype(look_at_elastic_states<3>) look_at_elastic_states<3>;
 } // namespace Crevasse

@@ -293,17 +293,12 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                  \
-  template double       n_unknowns_of_first_mesh(const Body<dim> &);      \
-  template SolverChoice choose_solvers(const Scene &, const Body<dim> &); \
-  template double       bytes_of_solver<dim>(const LinearSolverType,      \
-                                       const double,                \
-                                       const double,                \
-                                       const unsigned int,          \
-                                       const unsigned int);         \
-  template void         require_room<dim>(const Scene &,                  \
-                                  const CellCounts &,             \
-                                  const MPI_Comm)
+#define INSTANTIATE(dim)                                                 \
+  template decltype(n_unknowns_of_first_mesh<dim>)                       \
+                                          n_unknowns_of_first_mesh<dim>; \
+  template decltype(choose_solvers<dim>)  choose_solvers<dim>;           \
+  template decltype(bytes_of_solver<dim>) bytes_of_solver<dim>;          \
+  template decltype(require_room<dim>)    require_room<dim>
 
   INSTANTIATE(2);
   INSTANTIATE(3);

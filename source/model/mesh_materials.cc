@@ -124,12 +124,8 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                    \
-  template void        require_materials(const Scene &, const Mesh<dim> &); \
-  template std::string describe_materials(const Scene &, const Mesh<dim> &)
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template decltype(require_materials<2>)  require_materials<2>;
+  template decltype(require_materials<3>)  require_materials<3>;
+  template decltype(describe_materials<2>) describe_materials<2>;
+  template decltype(describe_materials<3>) describe_materials<3>;
 } // namespace Crevasse

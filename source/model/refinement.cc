@@ -255,18 +255,11 @@ namespace Crevasse
 
 
 
-// clang-format off
-#define INSTANTIATE(dim)                                                     \
-  template bool flag_unmatched_lips<dim>(Mesh<dim> &, const BoundaryRoles &); \
-  template void divide_and_predict<dim>(                                     \
-    Mesh<dim> &, const CrackFront<dim> &, const unsigned int,                \
-    dealii::Vector<float> &);                                                \
-  template types::global_dof_index count_unknowns<dim>(const Mesh<dim> &,    \
-                                                       const unsigned int);  \
-  template std::shared_ptr<Mesh<dim>> graded_mesh<dim>(                      \
-    const std::function<std::shared_ptr<Mesh<dim>>()> &,                     \
-    const BoundaryRoles &, const RefinementParameters &, const unsigned int)
-  // clang-format on
+#define INSTANTIATE(dim)                                                \
+  template decltype(flag_unmatched_lips<dim>) flag_unmatched_lips<dim>; \
+  template decltype(divide_and_predict<dim>)  divide_and_predict<dim>;  \
+  template decltype(count_unknowns<dim>)      count_unknowns<dim>;      \
+  template decltype(graded_mesh<dim>)         graded_mesh<dim>
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -356,19 +356,10 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                              \
-  template std::string  secular_obstacle<dim>(const Body<dim> &);     \
-  template SecularSplit choose_secular_split<dim>(const Scene &,      \
-                                                  const Body<dim> &,  \
-                                                  const StepList &,   \
-                                                  const Integrator *, \
-                                                  const bool);        \
-  template SecularFlow  solve_secular_problem<dim>(const Body<dim> &, \
-                                                  const Vector &,    \
-                                                  ContactSystemCache<dim> &)
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template decltype(secular_obstacle<2>)      secular_obstacle<2>;
+  template decltype(secular_obstacle<3>)      secular_obstacle<3>;
+  template decltype(choose_secular_split<2>)  choose_secular_split<2>;
+  template decltype(choose_secular_split<3>)  choose_secular_split<3>;
+  template decltype(solve_secular_problem<2>) solve_secular_problem<2>;
+  template decltype(solve_secular_problem<3>) solve_secular_problem<3>;
 } // namespace Crevasse

@@ -89,8 +89,6 @@ namespace Crevasse
 
 
 
-  template std::vector<FixedPoint<2>>
-  to_fixed_points<2>(const FixedPointList &);
-  template std::vector<FixedPoint<3>>
-  to_fixed_points<3>(const FixedPointList &);
+  template decltype(to_fixed_points<2>) to_fixed_points<2>;
+  template decltype(to_fixed_points<3>) to_fixed_points<3>;
 } // namespace Crevasse

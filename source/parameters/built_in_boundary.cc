@@ -115,8 +115,6 @@ namespace Crevasse
 
 
 
-  template std::vector<FixedPoint<2>>
-  built_in_fixed_points<2>(const GeometryParameters &, const BoundaryRoles &);
-  template std::vector<FixedPoint<3>>
-  built_in_fixed_points<3>(const GeometryParameters &, const BoundaryRoles &);
+  template decltype(built_in_fixed_points<2>) built_in_fixed_points<2>;
+  template decltype(built_in_fixed_points<3>) built_in_fixed_points<3>;
 } // namespace Crevasse

@@ -85,8 +85,6 @@ namespace Crevasse
 
 
 
-  template dealii::Point<2>
-  to_point<2>(const std::vector<double> &);
-  template dealii::Point<3>
-  to_point<3>(const std::vector<double> &);
+  template decltype(to_point<2>) to_point<2>;
+  template decltype(to_point<3>) to_point<3>;
 } // namespace Crevasse

@@ -159,14 +159,6 @@ namespace Crevasse
 
 
 
-  template PeriodicChoice
-  choose_periodic_method<2>(const Scene &,
-                            const Body<2> &,
-                            const StepList &,
-                            const double);
-  template PeriodicChoice
-  choose_periodic_method<3>(const Scene &,
-                            const Body<3> &,
-                            const StepList &,
-                            const double);
+  template decltype(choose_periodic_method<2>) choose_periodic_method<2>;
+  template decltype(choose_periodic_method<3>) choose_periodic_method<3>;
 } // namespace Crevasse

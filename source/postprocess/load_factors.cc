@@ -128,14 +128,6 @@ namespace Crevasse
 
 
 
-  template LoadFactors
-  load_factors(const Body<2> &,
-               const StepList &,
-               const Integrator *,
-               const ComparedLip);
-  template LoadFactors
-  load_factors(const Body<3> &,
-               const StepList &,
-               const Integrator *,
-               const ComparedLip);
+  template decltype(load_factors<2>) load_factors<2>;
+  template decltype(load_factors<3>) load_factors<3>;
 } // namespace Crevasse

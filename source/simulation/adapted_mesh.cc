@@ -343,14 +343,8 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                                                    \
-  template std::vector<double> instants_of_estimate<dim>(const Scene &,     \
-                                                         const Body<dim> &, \
-                                                         const StepList &); \
-  template class AdaptedMesh<dim>
-
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-
-#undef INSTANTIATE
+  template decltype(instants_of_estimate<2>) instants_of_estimate<2>;
+  template decltype(instants_of_estimate<3>) instants_of_estimate<3>;
+  template class AdaptedMesh<2>;
+  template class AdaptedMesh<3>;
 } // namespace Crevasse

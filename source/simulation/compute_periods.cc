@@ -286,8 +286,6 @@ namespace Crevasse
 
 
 
-  template void
-  compute_periods(Workspace<2> &, const std::vector<Observer *> &);
-  template void
-  compute_periods(Workspace<3> &, const std::vector<Observer *> &);
+  template decltype(compute_periods<2>) compute_periods<2>;
+  template decltype(compute_periods<3>) compute_periods<3>;
 } // namespace Crevasse

@@ -133,8 +133,6 @@ namespace Crevasse
 
 
 
-  template void
-  find_periodic_start(Workspace<2> &);
-  template void
-  find_periodic_start(Workspace<3> &);
+  template decltype(find_periodic_start<2>) find_periodic_start<2>;
+  template decltype(find_periodic_start<3>) find_periodic_start<3>;
 } // namespace Crevasse

@@ -109,8 +109,6 @@ namespace Crevasse
 
 
 
-  template void
-  write_relaxation_table(Workspace<2> &);
-  template void
-  write_relaxation_table(Workspace<3> &);
+  template decltype(write_relaxation_table<2>) write_relaxation_table<2>;
+  template decltype(write_relaxation_table<3>) write_relaxation_table<3>;
 } // namespace Crevasse

@@ -326,9 +326,9 @@ namespace Crevasse
 
 
 
-#define INSTANTIATE(dim)                             \
-  template Summary sizes_of<dim>(const Body<dim> &); \
-  template void    describe<dim>(const RunSetup<dim> &, Log &)
+#define INSTANTIATE(dim)                          \
+  template decltype(sizes_of<dim>) sizes_of<dim>; \
+  template void                    describe<dim>(const RunSetup<dim> &, Log &)
 
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -117,12 +117,6 @@ namespace Crevasse
 
 
 
-  template std::vector<std::string>
-  warnings<2>(const RunSetup<2> &,
-              const PeriodicChoice &,
-              const SecularSplit &);
-  template std::vector<std::string>
-  warnings<3>(const RunSetup<3> &,
-              const PeriodicChoice &,
-              const SecularSplit &);
+  template decltype(warnings<2>) warnings<2>;
+  template decltype(warnings<3>) warnings<3>;
 } // namespace Crevasse
