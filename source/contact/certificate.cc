@@ -4,11 +4,9 @@
 #include <crevasse/base/format.h>
 #include <crevasse/contact/certificate.h>
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iomanip>
 
@@ -16,35 +14,22 @@ namespace Crevasse
 {
   using namespace dealii;
 
-  namespace
-  {
-    template <std::size_t n>
-    void
-    take_maxima(std::array<double, n> &values, const MPI_Comm communicator)
-    {
-      Utilities::MPI::max(ArrayView<const double>(values.data(), n),
-                          communicator,
-                          ArrayView<double>(values.data(), n));
-    }
-  } // namespace
-
-
-
   void
   Scales::include(const SignoriniProblem &problem,
                   const Vector           &right_hand_side,
                   const Vector           &solution)
   {
-    std::array<double, 3> here{{0., 0., 0.}};
+    double here[] = {0., 0., 0.};
     for (unsigned int i = 0; i < solution.locally_owned_size(); ++i)
       {
         const double b  = std::abs(right_hand_side.local_element(i));
         const double q  = std::abs(solution.local_element(i));
         const double Aq = problem.diagonal().local_element(i) * q;
-        here            = {
-                     {std::max(here[0], b), std::max(here[1], q), std::max(here[2], Aq)}};
+        here[0]         = std::max(here[0], b);
+        here[1]         = std::max(here[1], q);
+        here[2]         = std::max(here[2], Aq);
       }
-    take_maxima(here, problem.stiffness.get_mpi_communicator());
+    Utilities::MPI::max(here, problem.stiffness.get_mpi_communicator(), here);
     largest_force         = std::max(largest_force, here[0]);
     displacement_to_round = std::max(displacement_to_round, here[1]);
     force_to_round        = std::max(force_to_round, here[2]);
@@ -146,12 +131,11 @@ namespace Crevasse
     certificate.residual =
       is_finite ? largest / force : std::numeric_limits<double>::infinity();
 
-    std::array<double, 4> all{{certificate.penetration,
-                               certificate.tension,
-                               certificate.complementarity,
-                               certificate.residual}};
-    take_maxima(all, problem.stiffness.get_mpi_communicator());
-    certificate = {all[0], all[1], all[2], all[3]};
-    return certificate;
+    double all[] = {certificate.penetration,
+                    certificate.tension,
+                    certificate.complementarity,
+                    certificate.residual};
+    Utilities::MPI::max(all, problem.stiffness.get_mpi_communicator(), all);
+    return {all[0], all[1], all[2], all[3]};
   }
 } // namespace Crevasse

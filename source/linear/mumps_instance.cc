@@ -193,13 +193,10 @@ namespace Crevasse
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < i; ++j)
         schur_complement(i, j) = schur_complement(j, i);
-    const int error =
-      MPI_Bcast(&schur_complement(0, 0),
-                n * n,
-                dealii::Utilities::MPI::mpi_type_id_for_type<Number>,
-                0,
-                communicator);
-    AssertThrowMPI(error);
+    dealii::Utilities::MPI::broadcast(&schur_complement(0, 0),
+                                      n * n,
+                                      0,
+                                      communicator);
   }
 
 
@@ -224,13 +221,10 @@ namespace Crevasse
     icntl(26)    = 1; // as far as P
     call(data, 3);
     require("a condensation");
-    const int error =
-      MPI_Bcast(on_last.begin(),
-                on_last.size(),
-                dealii::Utilities::MPI::mpi_type_id_for_type<Number>,
-                0,
-                communicator);
-    AssertThrowMPI(error);
+    dealii::Utilities::MPI::broadcast(on_last.begin(),
+                                      on_last.size(),
+                                      0,
+                                      communicator);
     collectively(communicator, [&]() { problem(on_last); });
     icntl(26) = 2; // and back
     call(data, 3);
