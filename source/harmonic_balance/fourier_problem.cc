@@ -203,9 +203,7 @@ namespace Crevasse
                         const double             smallest_relaxation_time)
   {
     FourierResult result;
-    result.rule = scene.periodic_state.harmonics == HarmonicRule::exact
-                    ? TimeRule::exact
-                    : TimeRule::trapezoid;
+    result.rule = scene.periodic_state.harmonics;
     const Harmonics    harmonics(steps.period(), steps.n_steps(), result.rule);
     const Fourier<dim> fourier(body,
                                harmonics,

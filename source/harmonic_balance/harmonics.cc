@@ -13,7 +13,7 @@ namespace Crevasse
 
   Harmonics::Harmonics(const double       period,
                        const unsigned int n,
-                       const TimeRule     rule)
+                       const HarmonicRule rule)
     : n_instants(n)
     , period(period)
     , rule(rule)
@@ -43,7 +43,7 @@ namespace Crevasse
   std::complex<double>
   Harmonics::integral(const unsigned int n) const
   {
-    if (rule == TimeRule::exact)
+    if (rule == HarmonicRule::exact)
       return {0., -period / (2. * numbers::PI * n)};
     if (is_real(n))
       return 0.;

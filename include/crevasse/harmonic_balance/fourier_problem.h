@@ -34,7 +34,7 @@ namespace Crevasse
   {
     PeriodicMotion             motion;
     std::optional<SecularFlow> flow; ///< none: the mean load vanishes
-    TimeRule                   rule = TimeRule::trapezoid;
+    HarmonicRule               rule = HarmonicRule::trapezoid;
     std::vector<std::string>   warnings;
 
     /** How the contact problem was solved; empty if no node bears a mean

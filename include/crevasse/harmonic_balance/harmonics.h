@@ -4,6 +4,8 @@
 #ifndef crevasse_harmonic_balance_harmonics_h
 #define crevasse_harmonic_balance_harmonics_h
 
+#include <crevasse/parameters/solver_selections.h>
+
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
@@ -12,19 +14,6 @@
 
 namespace Crevasse
 {
-  /** By what the derivative in time of a harmonic is replaced. */
-  enum class TimeRule
-  {
-    /** What the trapezoidal rule with steps from instant to instant makes of
-     * it: the samples satisfy that scheme to rounding. */
-    trapezoid,
-    /** The derivative of the trigonometric polynomial through the samples: as
-     * good as the loads are smooth. */
-    exact
-  };
-
-
-
   /**
    * A period sampled at N equidistant instants t_j, and the trigonometric
    * polynomial through the samples,
@@ -38,9 +27,14 @@ namespace Crevasse
   class Harmonics
   {
   public:
+    /** @param rule by what the derivative in time of a harmonic is replaced:
+     * by what the trapezoidal rule with steps from instant to instant makes of
+     * it, so that the samples satisfy that scheme to rounding; or by the
+     * derivative of the trigonometric polynomial through the samples, which is
+     * as good as the loads are smooth. */
     Harmonics(const double       period,
               const unsigned int n_instants,
-              const TimeRule     rule);
+              const HarmonicRule rule);
 
     double
     instant(const unsigned int j) const
@@ -107,7 +101,7 @@ namespace Crevasse
           std::vector<VectorType>          &vectors);
 
     const double               period;
-    const TimeRule             rule;
+    const HarmonicRule         rule;
     dealii::FullMatrix<double> analysis, synthesis;
   };
 

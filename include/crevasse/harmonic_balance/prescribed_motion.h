@@ -28,7 +28,7 @@ namespace Crevasse
      * it.
      * @param largest_load at a node. */
     PrescribedMotion(const PeriodicMotion &motion,
-                     const TimeRule        rule,
+                     const HarmonicRule    rule,
                      const double          step,
                      const double          diameter,
                      const double          largest_load)
@@ -128,7 +128,7 @@ namespace Crevasse
 
   private:
     const PeriodicMotion &motion;
-    const TimeRule        rule;
+    const HarmonicRule    rule;
 
     /** The number of the instant @p t, from 0; N at the end of the period. */
     unsigned int
@@ -142,7 +142,7 @@ namespace Crevasse
     void
     compare_step(const unsigned int end, const Vector &r, const Vector &rate)
     {
-      if (rule != TimeRule::trapezoid)
+      if (rule != HarmonicRule::trapezoid)
         return;
       defect = r;
       defect -= motion.viscous_strain[end - 1];

@@ -23,7 +23,7 @@ namespace
   void
   check_harmonics(const unsigned int n)
   {
-    const Harmonics                     harmonics(3., n, TimeRule::trapezoid);
+    const Harmonics harmonics(3., n, HarmonicRule::trapezoid);
     std::vector<dealii::Vector<double>> samples(n, dealii::Vector<double>(2));
     for (unsigned int j = 0; j < n; ++j)
       {
