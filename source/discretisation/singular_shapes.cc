@@ -86,8 +86,8 @@ namespace Crevasse
                                  const DoFHandler<2>     &dof_handler)
     : functions(functions)
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    const IndexSet relevant =
+      DoFTools::extract_locally_relevant_dofs(dof_handler);
     AffineConstraints<double> hanging_nodes(relevant);
     DoFTools::make_hanging_node_constraints(dof_handler, hanging_nodes);
     hanging_nodes.close();

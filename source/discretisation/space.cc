@@ -153,10 +153,8 @@ namespace Crevasse
   void
   Space<dim>::make_supports()
   {
-    IndexSet relevant;
-    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
     auto &all = supports_and_hanging;
-    all.reinit(relevant);
+    all.reinit(DoFTools::extract_locally_relevant_dofs(dof_handler));
     DoFTools::make_hanging_node_constraints(dof_handler, all);
     for (const auto id : roles.clamped)
       VectorTools::interpolate_boundary_values(

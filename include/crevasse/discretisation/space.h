@@ -47,9 +47,9 @@ namespace Crevasse
   Vector
   make_vector(const dealii::DoFHandler<dim> &dofs)
   {
-    dealii::IndexSet relevant;
-    dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-    return Vector(dofs.locally_owned_dofs(), relevant, dofs.get_communicator());
+    return Vector(dofs.locally_owned_dofs(),
+                  dealii::DoFTools::extract_locally_relevant_dofs(dofs),
+                  dofs.get_communicator());
   }
 
   /**

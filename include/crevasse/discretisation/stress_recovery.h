@@ -43,8 +43,8 @@ namespace Crevasse
       dof_handler.distribute_dofs(fe);
       extrapolations = fitting_matrices(fe, space);
 
-      dealii::IndexSet relevant;
-      dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      const dealii::IndexSet relevant =
+        dealii::DoFTools::extract_locally_relevant_dofs(dof_handler);
       layout = std::make_shared<dealii::Utilities::MPI::Partitioner>(
         dof_handler.locally_owned_dofs(), relevant, space.communicator());
       hanging_nodes.reinit(relevant);
