@@ -54,20 +54,15 @@ namespace Crevasse
     , weight(points.n_local_points)
     , cell(points.n_local_points)
   {
-    CellValues<2> cell_values(space,
-                              update_quadrature_points | update_JxW_values);
-    for (const auto &active : owned_cells(space.dof_handler))
-      {
-        const FEValues<2> &values = cell_values.reinit(active);
-        const std::size_t  first =
-          points.offset(active) / QuadratureField<2>::n_components;
-        for (const unsigned int q : values.quadrature_point_indices())
-          {
-            location[first + q] = values.quadrature_point(q);
-            weight[first + q]   = values.JxW(q);
-            cell[first + q]     = active->active_cell_index();
-          }
-      }
+    for_each_point(space,
+                   update_quadrature_points | update_JxW_values,
+                   [&](const FEValues<2> &values,
+                       const unsigned int q,
+                       const std::size_t  point) {
+                     location[point] = values.quadrature_point(q);
+                     weight[point]   = values.JxW(q);
+                     cell[point]     = values.get_cell()->active_cell_index();
+                   });
   }
 
 

@@ -48,16 +48,13 @@ namespace Crevasse
                                                  points.n_local_points,
                                                  inverse_of_upper));
         }
-      CellValues<dim> cell_values(space, dealii::update_JxW_values);
-      weights.resize(points.n_local_points);
-      for (const auto &cell : owned_cells(space.dof_handler))
-        {
-          const dealii::FEValues<dim> &values = cell_values.reinit(cell);
-          const std::size_t            first =
-            points.offset(cell) / n_stress_components<dim>;
-          for (const unsigned int q : values.quadrature_point_indices())
-            weights[first + q] = std::sqrt(values.JxW(q));
-        }
+      for_each_point(space,
+                     dealii::update_JxW_values,
+                     [this](const dealii::FEValues<dim> &values,
+                            const unsigned int           q,
+                            const std::size_t) {
+                       weights.push_back(std::sqrt(values.JxW(q)));
+                     });
     }
 
     /** y, with the layout of r. */
