@@ -14,6 +14,8 @@
 
 #include <deal.II/fe/mapping_q1.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 namespace Crevasse
 {
   using namespace dealii;
@@ -147,18 +149,16 @@ namespace Crevasse
   {
     const BoundaryRoles      roles = boundary_roles(scene);
     std::vector<std::string> parts;
-    const auto               add = [&parts](const char *role, const auto &ids) {
-      std::vector<std::string> numbers;
-      for (const auto id : ids)
-        numbers.push_back(std::to_string(id));
-      if (!ids.empty())
-        parts.push_back(role + (" " + Text::join(numbers, ", ")));
-    };
-    add("clamped", roles.clamped);
-    add("symmetry", roles.symmetry);
-    add("loaded", roles.loaded);
-    add("contact", roles.contact);
-    add("crack", roles.crack);
+    for (const BoundaryRole &role : boundary_role_table)
+      {
+        std::vector<std::string> numbers;
+        for (const auto id : roles.*role.ids)
+          numbers.push_back(std::to_string(id));
+        if (!numbers.empty())
+          parts.push_back(
+            boost::algorithm::to_lower_copy(std::string(role.name)) + ' ' +
+            Text::join(numbers, ", "));
+      }
     // As in a scene: components follow a colon unless all are fixed.
     for (const FixedPoint<dim> &fixed : fixed_points<dim>(scene))
       {
