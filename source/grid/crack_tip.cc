@@ -40,6 +40,7 @@ namespace Crevasse
     template <int dim>
     struct FaceAtEnd
     {
+      unsigned int                      index; ///< of the vertex or edge
       std::pair<Point<dim>, Point<dim>> end;
       Point<dim>                        center;
       Tensor<1, dim>                    normal;
@@ -47,7 +48,7 @@ namespace Crevasse
 
 
 
-    /** By the index of the vertex or edge. */
+    /** By the index. */
     template <int dim>
     using FacesAtEnds = std::multimap<unsigned int, FaceAtEnd<dim>>;
 
@@ -69,7 +70,8 @@ namespace Crevasse
                                    const Point<dim>  &first,
                                    const Point<dim>  &last) {
                 faces.emplace(
-                  index, FaceAtEnd<dim>{{first, last}, face->center(), normal});
+                  index,
+                  FaceAtEnd<dim>{index, {first, last}, face->center(), normal});
               };
               if constexpr (dim == 2)
                 for (const unsigned int v : face->vertex_indices())
@@ -99,7 +101,7 @@ namespace Crevasse
           const auto [first, last] = planes.equal_range(index);
           for (auto plane = first; plane != last; ++plane)
             if (lip.normal * plane->second.normal > 1. - 1e-10)
-              f(index, lip, plane->second);
+              f(lip, plane->second);
         }
     }
 
@@ -132,15 +134,11 @@ namespace Crevasse
   {
     std::map<unsigned int, CrackTip> tips;
     for_each_end_of_lip<2>(
-      mesh,
-      roles,
-      [&tips](const unsigned int  vertex,
-              const FaceAtEnd<2> &lip,
-              const FaceAtEnd<2> &plane) {
+      mesh, roles, [&tips](const FaceAtEnd<2> &lip, const FaceAtEnd<2> &plane) {
         const Point<2>    &tip   = plane.end.first;
         const Tensor<1, 2> ahead = plane.center - tip;
         if (ahead * (lip.center - tip) < 0.)
-          tips[vertex] = {tip, ahead / ahead.norm(), -plane.normal};
+          tips[lip.index] = {tip, ahead / ahead.norm(), -plane.normal};
       });
     std::vector<CrackTip> list;
     for (const auto &[vertex, tip] : tips)
@@ -248,17 +246,12 @@ namespace Crevasse
   crack_front(const Triangulation<dim> &mesh, const BoundaryRoles &roles)
   {
     CrackFront<dim> front;
-    for_each_end_of_lip<dim>(mesh,
-                             roles,
-                             [&front](const unsigned int,
-                                      const FaceAtEnd<dim> &lip,
-                                      const FaceAtEnd<dim> &) {
-                               front.push_back(lip.end);
-                             });
-    for_each_end_of_crack<dim>(
-      mesh, roles, [&front](const FaceAtEnd<dim> &lip, const FaceAtEnd<dim> &) {
-        front.push_back(lip.end);
-      });
+    const auto      add = [&front](const FaceAtEnd<dim> &lip,
+                              const FaceAtEnd<dim> &) {
+      front.push_back(lip.end);
+    };
+    for_each_end_of_lip<dim>(mesh, roles, add);
+    for_each_end_of_crack<dim>(mesh, roles, add);
     return front;
   }
 
@@ -276,13 +269,10 @@ namespace Crevasse
         std::swap(first, last);
       front.push_back({first, last, inward, two_lips});
     };
-    for_each_end_of_lip<3>(mesh,
-                           roles,
-                           [&add](const unsigned int,
-                                  const FaceAtEnd<3> &lip,
-                                  const FaceAtEnd<3> &plane) {
-                             add(lip, -plane.normal, false);
-                           });
+    for_each_end_of_lip<3>(
+      mesh, roles, [&add](const FaceAtEnd<3> &lip, const FaceAtEnd<3> &plane) {
+        add(lip, -plane.normal, false);
+      });
     for_each_end_of_crack<3>(
       mesh, roles, [&add](const FaceAtEnd<3> &lip, const FaceAtEnd<3> &) {
         unsigned int last = 2;
