@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/join.hpp>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -68,10 +69,7 @@ namespace Crevasse
     std::string
     join(const std::vector<std::string> &parts, const std::string &glue)
     {
-      std::string result;
-      for (std::size_t i = 0; i < parts.size(); ++i)
-        result += (i == 0 ? "" : glue) + parts[i];
-      return result;
+      return boost::algorithm::join(parts, glue);
     }
 
 
