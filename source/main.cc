@@ -277,23 +277,20 @@ namespace
 
 
 
-  /** Those of signals_to_stop that the program was begun to ignore. */
-  bool ignored[std::size(signals_to_stop)];
-
-
-
-  /** nohup has SIGHUP ignored, and shells SIGINT for what runs in the
-   * background; MPI may take signals for itself. */
-  void
-  note_ignored_signals()
+  /** Those of signals_to_stop that the program was begun to ignore: nohup has
+   * SIGHUP ignored, and shells SIGINT for what runs in the background. */
+  std::vector<int>
+  ignored_signals()
   {
-    for (std::size_t i = 0; i < std::size(signals_to_stop); ++i)
-      {
-        struct sigaction action = {};
-        sigaction(signals_to_stop[i], nullptr, &action);
-        ignored[i] = action.sa_handler == SIG_IGN;
-      }
+    std::vector<int> ignored;
+    for (const int signal : signals_to_stop)
+      if (struct sigaction action = {};
+          sigaction(signal, nullptr, &action) == 0 &&
+          action.sa_handler == SIG_IGN)
+        ignored.push_back(signal);
+    return ignored;
   }
+
 
 
   /** Everything from the command line to the exit status. */
@@ -307,7 +304,7 @@ namespace
       return serve(run_program);
     if (word == "evaluate" && argc > 3)
       return evaluate(argc, argv);
-    note_ignored_signals();
+    const std::vector<int> ignored = ignored_signals();
     // A checkpoint may be asked for before the run can write one, which is no
     // reason to end.
     std::signal(SIGUSR1, SIG_IGN);
@@ -325,9 +322,8 @@ namespace
     // Whoever reads the log may end before the run does; Open MPI has its own
     // mind about this.
     std::signal(SIGPIPE, SIG_IGN);
-    for (std::size_t i = 0; i < std::size(signals_to_stop); ++i)
-      if (ignored[i])
-        std::signal(signals_to_stop[i], SIG_IGN);
+    for (const int signal : ignored) // MPI may have taken them for itself
+      std::signal(signal, SIG_IGN);
     return run_guarded(command);
   }
 } // namespace
