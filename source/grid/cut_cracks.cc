@@ -19,17 +19,6 @@ namespace Crevasse
 
 
     Nodes
-    face_nodes(const MeshElement &cell, const std::size_t face)
-    {
-      Nodes nodes;
-      for (const unsigned int i : local_faces(cell.nodes.size())[face])
-        nodes.push_back(cell.nodes[i]);
-      return nodes;
-    }
-
-
-
-    Nodes
     sorted(Nodes nodes)
     {
       std::sort(nodes.begin(), nodes.end());
@@ -43,9 +32,11 @@ namespace Crevasse
     {
       Faces faces;
       for (std::size_t c = 0; c < cells.size(); ++c)
-        for (std::size_t f = 0; f < local_faces(cells[c].nodes.size()).size();
-             ++f)
-          faces[sorted(face_nodes(cells[c], f))].emplace_back(c, f);
+        {
+          const std::vector<Nodes> of_cell = nodes_of_faces(cells[c]);
+          for (std::size_t f = 0; f < of_cell.size(); ++f)
+            faces[sorted(of_cell[f])].emplace_back(c, f);
+        }
       return faces;
     }
 
@@ -147,7 +138,8 @@ namespace Crevasse
           {
             const auto &sides = faces.at(sorted(element.nodes));
             const auto  lip   = [&](const CellFace &side) {
-              return sorted(face_nodes(mesh.cells[side.first], side.second));
+              return sorted(
+                nodes_of_faces(mesh.cells[side.first])[side.second]);
             };
             if (lip(sides[0]) != lip(sides[1]))
               continue;
@@ -184,8 +176,9 @@ namespace Crevasse
           boundary.push_back(element); // to be refused
         else
           for (const auto &[c, f] : face->second)
-            boundary.push_back(
-              {element.number, element.group, face_nodes(mesh.cells[c], f)});
+            boundary.push_back({element.number,
+                                element.group,
+                                nodes_of_faces(mesh.cells[c])[f]});
       return boundary;
     }
 

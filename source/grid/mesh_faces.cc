@@ -109,18 +109,24 @@ namespace Crevasse
 
 
 
-  const std::vector<std::vector<unsigned int>> &
-  local_faces(const std::size_t n_nodes)
+  std::vector<std::vector<std::size_t>>
+  nodes_of_faces(const MeshElement &cell)
   {
-    using LocalFaces = std::vector<std::vector<unsigned int>>;
-    static const LocalFaces of_quadrilateral = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-    static const LocalFaces of_hexahedron    = {{0, 1, 2, 3},
-                                                {4, 5, 6, 7},
-                                                {0, 1, 5, 4},
-                                                {1, 2, 6, 5},
-                                                {2, 3, 7, 6},
-                                                {3, 0, 4, 7}};
-    return n_nodes == 4 ? of_quadrilateral : of_hexahedron;
+    using Faces = std::vector<std::vector<std::size_t>>;
+    // In Gmsh's order of the nodes of a cell.
+    static const Faces of_quadrilateral = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    static const Faces of_hexahedron    = {{0, 1, 2, 3},
+                                           {4, 5, 6, 7},
+                                           {0, 1, 5, 4},
+                                           {1, 2, 6, 5},
+                                           {2, 3, 7, 6},
+                                           {3, 0, 4, 7}};
+
+    Faces faces = cell.nodes.size() == 4 ? of_quadrilateral : of_hexahedron;
+    for (auto &face : faces)
+      for (std::size_t &node : face)
+        node = cell.nodes[node];
+    return faces;
   }
 
 
@@ -131,13 +137,8 @@ namespace Crevasse
   {
     std::vector<Face> of_cells, of_boundary;
     for (const MeshElement &cell : cells)
-      for (const auto &local_face : local_faces(cell.nodes.size()))
-        {
-          std::vector<std::size_t> nodes;
-          for (const unsigned int i : local_face)
-            nodes.push_back(cell.nodes[i]);
-          of_cells.push_back(make_face(nodes, cell));
-        }
+      for (const auto &nodes : nodes_of_faces(cell))
+        of_cells.push_back(make_face(nodes, cell));
     std::sort(of_cells.begin(), of_cells.end(), is_before);
     check_cells(of_cells);
 

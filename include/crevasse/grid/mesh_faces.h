@@ -17,10 +17,9 @@ namespace Crevasse
     std::vector<std::size_t> nodes; ///< its vertices, in Gmsh's order
   };
 
-  /** The nodes of each face of a quadrilateral (hexahedron), in Gmsh's order of
-   * the nodes of a cell. */
-  const std::vector<std::vector<unsigned int>> &
-  local_faces(const std::size_t n_nodes);
+  /** The nodes of each face of a quadrilateral (hexahedron), once around it. */
+  std::vector<std::vector<std::size_t>>
+  nodes_of_faces(const MeshElement &cell);
 
   /**
    * Whether the elements of a mesh file fit together. deal.II takes for granted
