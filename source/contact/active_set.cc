@@ -18,7 +18,7 @@ namespace Crevasse
                        const unsigned int      maximum_iterations)
     : ContactSolver(problem, tolerance)
     , lip(problem)
-    , face(problem, linear_solver)
+    , face(problem, linear_solver, counts)
     , newton(problem, face)
     , linear_tolerance(linear_tolerance)
     , maximum_iterations(std::min(maximum_iterations, most_sets))

@@ -150,8 +150,8 @@ namespace Crevasse
         before = on_lip;
       }
     const std::uint64_t free = motions_left_free(forces);
-    undetermined += free != 0 ? 1 : 0;
-    never_held &= free;
+    counts.undetermined += free != 0 ? 1 : 0;
+    counts.never_held &= free;
     return n_sets;
   }
 
@@ -161,12 +161,9 @@ namespace Crevasse
   CondensedActiveSet::motions_left_free(const LipVector &forces) const
   {
     const unsigned int n_motions = free_motions.n();
-    // As in ContactBoundary: what rounding leaves of loads stops nothing.
-    constexpr double   negligible = 1e-9;
     FullMatrix<double> gram(n_motions); // of openings where there are forces
     for (unsigned int i = 0; i < forces.size(); ++i)
-      if (sign(i) * forces(i) >
-          std::max(residual_target(), negligible * scales.force()))
+      if (sign(i) * forces(i) > residual_target())
         for (unsigned int a = 0; a < n_motions; ++a)
           for (unsigned int b = 0; b < n_motions; ++b)
             gram(a, b) += free_motions(i, a) * free_motions(i, b);

@@ -66,11 +66,15 @@ namespace Crevasse
     if (!accepts(certified))
       fail(certified, n_new);
     scales_of_solutions = scales;
-    ++solves;
-    iterations += n_new;
-    maxima.merge(certified);
-    largest_error =
-      std::max({largest_error, force_accuracy(), displacement_accuracy()});
+    ++counts.certified;
+    if (problem.n_bounds() > 0)
+      {
+        ++counts.vi_solves;
+        counts.vi_iterations += n_new;
+      }
+    counts.certificate.merge(certified);
+    counts.accuracy =
+      std::max({counts.accuracy, force_accuracy(), displacement_accuracy()});
     contact_forces = forces;
     for (double &force : contact_forces)
       force *= stiffness_factor;

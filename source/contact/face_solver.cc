@@ -9,9 +9,11 @@ namespace Crevasse
   using namespace dealii;
 
   FaceSolver::FaceSolver(const SignoriniProblem &problem,
-                         LinearSolver           &linear_solver)
+                         LinearSolver           &linear_solver,
+                         SolverStatistics       &counts)
     : problem(problem)
     , solver(linear_solver)
+    , counts(counts)
     , projected_residual(problem.diagonal())
   {
   }
@@ -57,8 +59,8 @@ namespace Crevasse
       correction,
       projected_residual,
       residual_norm);
-    ++solves;
-    iterations += end.last_step();
+    ++counts.linear_solves;
+    counts.linear_iterations += end.last_step();
     return end.last_check() == SolverControl::success;
   }
 } // namespace Crevasse

@@ -160,19 +160,8 @@ namespace Crevasse
   SolverStatistics
   ContactSystem<dim>::statistics() const
   {
-    SolverStatistics all  = setups;
-    all.linear_solves     = contact->n_linear_solves();
-    all.linear_iterations = contact->n_linear_iterations();
-    all.certified         = contact->n_solves();
-    all.undetermined      = contact->n_undetermined();
-    all.never_held        = contact->never_held_motions();
-    all.certificate       = contact->worst_certificate();
-    all.accuracy          = contact->accuracy();
-    if (problem().n_bounds() > 0)
-      {
-        all.vi_solves     = contact->n_solves();
-        all.vi_iterations = contact->n_iterations();
-      }
+    SolverStatistics all = setups;
+    all.add(contact->statistics());
     if (open_solver != nullptr)
       {
         all.linear_solves += open_solver->n_solves();

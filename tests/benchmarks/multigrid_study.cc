@@ -142,8 +142,8 @@ namespace
     timer.restart();
     contact.solve(b, q, forces);
     result.contact            = timer.wall_time();
-    result.contact_iterations = contact.n_linear_iterations();
-    result.sets               = contact.n_iterations();
+    result.contact_iterations = contact.statistics().linear_iterations;
+    result.sets               = contact.statistics().vi_iterations;
     return result;
   }
 

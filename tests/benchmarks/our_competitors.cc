@@ -50,9 +50,9 @@ namespace
     unsigned int
     solve(const Vector &b, Vector &q) override
     {
-      const std::size_t before = contact->n_iterations();
+      const std::size_t before = contact->statistics().vi_iterations;
       contact->solve(b, q, forces);
-      return contact->n_iterations() - before;
+      return contact->statistics().vi_iterations - before;
     }
 
   private:

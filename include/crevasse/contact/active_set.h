@@ -38,18 +38,6 @@ namespace Crevasse
     std::string
     description() const override;
 
-    std::size_t
-    n_linear_solves() const override
-    {
-      return face.n_solves();
-    }
-
-    std::size_t
-    n_linear_iterations() const override
-    {
-      return face.n_iterations();
-    }
-
     void
     start_from(const std::vector<bool> &closed_bounds) override;
 

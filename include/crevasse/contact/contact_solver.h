@@ -4,7 +4,7 @@
 #ifndef crevasse_contact_contact_solver_h
 #define crevasse_contact_contact_solver_h
 
-#include <crevasse/contact/certificate.h>
+#include <crevasse/contact/solver_statistics.h>
 #include <crevasse/linear/linear_solver.h>
 
 #include <algorithm>
@@ -65,8 +65,8 @@ namespace Crevasse
     void
     note_newton_residual(const double relative_residual)
     {
-      maxima.newton_residual =
-        std::max(maxima.newton_residual, relative_residual);
+      counts.certificate.newton_residual =
+        std::max(counts.certificate.newton_residual, relative_residual);
     }
 
     /** Which of the locally owned bounds bear more than rounding in the last
@@ -86,63 +86,12 @@ namespace Crevasse
     void
     serialize(StateArchive &archive);
 
-    /** The maxima over all solves so far. */
-    const Certificate &
-    worst_certificate() const
+    /** Of all solves so far. Linear solves and their iterations are those of
+     * the method itself, besides those of its linear solver. */
+    const SolverStatistics &
+    statistics() const
     {
-      return maxima;
-    }
-
-    /** The largest error that was accepted so far: the tolerance, or what
-     * rounding leaves of it. */
-    double
-    accuracy() const
-    {
-      return largest_error;
-    }
-
-    std::size_t
-    n_solves() const
-    {
-      return solves;
-    }
-
-    /** Solutions in which no contact force stops some free motion: stresses
-     * and forces are certain, the position is one of many. */
-    std::size_t
-    n_undetermined() const
-    {
-      return undetermined;
-    }
-
-    /** Bit m: no contact force has stopped free motion m in any solution. The
-     * first 64 motions. */
-    std::uint64_t
-    never_held_motions() const
-    {
-      return never_held;
-    }
-
-    std::size_t
-    n_iterations() const
-    {
-      return iterations;
-    }
-
-    /** Linear solves that are the method's own, besides those of its linear
-     * solver. */
-    virtual std::size_t
-    n_linear_solves() const
-    {
-      return 0;
-    }
-
-    /** Iterations of conjugate gradients that are the method's own, besides
-     * those of its linear solver. */
-    virtual std::size_t
-    n_linear_iterations() const
-    {
-      return 0;
+      return counts;
     }
 
     /** Bytes on this rank, without those of the linear solver. */
@@ -224,8 +173,7 @@ namespace Crevasse
     const SignoriniProblem &problem;
     const double            tolerance;
     Scales                  scales; ///< of all solutions and the candidate
-    std::size_t             undetermined = 0;
-    std::uint64_t           never_held   = ~std::uint64_t(0);
+    SolverStatistics        counts;
 
   private:
     /** Certifies into this object's own work space. */
@@ -243,10 +191,6 @@ namespace Crevasse
     Vector              scaled_right_hand_side; ///< empty until one is scaled
     Vector              residual;
     std::vector<double> forces;
-    Certificate         maxima;
-    double              largest_error = 0.;
-    std::size_t         solves        = 0;
-    std::size_t         iterations    = 0;
   };
 } // namespace Crevasse
 

@@ -4,7 +4,7 @@
 #ifndef crevasse_contact_face_solver_h
 #define crevasse_contact_face_solver_h
 
-#include <crevasse/contact/signorini_problem.h>
+#include <crevasse/contact/solver_statistics.h>
 #include <crevasse/linear/linear_solver.h>
 
 namespace Crevasse
@@ -19,7 +19,10 @@ namespace Crevasse
   class FaceSolver
   {
   public:
-    FaceSolver(const SignoriniProblem &problem, LinearSolver &linear_solver);
+    /** @param counts where linear solves and their iterations are counted. */
+    FaceSolver(const SignoriniProblem &problem,
+               LinearSolver           &linear_solver,
+               SolverStatistics       &counts);
 
     /**
      * @param held for each locally owned bound whether it holds.
@@ -39,19 +42,6 @@ namespace Crevasse
     void
     project(const std::vector<bool> &held, Vector &vector) const;
 
-    std::size_t
-    n_solves() const
-    {
-      return solves;
-    }
-
-    /** Of the conjugate gradients, over all solves. */
-    std::size_t
-    n_iterations() const
-    {
-      return iterations;
-    }
-
     const LinearSolver &
     linear_solver() const
     {
@@ -61,9 +51,8 @@ namespace Crevasse
   private:
     const SignoriniProblem &problem;
     LinearSolver           &solver;
+    SolverStatistics       &counts;
     Vector                  projected_residual;
-    std::size_t             solves     = 0;
-    std::size_t             iterations = 0;
   };
 } // namespace Crevasse
 

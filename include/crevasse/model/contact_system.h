@@ -5,11 +5,11 @@
 #define crevasse_model_contact_system_h
 
 #include <crevasse/contact/contact_solver.h>
+#include <crevasse/contact/solver_statistics.h>
 #include <crevasse/discretisation/stiffness.h>
 #include <crevasse/linear/multigrid_levels.h>
 #include <crevasse/linear/solver_choice.h>
 #include <crevasse/linear/stiffness_operator.h>
-#include <crevasse/model/solver_statistics.h>
 
 namespace Crevasse
 {

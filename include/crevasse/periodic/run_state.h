@@ -5,7 +5,7 @@
 #define crevasse_periodic_run_state_h
 
 #include <crevasse/base/state_archive.h>
-#include <crevasse/model/solver_statistics.h>
+#include <crevasse/contact/solver_statistics.h>
 #include <crevasse/periodic/observed_periods.h>
 
 namespace Crevasse

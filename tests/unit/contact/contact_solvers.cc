@@ -121,7 +121,8 @@ namespace
         const RandomProblem    random(seed, 8, 6, 1.);
         const SignoriniProblem problem(random.matrix, random.bounds);
         Cholesky               cholesky(random.matrix);
-        FaceSolver             face(problem, cholesky);
+        SolverStatistics       counts;
+        FaceSolver             face(problem, cholesky, counts);
         ProjectedNewton        newton(problem, face);
 
         std::mt19937                           generator(seed);
@@ -207,7 +208,8 @@ namespace
     q = 0.;
     std::vector<double> forces;
     solver.solve(plate.loads(), q, forces);
-    check("at most 8 sets on a lip of 400 cells", solver.n_iterations() <= 8);
+    check("at most 8 sets on a lip of 400 cells",
+          solver.statistics().vi_iterations <= 8);
   }
 
   /** Calls a test with each solver, and compares the solutions. */

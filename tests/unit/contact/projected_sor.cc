@@ -61,8 +61,8 @@ namespace
         ProjectedSor solver(problem, 1.3, 1e-13, 100000);
         Vector       q(n);
         solver.solve(random.b, q, forces);
-        largest_certificate =
-          std::max(largest_certificate, solver.worst_certificate().worst());
+        largest_certificate = std::max(largest_certificate,
+                                       solver.statistics().certificate.worst());
         q -= exact;
         largest_error =
           std::max(largest_error, q.linfty_norm() / exact.linfty_norm());

@@ -353,16 +353,17 @@ namespace
       dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
     result.closed_part = dealii::Utilities::MPI::sum(n_closed, MPI_COMM_WORLD) /
                          double(of_operator.n_bounds());
-    result.iterations_of_set =
-      double(with_gmg.n_linear_iterations()) / with_gmg.n_iterations();
+    result.iterations_of_set = double(with_gmg.statistics().linear_iterations) /
+                               with_gmg.statistics().vi_iterations;
 
-    FaceSolver closed(of_operator, gmg);
+    SolverStatistics counts;
+    FaceSolver       closed(of_operator, gmg, counts);
     iterative = 0.;
     closed.solve(std::vector<bool>(block.bounds.dofs.size(), true),
                  b,
                  1e-10 * b.l2_norm(),
                  iterative);
-    result.iterations_closed = closed.n_iterations();
+    result.iterations_closed = counts.linear_iterations;
     return result;
   }
 

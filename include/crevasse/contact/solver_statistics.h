@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#ifndef crevasse_model_solver_statistics_h
-#define crevasse_model_solver_statistics_h
+#ifndef crevasse_contact_solver_statistics_h
+#define crevasse_contact_solver_statistics_h
 
 #include <crevasse/base/summary.h>
 #include <crevasse/contact/certificate.h>
@@ -22,12 +22,22 @@ namespace Crevasse
     std::size_t vi_iterations     = 0;
     std::size_t implicit_stages   = 0; ///< of a power law
 
-    std::size_t   certified    = 0; ///< solves with a certificate
-    std::size_t   undetermined = 0; ///< ContactSolver::n_undetermined()
-    std::uint64_t never_held   = ~std::uint64_t(0); ///< likewise
+    std::size_t certified = 0; ///< solves with a certificate
 
+    /** Solutions in which no contact force stops some free motion: stresses
+     * and forces are certain, the position is one of many. */
+    std::size_t undetermined = 0;
+
+    /** Bit m: no contact force has stopped free motion m in any solution. The
+     * first 64 motions. */
+    std::uint64_t never_held = ~std::uint64_t(0);
+
+    /** The maxima over all solves. */
     Certificate certificate;
-    double      accuracy = 0.; ///< ContactSolver::accuracy()
+
+    /** The largest error that was accepted: the tolerance, or what rounding
+     * leaves of it. */
+    double accuracy = 0.;
 
     void
     add(const SolverStatistics &other);

@@ -3,7 +3,7 @@
 
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
-#include <crevasse/model/solver_statistics.h>
+#include <crevasse/contact/solver_statistics.h>
 
 #include <algorithm>
 #include <utility>
