@@ -21,32 +21,20 @@ namespace Crevasse
     : loops(space.cell_loops())
     , kernels(loops->template kernels<Real>())
   {
-    set_moduli(space, points, stiffness, unit);
-    compute_diagonal(space);
-  }
-
-
-
-  template <int dim, typename Real>
-  void
-  StiffnessProduct<dim, Real>::set_moduli(
-    const Space<dim>                    &space,
-    const QuadratureField<dim>          &points,
-    const PointValues<VoigtMatrix<dim>> &stiffness,
-    const double                         unit)
-  {
     const bool with_out_of_plane =
       space.volumetric_strain == VolumetricStrain::mean || space.roles.has_axis;
     bool is_isotropic = true;
     for (const VoigtMatrix<dim> &K : stiffness.distinct())
       is_isotropic =
         is_isotropic && IsotropicModuli<dim>::represents(K, with_out_of_plane);
+    // On all ranks, or on none.
     moduli.is_isotropic =
       Utilities::MPI::min(is_isotropic ? 1 : 0, space.communicator()) == 1;
     if (moduli.is_isotropic)
       pack_moduli<IsotropicModuli<dim>>(space, points, stiffness, unit);
     else
       pack_moduli<GeneralModuli<dim>>(space, points, stiffness, unit);
+    compute_diagonal(space);
   }
 
 

@@ -95,13 +95,6 @@ namespace Crevasse
     memory_consumption() const;
 
   private:
-    /** Isotropic ones if K is that everywhere, on all ranks. */
-    void
-    set_moduli(const Space<dim>                    &space,
-               const QuadratureField<dim>          &points,
-               const PointValues<VoigtMatrix<dim>> &stiffness,
-               const double                         unit);
-
     template <typename PointModuli>
     void
     pack_moduli(const Space<dim>                    &space,
