@@ -115,21 +115,19 @@ namespace Crevasse
             << " where the stress relaxes as fast as here. ";
     // Steps that were too long before may have made the stress what it is.
     if (n_needed > most_steps)
-      message << "The elastic stress takes more than " << most_steps
-              << " steps in a period. Look at [Material] Creep coefficient, at "
-                 "[Loads] and at their units, or choose Scheme = sdirk2, which "
-                 "is stable with any step.";
+      message << "The elastic stress needs more than " << most_steps
+              << " steps a period. Check the units of [Material] Creep "
+                 "coefficient and of [Loads], or choose ";
     else if (n_needed > step.steps.n_steps())
-      message << "The elastic stress of the period takes at least " << n_needed
-              << " steps: [Time integration] Steps per period; or choose Step "
-                 "control = adaptive, or Scheme = sdirk2, which is stable with "
-                 "any step.";
+      message << "The elastic stress needs at least " << n_needed
+              << " [Time integration] Steps per period. Take so many, or "
+                 "choose Step control = adaptive or ";
     else
       message << "The stress has become larger than the elastic one, so that "
-                 "no number of steps can be told. Choose [Time integration] "
-                 "Step control = adaptive, or Scheme = sdirk2, which is stable "
-                 "with any step.";
-    throw NumericalError(message);
+                 "no number of steps is known. Choose [Time integration] Step "
+                 "control = adaptive or ";
+    throw NumericalError(message
+                         << "Scheme = sdirk2, which is stable with any step.");
   }
 
 

@@ -189,7 +189,7 @@ def test_advice_on_steps():
             "advice.prm", "--output", "results/advice",
             *overrides([*settings, f"Time integration/Steps per period={n}"]))
         check(status == 3, error)
-        numbers.append(int(re.search(r"takes at least (\d+) steps", error)[1]))
+        numbers.append(int(re.search(r"needs at least (\d+) \[Time", error)[1]))
     check(max(numbers) < 1.3 * min(numbers), f"the advice depends on steps: {numbers}")
     run(plate, "advice", [*settings, f"Time integration/Steps per period={numbers[0]}"])
 
