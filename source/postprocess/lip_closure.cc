@@ -211,12 +211,12 @@ namespace Crevasse
            high = std::max({before, after, 1e-300})](const double v) {
             return v < 0. ? v / low : std::max(v / high, 1e-12);
           };
-        std::vector<Moment> tried;
-        std::uintmax_t      trials = most_trials;
-        const auto [last, next]    = boost::math::tools::toms748_solve(
+        std::map<double, std::vector<double>> tried;
+        std::uintmax_t                        trials = most_trials;
+        const auto [last, next] = boost::math::tools::toms748_solve(
           [&](const double t) {
-            tried.push_back({t, openings(sample_at(t).state)});
-            return scaled(value(tried.back()));
+            tried[t] = openings(sample_at(t).state);
+            return scaled(value({t, tried[t]}));
           },
           begin[0].instant,
           begin[1].instant,
@@ -228,9 +228,8 @@ namespace Crevasse
           trials);
         std::vector<Moment> found;
         for (const double t : {last, next})
-          for (const Moment &moment : tried)
-            if (moment.instant == t)
-              found.push_back(moment);
+          if (tried.count(t) > 0)
+            found.push_back({t, tried[t]});
         period.insert(begin + 1, found.begin(), found.end());
       }
   }
