@@ -161,9 +161,12 @@ namespace Crevasse
   CondensedActiveSet::motions_left_free(const LipVector &forces) const
   {
     const unsigned int n_motions = free_motions.n();
+    // As in ContactBoundary: what rounding leaves of loads stops nothing.
+    constexpr double   negligible = 1e-9;
     FullMatrix<double> gram(n_motions); // of openings where there are forces
     for (unsigned int i = 0; i < forces.size(); ++i)
-      if (sign(i) * forces(i) > residual_target())
+      if (sign(i) * forces(i) >
+          std::max(residual_target(), negligible * scales.force()))
         for (unsigned int a = 0; a < n_motions; ++a)
           for (unsigned int b = 0; b < n_motions; ++b)
             gram(a, b) += free_motions(i, a) * free_motions(i, b);
