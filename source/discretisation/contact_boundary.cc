@@ -91,25 +91,26 @@ namespace Crevasse
   {
     const double touching  = 1e-10 * displacement.linfty_norm();
     Vector       pressures = space.ghosted_vector(); // negative where open
-    for (unsigned int k = 0; k < nodes.size(); ++k)
-      if (const LipNode<dim> &node = nodes[k]; node.weight > 0.)
-        {
-          const double force = contact_forces[k];
-          const bool   is_closed =
-            force > negligible_force && node.opening(displacement) <= touching;
-          pressures(node.dof) =
-            (is_closed ? force : -std::abs(force)) / node.weight;
-        }
-    pressures.update_ghost_values();
     std::vector<LipNodeState> all;
-    for (const LipNode<dim> &node : nodes)
+    for (unsigned int k = 0; k < nodes.size(); ++k)
       {
-        const double value = node.source == numbers::invalid_dof_index
-                               ? 0.
-                               : pressures(node.source);
-        all.push_back(
-          {node.opening(displacement), std::abs(value), value > 0.});
+        const LipNode<dim> &node  = nodes[k];
+        const double        force = contact_forces[k],
+                     opening      = node.opening(displacement);
+        const bool is_pressed = force > negligible_force && opening <= touching;
+        all.push_back({opening, 0., is_pressed});
+        if (node.weight > 0.)
+          pressures(node.dof) =
+            (is_pressed ? force : -std::abs(force)) / node.weight;
       }
+    pressures.update_ghost_values();
+    for (unsigned int k = 0; k < nodes.size(); ++k)
+      if (nodes[k].source != numbers::invalid_dof_index)
+        {
+          const double value = pressures(nodes[k].source);
+          all[k].pressure    = std::abs(value);
+          all[k].is_closed   = all[k].is_closed || value > 0.;
+        }
     return all;
   }
 

@@ -78,8 +78,11 @@ namespace Crevasse
         const auto place = std::lower_bound(places.begin(),
                                             places.end(),
                                             body.lip.nodes[k].number);
-        values[place - places.begin()] =
-          here[k].is_closed ? -here[k].pressure : std::max(0., here[k].opening);
+        // Without weight a node may be the only one that is pressed.
+        constexpr double least         = std::numeric_limits<double>::min();
+        values[place - places.begin()] = here[k].is_closed
+                                           ? -std::max(here[k].pressure, least)
+                                           : std::max(0., here[k].opening);
       }
     Utilities::MPI::sum(values, body.space.communicator(), values);
     return values;

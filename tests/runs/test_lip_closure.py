@@ -114,6 +114,20 @@ def test_on_axis():
                 check_below(abs(of_probe - expected) / 1e-3, 1e-9, what + "at the probe")
 
 
+def test_axis_first():
+    """A gap that vanishes on the axis alone: there the lip touches first, and opens last,
+    at load 0."""
+    for degree in (1, 2):
+        results = run(ELASTIC, f"axis_first_{degree}", [
+            "Material/Plane state=axisymmetric", "Geometry/Shape=centre crack",
+            "Geometry/Subdivisions=8, 8", f"Discretisation/Degree={degree}",
+            "Discretisation/Singular functions=0", "Material/Young modulus=1e5",
+            "Boundary/Gap=-3e-6*x", "Loads/Traction=0; sin(2*pi*t)"])
+        tip = results.summary["crack_tip"]
+        check_below(abs(tip["K_opening"]) / tip["K_I"]["largest"], 1e-5, "K_op")
+        check_close(sum(tip["closed_part"].values()), 0.5, 1e-5, "closed at all")
+
+
 def test_gap():
     """Until it touches at the mouth, all is proportional to the load."""
     gap = 1e-3
@@ -282,6 +296,7 @@ def test_tip_without_intensity():
 
 test_uniform()
 test_on_axis()
+test_axis_first()
 test_gap()
 test_phases()
 test_creeping_phases()

@@ -46,9 +46,9 @@ namespace Crevasse
   {
     double opening;  ///< u_N − gap
     double pressure; ///< of the node that has it for this one
-    /** Whether that node is pressed, not only touched: its opening vanishes
-     * against the largest displacement of the body, and its force does not
-     * against the loads. */
+    /** Whether this node or that one is pressed, not only touched: its opening
+     * vanishes against the largest displacement of the body, and its force does
+     * not against the loads. */
     bool is_closed;
   };
 
