@@ -275,7 +275,7 @@ def test_jump_between_steps():
     """Adaptive steps end at it, named or not; other steps cause a warning."""
     load = "Loads/Traction=0; if(t < 2.3, 1, 1.5)"
     found, named = (
-        run(SCENE, "jump", [
+        run(SCENE, f"jump_{steps}", [
             load, "Time integration/Step control=adaptive",
             "Time integration/Relative tolerance=1e-3", "Geometry/Subdivisions=8, 8",
             "Refinement/Strategy=none", "Crack tip/Radius=0.25",
