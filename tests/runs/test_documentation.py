@@ -134,13 +134,13 @@ def test_first_scene():
 
 
 def test_own_mesh():
-    """With material, loads and output of the first scene."""
+    """With material and output of the first scene, and a load that presses."""
     mesh = pathlib.Path("tests/meshes/edge_crack_4.msh")
     mesh.parent.mkdir(parents=True, exist_ok=True)
     shutil.copy(SOURCE / mesh, mesh)
     scene = pathlib.Path("own_mesh.prm")
     scene.write_text(OWN_MESH + FIRST_SCENE[FIRST_SCENE.index("subsection Material"):])
-    results = run(scene, "own_mesh")
+    results = run(scene, "own_mesh", ["Loads/Traction=0; 10*sin(2*pi*t/600) - 3"])
     check(results.summary["contact_nodes"] > 0
           and any(results.table("contact.csv")["closed_nodes"]), "its lip closes")
 
