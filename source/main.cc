@@ -277,7 +277,7 @@ namespace
 
 
 
-  /** Those of signals_to_stop that the program was begun to ignore: nohup has
+  /** Signals of signals_to_stop that the program was begun to ignore: nohup has
    * SIGHUP ignored, and shells SIGINT for what runs in the background. */
   std::vector<int>
   ignored_signals()

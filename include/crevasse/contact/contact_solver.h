@@ -86,8 +86,9 @@ namespace Crevasse
     void
     serialize(StateArchive &archive);
 
-    /** Of all solves so far. Linear solves and their iterations are those of
-     * the method itself, besides those of its linear solver. */
+    /** Counts and largest errors of all solves so far. Linear solves and their
+     * iterations are those of the method itself, without those of its linear
+     * solver. */
     const SolverStatistics &
     statistics() const
     {

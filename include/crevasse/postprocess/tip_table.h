@@ -184,8 +184,7 @@ namespace Crevasse
           analysis.body.effects.viscosity.on
             ? "    negative: creep has left compressive stress ahead of the tip"
             : "    negative: the load presses on the crack, and its lips do "
-              "not "
-              "touch at the tip");
+              "not touch at the tip");
     }
 
     /** Warns if K is uncertain.
