@@ -273,7 +273,7 @@ namespace Crevasse
     creep_fluidity(const MaterialParameters &parameters)
     {
       Property<VoigtMatrix<dim>> property;
-      add_formula(property, *parameters.creep_coefficient, Ranges::positive);
+      add_formula(property, *parameters.creep_coefficient, Ranges::coefficient);
       property.make = [](const Values &values) {
         return values[0] * isotropic_compliance<dim>(1., 0.5);
       };

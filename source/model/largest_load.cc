@@ -209,13 +209,18 @@ namespace Crevasse
          differ(*a.stiffness, *b.stiffness, 0.)) ||
         (body.material.thermal_strain_varies &&
          differ(*a.thermal_strain, *b.thermal_strain, thermal_strain));
-      if (body.material.fluidity_varies)
+      if (body.material.fluidity_varies && a.creep_power == nullptr)
         for (std::size_t i = 0; i < a.fluidity.size(); ++i)
           jumps = jumps || differ(*a.fluidity[i], *b.fluidity[i], 0.);
-      if (body.material.fluidity_varies && a.creep_power != nullptr)
+      else if (body.material.fluidity_varies)
         for (std::size_t p = 0; p < body.points.n_local_points; ++p)
-          jumps = jumps || factors_differ((*a.creep_power)[p].exponent,
-                                          (*b.creep_power)[p].exponent);
+          {
+            // The squares of coefficients may be too small for a computer.
+            const CreepPower<dim> &x = (*a.creep_power)[p];
+            const CreepPower<dim> &y = (*b.creep_power)[p];
+            jumps = jumps || factors_differ(x.exponent, y.exponent) ||
+                    factors_differ(x.coefficient, y.coefficient);
+          }
       return dealii::Utilities::MPI::max(jumps ? 1 : 0,
                                          body.space.communicator()) == 1;
     }

@@ -277,13 +277,13 @@ namespace Crevasse
                    "C(t) needs Creep integral = true and Crack growth law = "
                    "creep");
     checker.demand(!law.has_paris_part ||
-                     Ranges::positive.contains(paris_factor),
+                     Ranges::coefficient.contains(paris_factor),
                    "Paris factor",
-                   Ranges::positive.text());
+                   Ranges::coefficient.text());
     checker.demand(!law.has_creep_part ||
-                     Ranges::positive.contains(creep_factor),
+                     Ranges::coefficient.contains(creep_factor),
                    "Creep factor",
-                   Ranges::positive.text());
+                   Ranges::coefficient.text());
   }
 
 

@@ -338,6 +338,28 @@ def test_large_exponents():
                         f"n = {n}, {steps}: opening over that of sdirk2 by decades")
 
 
+def test_units():
+    """The coefficients of large exponents are tiny in Pa, and their squares are no
+    numbers any more: the same run in MPa and in Pa, with a jump of the law."""
+    n = 25
+    coefficient = A * 20. ** (1 - n)
+
+    def rows(unit):
+        """With the stresses in units of so many Pa."""
+        scale = 1e6 / unit
+        results = cracked(f"unit_{unit:.0e}", [
+            f"Material/Young modulus={13000. * scale!r}",
+            f"Loads/Traction=0; 10*{scale!r}", f"Material/Creep exponent={n}",
+            f"Material/Creep coefficient={coefficient * scale ** -n!r}"
+            "*if(t < 300, 1, 3)", "Time integration/Steps per period=8",
+            "Time integration/Newton tolerance=1e-11"])
+        inside, mouth = (results.table(f"probe_{name}.csv")
+                         for name in ("inside", "mouth"))
+        return [mouth["u_2"], [s / scale for s in inside["s_22"]]]
+
+    check_below(apart(rows(1.), rows(1e6)), 1e-9, f"n = {n}, Pa against MPa")
+
+
 def test_adaptive_start():
     """Adaptive steps begin by the rate of the elastic stress at the tip, which a
     load at once leaves, and grow with the time since."""
@@ -378,6 +400,7 @@ test_tube()
 test_limit_of_steps()
 test_advice_on_steps()
 test_large_exponents()
+test_units()
 test_adaptive_start()
 test_periodic_state()
 test_implicit_periods()

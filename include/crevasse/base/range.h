@@ -42,10 +42,14 @@ namespace Crevasse
     constexpr double above_0 = std::numeric_limits<double>::min();
     constexpr double below_1 = 1. - std::numeric_limits<double>::epsilon();
 
-    constexpr Range size         = {smallest, largest, "from 1e-70 to 1e70"};
-    constexpr Range positive     = {smallest,
-                                    largest,
-                                    "greater than 0, from 1e-70 to 1e70"};
+    constexpr Range size     = {smallest, largest, "from 1e-70 to 1e70"};
+    constexpr Range positive = {smallest,
+                                largest,
+                                "greater than 0, from 1e-70 to 1e70"};
+    // In stresses to the power -n.
+    constexpr Range coefficient  = {1e-300,
+                                    1e300,
+                                    "greater than 0, from 1e-300 to 1e300"};
     constexpr Range not_negative = {0.,
                                     std::numeric_limits<double>::max(),
                                     "of at least 0"};

@@ -107,7 +107,9 @@ namespace Crevasse
     Formula viscous_poisson_ratio{"0.3",
                                   material_formula("Viscous Poisson ratio",
                                                    Ranges::viscous_ratio)};
-    Formula creep_coefficient{"1", material_formula("Creep coefficient")};
+    Formula creep_coefficient{"1",
+                              material_formula("Creep coefficient",
+                                               Ranges::coefficient)};
     Formula creep_exponent{"1",
                            material_formula("Creep exponent",
                                             Ranges::creep_exponent)};
