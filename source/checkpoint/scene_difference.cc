@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 
 namespace Crevasse
@@ -43,15 +44,20 @@ namespace Crevasse
 
 
 
-    /** Whether two texts are the same number. */
-    bool
-    are_equal_numbers(const std::string &a, const std::string &b)
+    /** A text in which spellings of numbers and blanks do not count. */
+    std::string
+    normal_form(const std::string &text)
     {
-      char        *end_of_a, *end_of_b;
-      const double number_a = std::strtod(a.c_str(), &end_of_a);
-      const double number_b = std::strtod(b.c_str(), &end_of_b);
-      return !a.empty() && !b.empty() && *end_of_a == '\0' &&
-             *end_of_b == '\0' && number_a == number_b;
+      static const std::regex word(
+        R"((\d+\.?\d*|\.\d+)([eE][-+]?\d+)?(?![\w.])|[\w.]+|\S)");
+      const std::sregex_iterator words(text.begin(), text.end(), word);
+      std::string                result;
+      for (auto w = words; w != std::sregex_iterator(); ++w)
+        result +=
+          (w->length(1) > 0 ? Summary(std::atof(w->str().c_str())).dump()
+                            : w->str()) +
+          ' ';
+      return result;
     }
 
 
@@ -105,41 +111,29 @@ namespace Crevasse
 
 
 
-  std::vector<std::string>
-  differences_that_matter(const Summary &before, const Summary &now)
-  {
-    const Summary old_values = before.flatten(), new_values = now.flatten();
-    std::vector<std::string> differences;
-    const auto value = [](const Summary &values, const std::string &pointer) {
-      return values.contains(pointer) ? as_text(values[pointer]) : "";
-    };
-    std::set<std::string> pointers;
-    for (const Summary &values : {old_values, new_values})
-      for (const auto &item : values.items())
-        pointers.insert(item.key());
-    for (const std::string &pointer : pointers)
-      {
-        const std::string was = value(old_values, pointer);
-        const std::string is  = value(new_values, pointer);
-        if (was != is && !are_equal_numbers(was, is) && !may_differ(pointer))
-          differences.push_back(describe(pointer) + ": was \"" + was +
-                                "\", is \"" + is + '"');
-      }
-    return differences;
-  }
-
-
-
   void
   require_same_scene(const Summary &before, const Summary &now)
   {
-    const std::vector<std::string> differences =
-      differences_that_matter(before, now);
+    const Summary old_values = before.flatten(), new_values = now.flatten();
+    const auto value = [](const Summary &values, const std::string &pointer) {
+      return values.contains(pointer) ? as_text(values[pointer]) : "";
+    };
+    Summary all = old_values;
+    all.update(new_values);
+    std::string differences;
+    for (const auto &item : all.items())
+      {
+        const std::string was = value(old_values, item.key());
+        const std::string is  = value(new_values, item.key());
+        if (!may_differ(item.key()) && normal_form(was) != normal_form(is))
+          differences += describe(item.key()) + ": was \"" + was + "\", is \"" +
+                         is + "\"\n  ";
+      }
     if (!differences.empty())
       throw SceneError(
         "--resume: the scene is not the one that the run was begun with:\n  " +
-        Text::join(differences, "\n  ") +
-        "\nSet these back, or begin anew without --resume, in another output "
+        differences.substr(0, differences.size() - 2) +
+        "Set these back, or begin anew without --resume, in another output "
         "directory.");
   }
 } // namespace Crevasse

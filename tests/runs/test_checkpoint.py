@@ -227,12 +227,12 @@ def test_other_format():
     check(checkpoints(directory) == before, "left alone")
 
 
-def check_refused(directory, settings, what):
+def check_refused(directory, settings, what, *lines):
     code, error = execute(directory, settings + [
         "Material/Poisson ratio=0.31", "Time integration/Scheme=euler",
         "Title=Another title", "Linear solver/Type=mumps"], more=["--resume"])
     check(code == 2, f"{what}: {code} {error}")
-    for line in ('[Material] Poisson ratio: was "0.2", is "0.31"',
+    for line in (*lines, '[Material] Poisson ratio: was "0.2", is "0.31"',
                  '[Time integration] Scheme: was "heun", is "euler"'):
         check(line in error, f"{what}: {line}\n{error}")
     check("Title" not in error and "Linear solver" not in error, error)
@@ -248,6 +248,12 @@ def test_other_scenes():
     directory = copy(whole.directory, "scenes_without_checkpoints")
     shutil.rmtree(directory / "checkpoint")
     check_refused(directory, settings, "ended, no checkpoint")
+    code, error = execute(copy(whole.directory, "spelled"), settings + [
+        "Geometry/Subdivisions=24,24", "Loads/Traction=0.0;10.*sin( 2*pi*t/6e2 )",
+        "Output/Probes=mouth:1.0,0 ; inside: 75e-2, 0"], more=["--resume"])
+    check(code == 0, f"numbers and blanks in another spelling: {code} {error}")
+    check_refused(directory, settings + ["Output/Probes=mouth: 1, 0; inside: 0.7, 50"],
+                  "another number", '[Output] Probes: was "mouth: 1, 0; inside: 0.75, 0"')
 
 
 def test_finished():

@@ -8,8 +8,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <vector>
-
 namespace Crevasse
 {
   inline constexpr const char *checksums_of_files = "Content of files";
@@ -19,13 +17,9 @@ namespace Crevasse
   Summary
   scene_as_json(const dealii::ParameterHandler &prm);
 
-  /** "[Section] Name: was A, is B" for all parameters that differ and matter:
-   * a run may resume with other values only if they leave its results up to
-   * now unchanged. */
-  std::vector<std::string>
-  differences_that_matter(const Summary &before, const Summary &now);
-
-  /** @throw SceneError with all of them, if there are any. */
+  /** A run may resume with other values of a parameter only if they leave its
+   * results up to now unchanged.
+   * @throw SceneError with all others that differ, and their values. */
   void
   require_same_scene(const Summary &before, const Summary &now);
 } // namespace Crevasse
