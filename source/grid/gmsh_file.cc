@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/base/format.h>
 #include <crevasse/base/problems.h>
 #include <crevasse/base/text.h>
 #include <crevasse/grid/cut_cracks.h>
@@ -296,13 +297,12 @@ namespace Crevasse
   std::string
   only_hypercubes(const unsigned int dim)
   {
-    return dim == 2
-             ? "the mesh has triangles; only quadrilaterals are allowed (Gmsh: "
-               "Mesh.RecombineAll = 0, Mesh.SubdivisionAlgorithm = 1)."
-             : "the mesh has tetrahedra or other cells; only hexahedra are "
-               "allowed (Gmsh: Mesh.RecombineAll = 0, "
-               "Mesh.SubdivisionAlgorithm = "
-               "2).";
+    return Text::format(
+      "the mesh has %s are allowed (Gmsh: Mesh.RecombineAll "
+      "= 0, Mesh.SubdivisionAlgorithm = %u).",
+      dim == 2 ? "triangles; only quadrilaterals"
+               : "tetrahedra or other cells; only hexahedra",
+      dim - 1);
   }
 
 
