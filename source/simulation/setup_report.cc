@@ -287,6 +287,11 @@ namespace Crevasse
                               effect.on ? "on" : "off",
                               Text::shorten(effect.why).c_str()));
     log.line(describe_time(setup));
+    if (setup.steps.jumps_at(scene.loads.period) && formulas_can_jump(scene))
+      log.line(
+        Text::format("  end of the period: loads or material jump to their "
+                     "values at t = 0, which the tables show at t = %g",
+                     scene.loads.period));
     log.line("  periodic state: " + setup.periodic_choice.describe());
     if (!traits(setup.solvers.contact.type).relaxes)
       log.line("  linear solver: " + setup.solvers.linear.describe());
@@ -301,8 +306,7 @@ namespace Crevasse
     for (const auto &integral : setup.creep_integrals)
       log.line(
         "  crack tip: " + Text::from_point(integral->region.tip.position) +
-        Text::format(", C(t) over squares that reach to %g and half of "
-                     "it",
+        Text::format(", C(t) over squares that reach to %g and half of it",
                      integral->radius()));
     if (setup.crack_front != nullptr)
       log.line(setup.crack_front->describe());

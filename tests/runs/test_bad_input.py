@@ -946,6 +946,19 @@ def warnings_of(scene, settings=()):
     return re.findall("^  warning: (.*)$", output, re.MULTILINE)
 
 
+def test_end_of_period():
+    """Of loads that jump there by a formula with a jump: no warning, but what the tables
+    show. Those that return are not mentioned."""
+    scene = pathlib.Path("jumps.prm")
+    scene.write_text(SCENE)
+    line = "end of the period: loads or material jump to their values at t = 0, which"
+    for load, n_lines in (("if(t < 300, 1, -1)", 1), ("if(t < 300, t, 600 - t)", 0)):
+        status, output, error = execute("--check", scene, "--set",
+                                        f"Loads/Traction=0; {load}")
+        check(status == 0 and output.count(line) == n_lines
+              and "warning" not in output, f"{load}:\n{output}{error}")
+
+
 def test_unused_parameters():
     """What is set but has no effect is reported, and nothing else."""
     scene = pathlib.Path("unused.prm")
@@ -991,6 +1004,7 @@ def test_unused_parameters():
 
 
 test_cases()
+test_end_of_period()
 test_unused_parameters()
 test_missing_scene()
 test_output_directory()
