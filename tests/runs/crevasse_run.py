@@ -92,7 +92,7 @@ def start(*arguments, **options):
     """As execute(), by a start of the program."""
     process = subprocess.run(
         [str(PROGRAM), *map(str, arguments)], text=True, capture_output=True,
-        stdin=subprocess.DEVNULL, timeout=300, **{"env": ENVIRONMENT, **options})
+        stdin=subprocess.DEVNULL, timeout=1200, **{"env": ENVIRONMENT, **options})
     return process.returncode, process.stdout, process.stderr
 
 
@@ -144,7 +144,7 @@ def execute_on(n_ranks, *arguments):
     """Runs the program on several processes, as execute() does on one."""
     process = subprocess.run(
         ["mpirun", "-np", str(n_ranks), PROGRAM, *map(str, arguments)],
-        text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=900,
+        text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=1800,
         env=ENVIRONMENT)
     return process.returncode, process.stdout, process.stderr
 

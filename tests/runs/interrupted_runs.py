@@ -106,7 +106,7 @@ def execute(directory, settings, n_ranks=1, more=(), **options):
     """Exit status and what was written to the standard error."""
     process = subprocess.run(
         command(directory, settings, n_ranks, more=more, **options), text=True,
-        capture_output=True, stdin=subprocess.DEVNULL, timeout=900,
+        capture_output=True, stdin=subprocess.DEVNULL, timeout=1800,
         env=ENVIRONMENT)
     return process.returncode, process.stderr
 
@@ -181,7 +181,7 @@ def interrupt(directory, settings, way, moment, n_ranks=1, ignored=()):
         process.send_signal(signal.SIGTERM)
     elif way in ("SIGTERM", "SIGINT", "SIGHUP", "SIGKILL"):
         process.send_signal(getattr(signal, way))
-    error = process.communicate(timeout=300)[1]
+    error = process.communicate(timeout=1200)[1]
     return process.returncode, error
 
 

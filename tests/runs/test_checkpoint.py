@@ -203,7 +203,7 @@ def test_full_disk():
 
     process = subprocess.run(command(directory, settings), env=ENVIRONMENT,
                              stdin=subprocess.DEVNULL, capture_output=True,
-                             text=True, timeout=300, preexec_fn=limit_files)
+                             text=True, timeout=1200, preexec_fn=limit_files)
     check(process.returncode in (0, 3)
           and "no checkpoint was written" in process.stderr,
           f"{process.returncode} {process.stderr}")
@@ -408,7 +408,7 @@ def test_two_runs():
     check(code == 4 and "Another run" in error
           and f"process {process.pid}" in error, f"{code} {error}")
     (directory / "stop").touch()
-    process.communicate(timeout=300)
+    process.communicate(timeout=1200)
     check(process.returncode == 5, f"the first one: {process.returncode}")
     code, error = execute(directory, COMMON + periods(1))
     check(code in (0, 3), f"afterwards: {code} {error}")
@@ -420,7 +420,7 @@ def test_nobody_listens():
     process.stdout.close()
     time.sleep(0.5)
     (directory / "stop").touch()
-    process.wait(timeout=300)
+    process.wait(timeout=1200)
     log = (directory / "log.txt").read_text()
     check(process.returncode == 5 and "standard output" in log
           and "--resume continues" in log, f"{process.returncode}\n{log}")

@@ -289,7 +289,7 @@ end
             geometry.write_text(text + "".join(f"{name} = {value};\n"
                                                for name, value in found))
             made = subprocess.run(["gmsh", f"-{dim}", geometry], capture_output=True,
-                                  text=True, timeout=100)
+                                  text=True, timeout=1200)
             check(made.returncode == 0, made.stdout + made.stderr)
             status, _, error = execute(scene, "--check")
             found = found or re.findall(r"(Mesh\.\w+) = (\d)", error)

@@ -57,7 +57,7 @@ def display():
 
 def pvpython(*words, environment):
     done = subprocess.run(["pvpython", "--force-offscreen-rendering", *words],
-                          env=environment, capture_output=True, text=True, timeout=300)
+                          env=environment, capture_output=True, text=True, timeout=1200)
     check(done.returncode == 0, f"{words}: {done.stdout}{done.stderr}")
     return done.stdout
 
