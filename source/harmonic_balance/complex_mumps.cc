@@ -21,12 +21,12 @@ namespace Crevasse
     void
     complex_product(const ComplexMumps::Matrix &real,
                     const ComplexMumps::Matrix &imaginary,
-                    const ComplexMumps::Vector &x_real,
-                    const ComplexMumps::Vector &x_imaginary,
-                    ComplexMumps::Vector       &y_real,
-                    ComplexMumps::Vector       &y_imaginary)
+                    const Vector               &x_real,
+                    const Vector               &x_imaginary,
+                    Vector                     &y_real,
+                    Vector                     &y_imaginary)
     {
-      ComplexMumps::Vector product(y_real);
+      Vector product(y_real);
       multiply(real, y_real, x_real);
       multiply(imaginary, product, x_imaginary);
       y_real -= product;

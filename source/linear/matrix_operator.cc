@@ -55,8 +55,8 @@ namespace Crevasse
 
   void
   multiply(const LinearOperator::Matrix &matrix,
-           LinearOperator::Vector       &result,
-           const LinearOperator::Vector &v)
+           Vector                       &result,
+           const Vector                 &v)
   {
     const Epetra_CrsMatrix &A      = matrix.trilinos_matrix();
     const int               n_rows = result.locally_owned_size(),

@@ -4,8 +4,9 @@
 #ifndef crevasse_base_state_archive_h
 #define crevasse_base_state_archive_h
 
+#include <crevasse/base/vector.h>
+
 #include <deal.II/base/utilities.h>
-#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/vector.h>
 
 #include <boost/serialization/map.hpp>
@@ -20,8 +21,6 @@
 
 namespace Crevasse
 {
-  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
-
   /**
    * What the state of a run is written to, or read from: objects show what
    * they have, always in the same order, and one function of theirs serves for

@@ -11,7 +11,6 @@
 
 namespace Crevasse
 {
-  using Vector       = dealii::LinearAlgebra::distributed::Vector<double>;
   using SparseMatrix = dealii::TrilinosWrappers::SparseMatrix;
 
   /**

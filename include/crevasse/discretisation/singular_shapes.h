@@ -4,6 +4,7 @@
 #ifndef crevasse_discretisation_singular_shapes_h
 #define crevasse_discretisation_singular_shapes_h
 
+#include <crevasse/base/vector.h>
 #include <crevasse/discretisation/polar_field.h>
 #include <crevasse/grid/crack_tip.h>
 #include <crevasse/material/plane_elasticity.h>
@@ -11,7 +12,6 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 #include <limits>
 
@@ -116,8 +116,6 @@ namespace Crevasse
               std::vector<dealii::Tensor<2, 2>> &result) const;
 
   private:
-    using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
-
     std::vector<Vector> interpolated; ///< I_h ψ, with ghost values
   };
 } // namespace Crevasse

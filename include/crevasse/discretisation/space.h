@@ -24,8 +24,6 @@
 
 namespace Crevasse
 {
-  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
-
   template <int dim>
   using Mesh = dealii::parallel::distributed::Triangulation<dim>;
 

@@ -4,10 +4,10 @@
 #ifndef crevasse_harmonic_balance_complex_mumps_h
 #define crevasse_harmonic_balance_complex_mumps_h
 
+#include <crevasse/base/vector.h>
 #include <crevasse/linear/mumps_instance.h>
 
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 #include <memory>
 
@@ -27,7 +27,6 @@ namespace Crevasse
   class ComplexMumps : private MumpsInstance<std::complex<double>>
   {
   public:
-    using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
     using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 
     /** In which order the unknowns are eliminated: the costly part of the

@@ -4,8 +4,9 @@
 #ifndef crevasse_linear_linear_operator_h
 #define crevasse_linear_linear_operator_h
 
+#include <crevasse/base/vector.h>
+
 #include <deal.II/base/types.h>
-#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <cstddef>
@@ -19,7 +20,6 @@ namespace Crevasse
   class LinearOperator
   {
   public:
-    using Vector  = dealii::LinearAlgebra::distributed::Vector<double>;
     using Matrix  = dealii::TrilinosWrappers::SparseMatrix;
     using Indices = std::vector<dealii::types::global_dof_index>;
 

@@ -5,8 +5,8 @@
 #define crevasse_linear_linear_solver_h
 
 #include <crevasse/base/meters.h>
+#include <crevasse/base/vector.h>
 
-#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <cstddef>
@@ -22,7 +22,6 @@ namespace Crevasse
   class LinearSolver
   {
   public:
-    using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
     using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 
     virtual ~LinearSolver() = default;

@@ -58,8 +58,8 @@ namespace Crevasse
    * @param v with that of the columns; ghosts are not read. */
   void
   multiply(const LinearOperator::Matrix &matrix,
-           LinearOperator::Vector       &result,
-           const LinearOperator::Vector &v);
+           Vector                       &result,
+           const Vector                 &v);
 
   /** The rows of a matrix that one rank has all of, where they are: the entries
    * of row i are those from starts[i] up to, but without, starts[i + 1]. */

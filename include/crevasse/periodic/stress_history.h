@@ -4,15 +4,13 @@
 #ifndef crevasse_periodic_stress_history_h
 #define crevasse_periodic_stress_history_h
 
-#include <deal.II/lac/la_parallel_vector.h>
+#include <crevasse/base/vector.h>
 
 #include <map>
 
 namespace Crevasse
 {
   class StateArchive;
-
-  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
   /** The stress at all samples of one period, and how much each differs from
    * the sample that it replaces: that of the same instant. */

@@ -4,14 +4,12 @@
 #ifndef crevasse_time_rate_equation_h
 #define crevasse_time_rate_equation_h
 
-#include <deal.II/lac/la_parallel_vector.h>
+#include <crevasse/base/vector.h>
 
 #include <vector>
 
 namespace Crevasse
 {
-  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
-
   /** The ODE ṙ = f(r,t) as integrators see it. */
   class RateEquation
   {

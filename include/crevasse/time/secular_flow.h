@@ -4,14 +4,12 @@
 #ifndef crevasse_time_secular_flow_h
 #define crevasse_time_secular_flow_h
 
-#include <deal.II/lac/la_parallel_vector.h>
+#include <crevasse/base/vector.h>
 
 #include <vector>
 
 namespace Crevasse
 {
-  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
-
   /** The steady part of the motion (model, §2):
    * u = βt + q, ξᵢ = αᵢt + rᵢ. */
   struct SecularFlow
