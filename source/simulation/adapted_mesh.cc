@@ -174,15 +174,12 @@ namespace Crevasse
   {
     Timer                   timer;
     const Body<dim>         body(scene, current);
-    const StepList          steps(scene.time_integration,
-                         scene.loads.period,
-                         scene.output.field_times->instants(
-                           scene.loads.period));
+    const StepList          steps(scene);
     ContactSystemCache<dim> systems(scene,
                                     body,
                                     choose_solvers(scene, body),
                                     steps,
-                                    largest_load(body, steps),
+                                    body.largest_nodal_force,
                                     quiet);
     StressEstimator<dim>    estimator(body.space,
                                    body.points,

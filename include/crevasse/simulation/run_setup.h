@@ -36,9 +36,7 @@ namespace Crevasse
                  body.material.materials_of_cells(body.space, body.points))
       , probes(
           make_probes(Crevasse::probes(scene), body.space, recovery, body.lip))
-      , steps(scene.time_integration,
-              scene.loads.period,
-              scene.output.field_times->instants(scene.loads.period))
+      , steps(scene)
       , integrator(make_integrator())
     {
       // The instants at which a run evaluates formulas, and some between.
@@ -49,11 +47,9 @@ namespace Crevasse
       relaxation_times =
         body.material.relaxation_times(instants, steps.period());
       largest_thermal_strain = body.material.largest_thermal_strain(instants);
-      largest_nodal_force    = largest_load(body, steps);
-      body.lip.negligible_force = 1e-9 * largest_nodal_force;
-      missed_load               = load_missed_by_steps(body, steps);
+      missed_load            = load_missed_by_steps(body, steps);
       // Choices depend on the jumps.
-      steps.set_jumps(find_jumps(scene, body, steps, largest_nodal_force));
+      steps.set_jumps(find_jumps(scene, body, steps, body.largest_nodal_force));
       periodic_choice =
         choose_periodic_method(scene, body, steps, relaxation_times.largest);
       secular_split =
@@ -131,14 +127,13 @@ namespace Crevasse
     }
 
     const Scene                             scene;
-    Body<dim>                               body;
+    const Body<dim>                         body;
     const StressRecovery<dim>               recovery;
     const std::vector<ProbeEvaluator<dim>>  probes;
     StepList                                steps;      ///< of the first period
     const std::unique_ptr<const Integrator> integrator; ///< what it is like
     RelaxationTimes                         relaxation_times;
     double                                  largest_thermal_strain;
-    double                                  largest_nodal_force;
     double                                  missed_load; ///< by the steps
     PeriodicChoice                          periodic_choice;
     Effects::Effect                         stress_intensity;

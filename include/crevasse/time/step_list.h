@@ -5,7 +5,7 @@
 #define crevasse_time_step_list_h
 
 #include <crevasse/base/state_archive.h>
-#include <crevasse/parameters/parameters.h>
+#include <crevasse/parameters/scene.h>
 
 namespace Crevasse
 {
@@ -22,6 +22,14 @@ namespace Crevasse
     StepList(const TimeIntegrationParameters &parameters,
              const double                     period,
              const std::vector<double>       &more = {});
+
+    /** The steps that a scene asks for. */
+    explicit StepList(const Scene &scene)
+      : StepList(scene.time_integration,
+                 scene.loads.period,
+                 scene.output.field_times->instants(scene.loads.period))
+    {
+    }
 
     /** Replaces all instants; the first is 0, the last the period. */
     void
