@@ -23,17 +23,6 @@ namespace Crevasse
 
 
 
-    bool
-    is_on_edge(const Point<3> &point, const FrontEdge &edge, const double tiny)
-    {
-      const Tensor<1, 3> along = edge.last - edge.first;
-      const double       where = (point - edge.first) * along / (along * along);
-      return point.distance(edge.first + std::clamp(where, 0., 1.) * along) <
-             tiny;
-    }
-
-
-
     /** The frames at points of a face that is straight between its vertices. */
     std::vector<FrontFrame>
     frames_of(const FrontCurve                      &curve,
@@ -63,7 +52,19 @@ namespace Crevasse
     , at_front(space.mesh().n_active_cells())
   {
     find_vertices(space);
-    find_boundaries(space);
+    double end = std::numeric_limits<double>::max();
+    for (const auto &cell : owned_cells(space.mesh()))
+      for (const unsigned int f : cell->face_indices())
+        if (const auto face = cell->face(f); face->at_boundary())
+          {
+            const auto frames = frames_of(curve, face);
+            if (!is_own_face(space, face, frames))
+              for (const FrontFrame &frame : frames)
+                end = std::min(end, size_in_tube(frame));
+          }
+    constexpr double part = 0.5;
+    largest_radius        = std::min(part * curve.reach(),
+                              Utilities::MPI::min(end, space.communicator()));
     if (largest_radius < cell_radius * (1. - 1e-8))
       throw SceneError(
         wanted_by + ": the cells at the crack front reach to " +
@@ -95,7 +96,8 @@ namespace Crevasse
           {
             const Point<3> &point = cell->vertex(v);
             if (std::none_of(edges.begin(), edges.end(), [&](const auto &edge) {
-                  return is_on_edge(point, edge, 1e-6 * length);
+                  return distance_from_edge(point, edge.first, edge.last) <
+                         1e-6 * length;
                 }))
               continue;
             const FrontFrame frame = curve.frame(point);
@@ -234,25 +236,5 @@ namespace Crevasse
       const auto &chain = curve.chains()[f.chain];
       return !chain.is_closed && (f.s < tiny || f.s > chain.length() - tiny);
     });
-  }
-
-
-
-  void
-  FrontRegion::find_boundaries(const Space<3> &space)
-  {
-    double end = std::numeric_limits<double>::max();
-    for (const auto &cell : owned_cells(space.mesh()))
-      for (const unsigned int f : cell->face_indices())
-        if (const auto face = cell->face(f); face->at_boundary())
-          {
-            const auto frames = frames_of(curve, face);
-            if (!is_own_face(space, face, frames))
-              for (const FrontFrame &frame : frames)
-                end = std::min(end, size_in_tube(frame));
-          }
-    constexpr double part = 0.5;
-    largest_radius        = std::min(part * curve.reach(),
-                              Utilities::MPI::min(end, space.communicator()));
   }
 } // namespace Crevasse

@@ -9,7 +9,6 @@
 #include <deal.II/distributed/cell_data_transfer.templates.h>
 #include <deal.II/fe/fe_q.h>
 
-#include <algorithm>
 #include <bitset>
 
 namespace Crevasse
@@ -18,20 +17,6 @@ namespace Crevasse
 
   namespace
   {
-    template <int dim>
-    double
-    distance(const Point<dim>                        &point,
-             const std::pair<Point<dim>, Point<dim>> &edge)
-    {
-      const Tensor<1, dim> along  = edge.second - edge.first;
-      const double         square = along.norm_square();
-      const double         where =
-        square == 0. ? 0. : (point - edge.first) * along / square;
-      return point.distance(edge.first + std::clamp(where, 0., 1.) * along);
-    }
-
-
-
     /** Which vertices of a cell are on the front. */
     template <int dim>
     std::bitset<GeometryInfo<dim>::vertices_per_cell>
@@ -40,9 +25,9 @@ namespace Crevasse
     {
       const double tolerance = 1e-6 * cell->minimum_vertex_distance();
       std::bitset<GeometryInfo<dim>::vertices_per_cell> vertices;
-      for (const auto &edge : front)
+      for (const auto &[first, last] : front)
         for (const unsigned int v : cell->vertex_indices())
-          if (distance<dim>(cell->vertex(v), edge) <= tolerance)
+          if (distance_from_edge(cell->vertex(v), first, last) <= tolerance)
             vertices.set(v);
       return vertices;
     }

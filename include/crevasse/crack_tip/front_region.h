@@ -92,8 +92,6 @@ namespace Crevasse
     find_vertices(const Space<3> &space);
     void
     number_vertices(std::vector<Vertex> &found);
-    void
-    find_boundaries(const Space<3> &space);
     bool
     is_own_face(const Space<3>                                &space,
                 const dealii::Triangulation<3>::face_iterator &face,

@@ -8,6 +8,7 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -117,6 +118,19 @@ namespace Crevasse
   CrackFront<dim>
   crack_front(const dealii::Triangulation<dim> &mesh,
               const BoundaryRoles              &roles);
+
+  /** The distance of a point from an edge, which may have no length. */
+  template <int dim>
+  double
+  distance_from_edge(const dealii::Point<dim> &point,
+                     const dealii::Point<dim> &first,
+                     const dealii::Point<dim> &last)
+  {
+    const dealii::Tensor<1, dim> along  = last - first;
+    const double                 square = along.norm_square();
+    const double where = square == 0. ? 0. : (point - first) * along / square;
+    return point.distance(first + std::clamp(where, 0., 1.) * along);
+  }
 
   /** An edge of the coarse mesh on the front of a crack in space, from its
    * first vertex to its last so that ahead = inward × (last − first). */
