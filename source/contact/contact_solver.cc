@@ -176,8 +176,8 @@ namespace Crevasse
     archive.on_bounds(set);
     // Ranks without bounds take part in it.
     if (archive.is_loading() &&
-        dealii::Utilities::MPI::max(set.empty() ? 0 : 1,
-                                    archive.communicator()) == 1)
+        dealii::Utilities::MPI::logical_or(!set.empty(),
+                                           archive.communicator()))
       start_from(set);
     // Another method may go on: there always is one, if an empty one.
     const dealii::LAPACKFullMatrix<double> nothing;

@@ -92,8 +92,7 @@ namespace Crevasse
       return {infinity, infinity, infinity, 1., false};
     all.largest             = Utilities::MPI::max(all.largest, communicator);
     const double mean_least = lower_mean(instants, least_rates, period);
-    const bool   relaxes =
-      Utilities::MPI::min(all.all ? 1 : 0, communicator) == 1;
+    const bool   relaxes = !Utilities::MPI::logical_or(!all.all, communicator);
     return {all.largest > 0. ? 1. / all.largest : infinity,
             std::isfinite(all.least) ? 1. / all.least : infinity,
             std::isfinite(mean_least) ? 1. / mean_least : infinity,

@@ -32,8 +32,7 @@ namespace Crevasse
       bool has_gap = false;
       for (const LipNode<dim> &node : body.lip.nodes)
         has_gap = has_gap || node.gap != 0.;
-      demand(Utilities::MPI::max(has_gap ? 1 : 0, body.space.communicator()) ==
-               0,
+      demand(!Utilities::MPI::logical_or(has_gap, body.space.communicator()),
              comparison,
              "the closed forms hold for a lip without initial opening; here "
              "[Boundary] Gap is not 0.");

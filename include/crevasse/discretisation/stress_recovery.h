@@ -6,7 +6,6 @@
 
 #include <crevasse/discretisation/cell_polynomials.h>
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/fe/fe_q.h>
 
 #include <algorithm>

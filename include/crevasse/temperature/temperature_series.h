@@ -4,7 +4,6 @@
 #ifndef crevasse_temperature_temperature_series_h
 #define crevasse_temperature_temperature_series_h
 
-#include <crevasse/base/text_file.h>
 #include <crevasse/temperature/simplex_locator.h>
 #include <crevasse/temperature/temperature_file.h>
 
