@@ -76,18 +76,6 @@ namespace Crevasse
 
 
   int
-  StopRequests::of_signals()
-  {
-    if (asked_to_stop != 0)
-      return stop * first_request + asked_to_stop;
-    return asked_to_write.exchange(0) == 0
-             ? 0
-             : checkpoint * first_request + SIGUSR1;
-  }
-
-
-
-  int
   StopRequests::of_file()
   {
     std::error_code not_there;
@@ -120,7 +108,11 @@ namespace Crevasse
   StopRequests::Request
   StopRequests::poll(const double seconds_to_write)
   {
-    int request = of_signals();
+    int request = none;
+    if (asked_to_stop != 0)
+      request = stop * first_request + asked_to_stop;
+    else if (asked_to_write.exchange(0) != 0)
+      request = checkpoint * first_request + SIGUSR1;
     if (first_rank)
       request = std::max({request, of_file(), of_time(seconds_to_write)});
     request = dealii::Utilities::MPI::max(request, communicator);

@@ -272,7 +272,8 @@ namespace Crevasse
                         const Sample           &sample,
                         const MaterialState<3> &material) const
   {
-    std::vector<double> K(region.vertices.size());
+    const auto         &vertices = region.vertices;
+    std::vector<double> K(vertices.size());
     for (const Kernel &kernel : kernels)
       {
         double &sum = K[kernel.vertex];
@@ -290,27 +291,18 @@ namespace Crevasse
       K[vertex] += factor * sample.state.contact_forces[node];
     Utilities::MPI::sum(K, body.space.communicator(), K);
     for (std::size_t v = 0; v < K.size(); ++v)
-      K[v] /= region.vertices[v].integral();
+      K[v] /= vertices[v].integral();
     if (fields.mode == CrackMode::tearing)
-      set_ends(K);
+      for (std::size_t v = 0; v < K.size(); ++v)
+        if (const auto &end = vertices[v]; end.is_end())
+          {
+            const int         step = end.before == 0. ? 1 : -1;
+            const std::size_t i = v + step, j = i + step;
+            K[v] = end.on_symmetry ? 0. : K[i];
+            if (!end.on_symmetry && !vertices[j].is_end())
+              K[v] += (K[i] - K[j]) * (end.s - vertices[i].s) /
+                      (vertices[i].s - vertices[j].s);
+          }
     return K;
-  }
-
-
-
-  void
-  FrontIntegral::set_ends(std::vector<double> &K) const
-  {
-    const auto &vertices = region.vertices;
-    for (std::size_t v = 0; v < K.size(); ++v)
-      if (vertices[v].is_end())
-        {
-          const int         step = vertices[v].before == 0. ? 1 : -1;
-          const std::size_t i = v + step, j = i + step;
-          K[v] = vertices[v].on_symmetry ? 0. : K[i];
-          if (!vertices[v].on_symmetry && !vertices[j].is_end())
-            K[v] += (K[i] - K[j]) * (vertices[v].s - vertices[i].s) /
-                    (vertices[i].s - vertices[j].s);
-        }
   }
 } // namespace Crevasse

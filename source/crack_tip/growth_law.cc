@@ -60,16 +60,6 @@ namespace Crevasse
 
 
 
-  double
-  growth_of_period(const CrackTipParameters &law, const TipHistory &history)
-  {
-    const auto &parts = traits(law.growth_law);
-    return (parts.has_paris_part ? paris_growth(law, history) : 0.) +
-           (parts.has_creep_part ? creep_growth(law, history) : 0.);
-  }
-
-
-
   std::string
   describe_growth_law(const CrackTipParameters &law)
   {
@@ -103,10 +93,13 @@ namespace Crevasse
   {
     if (law.growth_law == GrowthLawType::none)
       return;
-    const std::string text   = describe_growth_law(law);
-    const double      growth = growth_of_period(law, history);
-    tip["growth_law"]        = text;
-    tip["da_dN"]             = growth; // null if it is not finite
+    const std::string text  = describe_growth_law(law);
+    const auto       &parts = traits(law.growth_law);
+    const double      growth =
+      (parts.has_paris_part ? paris_growth(law, history) : 0.) +
+      (parts.has_creep_part ? creep_growth(law, history) : 0.);
+    tip["growth_law"] = text;
+    tip["da_dN"]      = growth; // null if it is not finite
     if (!std::isfinite(growth))
       tip["no_da_dN"] = "the law gives no finite growth";
     tip["da_dt"] = growth / history.period();

@@ -40,28 +40,19 @@ namespace Crevasse
               strains[k][first + q] = voigt_strain<2>(gradients[q]);
           }
         if (space.rule(cell) != 0)
-          store_cell(cell, values, points.offset(cell));
+          {
+            SpecialCell special;
+            special.offset = points.offset(cell);
+            special.indices.resize(components.size());
+            cell->get_dof_indices(special.indices);
+            special.weights = values.get_JxW_values();
+            for (const unsigned int q : values.quadrature_point_indices())
+              for (unsigned int i = 0; i < components.size(); ++i)
+                special.gradients.push_back(
+                  values.shape_grad_component(i, q, components[i]));
+            special_cells.push_back(std::move(special));
+          }
       }
-  }
-
-
-
-  void
-  Enrichment::store_cell(
-    const typename DoFHandler<2>::active_cell_iterator &cell,
-    const FEValues<2>                                  &values,
-    const std::size_t                                   offset)
-  {
-    SpecialCell special;
-    special.offset = offset;
-    special.indices.resize(components.size());
-    cell->get_dof_indices(special.indices);
-    special.weights = values.get_JxW_values();
-    for (const unsigned int q : values.quadrature_point_indices())
-      for (unsigned int i = 0; i < components.size(); ++i)
-        special.gradients.push_back(
-          values.shape_grad_component(i, q, components[i]));
-    special_cells.push_back(std::move(special));
   }
 
 

@@ -251,11 +251,12 @@ namespace Crevasse
                        (side == 0 ? 1. : -1.) * node.normal[d],
                        supported,
                        opening);
-    if (is_dependent(opening))
-      throw_dependent(node.point);
     // Of a pair it might be a degree of freedom of the other lip's rank alone.
-    std::tie(node.unknown, node.sign) =
+    const auto unknown =
       make_unknown(opening, node.sides[1] == numbers::invalid_dof_index);
+    if (!unknown)
+      throw_dependent(node.point);
+    std::tie(node.unknown, node.sign) = *unknown;
   }
 
 

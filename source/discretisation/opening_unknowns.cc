@@ -53,21 +53,14 @@ namespace Crevasse
 
 
 
-  bool
-  OpeningUnknowns::is_dependent(const Weights &function) const
-  {
-    const auto [former, rest] = split(function);
-    return rest.empty() && !former.empty();
-  }
-
-
-
-  std::pair<OpeningUnknowns::Index, double>
+  std::optional<std::pair<OpeningUnknowns::Index, double>>
   OpeningUnknowns::make_unknown(const Weights &function, const bool may_be_dof)
   {
     const auto [former, rest] = split(function);
+    if (rest.empty() && !former.empty())
+      return {};
     if (rest.empty())
-      return {dealii::numbers::invalid_dof_index, 1.};
+      return {{dealii::numbers::invalid_dof_index, 1.}};
     std::pair<Index, double> unknown{rest[0].first,
                                      std::copysign(1., rest[0].second)};
     if (!may_be_dof || !former.empty() || rest.size() > 1 ||

@@ -112,16 +112,6 @@ namespace Crevasse
 
 
 
-  void
-  FourierResult::keep_start()
-  {
-    motion.viscous_strain.resize(1);
-    motion.displacement.clear();
-    motion.contact_forces.clear();
-  }
-
-
-
   std::vector<std::string>
   FourierResult::describe() const
   {

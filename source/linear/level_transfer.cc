@@ -40,7 +40,13 @@ namespace Crevasse
   {
     make_rows();
     distribute_nodes(mesh);
-    find_lip();
+    const auto &partitioner = *work.get_partitioner();
+    for (const auto &[unknown, weights] : finer.lip.functionals)
+      for (const auto &[dof, weight] : weights)
+        if (finer.locally_owned_unknowns.is_element(dof))
+          lip_entries.push_back({partitioner.global_to_local(unknown),
+                                 partitioner.global_to_local(dof),
+                                 LevelReal(weight)});
   }
 
 
@@ -177,23 +183,6 @@ namespace Crevasse
       if (work.local_element(index) > 1.5)
         shared.emplace_back(index, 1. / work.local_element(index));
     work.zero_out_ghost_values();
-  }
-
-
-
-  template <int dim>
-  void
-  LevelTransfer<dim>::find_lip()
-  {
-    const auto &lip   = finer.lip;
-    const auto  local = [this](const types::global_dof_index unknown) {
-      return work.get_partitioner()->global_to_local(unknown);
-    };
-    for (const auto &[unknown, weights] : lip.functionals)
-      for (const auto &[dof, weight] : weights)
-        if (finer.locally_owned_unknowns.is_element(dof))
-          lip_entries.push_back(
-            {local(unknown), local(dof), LevelReal(weight)});
   }
 
 

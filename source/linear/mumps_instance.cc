@@ -141,7 +141,16 @@ namespace Crevasse
     data.irn_loc = triangle.rows.data();
     data.jcn_loc = triangle.columns.data();
     data.a_loc   = for_mumps(triangle.values);
-    ask_for_schur_complement();
+    if (!last.empty())
+      {
+        // MUMPS leaves P, and writes its Schur complement here.
+        schur_complement.reinit(last.size());
+        icntl(19)          = 1; // on rank 0
+        data.size_schur    = last.size();
+        data.listvar_schur = last.data();
+        data.schur =
+          reinterpret_cast<decltype(data.schur)>(&schur_complement(0, 0));
+      }
     call(data, 1);
     require("the analysis");
     // MUMPS predicts the memory; where it falls short, it wants more.
@@ -160,35 +169,10 @@ namespace Crevasse
     // What is no longer there is not looked for either.
     data.irn_loc = data.jcn_loc = nullptr;
     data.a_loc                  = nullptr;
-    share_schur_complement();
-  }
-
-
-
-  template <typename Number>
-  void
-  MumpsInstance<Number>::ask_for_schur_complement()
-  {
+    data.schur                  = nullptr;
     if (last.empty())
       return;
-    schur_complement.reinit(last.size());
-    icntl(19)          = 1; // on rank 0
-    data.size_schur    = last.size();
-    data.listvar_schur = last.data();
-    data.schur =
-      reinterpret_cast<decltype(data.schur)>(&schur_complement(0, 0));
-  }
-
-
-
-  template <typename Number>
-  void
-  MumpsInstance<Number>::share_schur_complement()
-  {
-    data.schur = nullptr;
-    if (last.empty())
-      return;
-    // MUMPS writes one triangle of a symmetric one.
+    // MUMPS writes one triangle of a symmetric matrix, on the first rank.
     const std::size_t n = last.size();
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < i; ++j)

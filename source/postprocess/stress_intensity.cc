@@ -38,7 +38,10 @@ namespace Crevasse
     , first_elasticity(find_elasticity(0.))
     , uniform(find_uniform_radii(steps))
     , no_integral(find_no_integral(steps))
-    , square(choose_square())
+    , square(region.square(scene.crack_tip.radius,
+                           scene.crack_tip.radius == 0. && uniform.creep > 0.
+                             ? uniform.creep
+                             : largest_radius()))
   {
     for (const double t :
          instants_of_variation(body.material.stiffness_varies, steps))
@@ -169,17 +172,6 @@ namespace Crevasse
       throw SceneError(where +
                        " is not in a plane across the axis. Set Stress "
                        "intensity = false.");
-  }
-
-
-
-  double
-  StressIntensity::choose_square() const
-  {
-    const double wish = scene.crack_tip.radius;
-    return region.square(wish,
-                         wish == 0. && uniform.creep > 0. ? uniform.creep
-                                                          : largest_radius());
   }
 
 

@@ -99,7 +99,12 @@ namespace Crevasse
             log.line("  warning: " + warning);
           start.warnings = result.warnings;
           if (start.choice.method != PeriodicMethodType::fourier)
-            result.keep_start();
+            {
+              // Another method goes on from where the motion begins.
+              result.motion.viscous_strain.resize(1);
+              result.motion.displacement.clear();
+              result.motion.contact_forces.clear();
+            }
           start.direct = std::move(result);
         }
       catch (const NumericalError &error)

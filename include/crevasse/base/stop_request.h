@@ -95,9 +95,6 @@ namespace Crevasse
     // A request and the signal that brought it, if it was one, in one number.
     static constexpr int first_request = 64;
 
-    static int
-    of_signals();
-
     int
     of_file();
 

@@ -86,8 +86,6 @@ namespace Crevasse
     /** Its components at a vertex that do work nowhere but on the lips. */
     VoigtVector<3>
     what_lips_bear(const unsigned int v, const VoigtVector<3> &of_stress) const;
-    void
-    set_ends(std::vector<double> &K) const;
 
     const Body<3>     &body;
     const FrontRegion &region;

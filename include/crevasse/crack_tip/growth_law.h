@@ -31,9 +31,14 @@ namespace Crevasse
     }
   };
 
+  /** For the log and the summary; empty without a law. */
+  std::string
+  describe_growth_law(const CrackTipParameters &law);
+
   /**
-   * Length by which the crack grows over the period, by the parts that the law
-   * has:
+   * Adds to the summary of a tip, and to the log, by what length the crack
+   * grows over the period; nothing without a law. The length is the sum of the
+   * parts that the law has:
    *
    * - da/dN = C (ΔK − ΔK_th)^m above the threshold (Paris, Erdogan, J. Basic
    *   Eng. 85, 1963; with a threshold: Donahue et al., Int. J. Fract. Mech. 8,
@@ -42,18 +47,10 @@ namespace Crevasse
    *   trapezoidal rule over the steps. Where C(t) is not known yet, as after a
    *   jump, it is taken to be what it is next; before one, what it was last.
    *
-   * nan if the history lacks what the law needs. A crack that is pressed
+   * It is nan if the history lacks what the law needs. A crack that is pressed
    * together has K_I = 0, and one that is pushed shut C(t) = 0.
-   */
-  double
-  growth_of_period(const CrackTipParameters &law, const TipHistory &history);
-
-  /** For the log and the summary; empty without a law. */
-  std::string
-  describe_growth_law(const CrackTipParameters &law);
-
-  /** What the law makes of a history, if there is one: for the summary of the
-   * tip and the log. @param title of the line. */
+   *
+   * @param title of the line. */
   void
   summarise_growth(const CrackTipParameters &law,
                    const TipHistory         &history,

@@ -63,6 +63,7 @@ namespace Crevasse
     add_special_transpose(const Function &stress_at);
 
   private:
+    /** A cell whose rule is not that of most cells. */
     struct SpecialCell
     {
       std::size_t                                  offset;
@@ -71,12 +72,6 @@ namespace Crevasse
       std::vector<double>               weights;
       std::vector<dealii::Tensor<1, 2>> gradients;
     };
-
-    /** One whose rule is not that of most cells. */
-    void
-    store_cell(const typename dealii::DoFHandler<2>::active_cell_iterator &cell,
-               const dealii::FEValues<2> &values,
-               const std::size_t          offset);
 
     const Space<2>           &space;
     std::vector<unsigned int> components; ///< of the dofs of a cell

@@ -7,6 +7,7 @@
 #include <deal.II/base/types.h>
 
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -54,14 +55,10 @@ namespace Crevasse
     /** The unknown that is this function of degrees of freedom, till all are
      * numbered anew; none for nothing. If a degree of freedom is the function,
      * times ±1, and @p may_be_dof, it stays the unknown.
-     * @return besides, the sign. */
-    std::pair<Index, double>
+     * @return besides, the sign; nothing if the function depends on former ones
+     * alone, so that it cannot be an unknown. */
+    std::optional<std::pair<Index, double>>
     make_unknown(const Weights &function, const bool may_be_dof);
-
-    /** Whether a function depends on former ones alone, so that it cannot be an
-     * unknown. */
-    bool
-    is_dependent(const Weights &function) const;
 
     /** Without those that later ones replaced.
      * @return the new numbers of the others. */

@@ -41,11 +41,6 @@ namespace Crevasse
      * force. */
     std::string contact;
 
-    /** Forgets all but the beginning of the motion, from which another method
-     * goes on. */
-    void
-    keep_start();
-
     /** Lines for the log. */
     std::vector<std::string>
     describe() const;

@@ -73,9 +73,6 @@ namespace Crevasse
     distribute_nodes(const CoarserMesh<dim> &mesh);
 
     void
-    find_lip();
-
-    void
     weight_shared_nodes() const;
 
     const Space<dim>                           &coarser;

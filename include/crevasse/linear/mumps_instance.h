@@ -149,14 +149,6 @@ namespace Crevasse
     void
     require(const char *what) const;
 
-    /** Tells MUMPS to leave P, and where to put the Schur complement. */
-    void
-    ask_for_schur_complement();
-
-    /** Gives what the first rank has of it to all. */
-    void
-    share_schur_complement();
-
     const int         n_local;
     std::vector<int>  last; ///< P, counted from 1
     const std::string matrix_name, if_memory_is_short, otherwise;

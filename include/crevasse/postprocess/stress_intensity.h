@@ -155,9 +155,6 @@ namespace Crevasse
     void
     require_ring() const;
 
-    double
-    choose_square() const;
-
     Integrals
     make_integrals(const CrackMode mode) const;
 
