@@ -14,7 +14,7 @@ namespace Crevasse
     double
     paris_growth(const CrackTipParameters &law, const TipHistory &history)
     {
-      // Not a number stays so.
+      // NaN propagates.
       return history.range <= law.paris_threshold
                ? 0.
                : law.paris_factor *

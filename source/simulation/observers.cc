@@ -112,8 +112,8 @@ namespace Crevasse
             << "  Beware: displacements reach " << run.largest_displacement
             << ", and the body is " << diagonal
             << " from corner to corner: the theory is one of small "
-               "strains. Have loads, lengths and moduli one system of "
-               "units, and may the body flow for so long?");
+               "strains. Check that loads, lengths and moduli use one system "
+               "of units, and that the body may creep this long.");
       }
 
       const Workspace<dim> &work;

@@ -103,8 +103,8 @@ namespace Crevasse
                 << " times the error that is allowed. Choose a larger [Time "
                    "integration] Relative tolerance; if a load or a material "
                    "jumps at an instant, name it in Steps, so that a step "
-                   "ends there; let a load that is there at once rise within a "
-                   "short time, or give growing steps by Step control = list.");
+                   "ends there; replace a sudden load by a short ramp, or give "
+                   "growing steps by Step control = list.");
             ++rejected;
             was_rejected = true;
             r            = saved;

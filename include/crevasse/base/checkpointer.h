@@ -30,7 +30,7 @@ namespace Crevasse
     /** Where the first step of a period would begin if there were one more:
      * all parts are as if there were. Collective.
      *
-     * @param has_converged or else no more periods are allowed. */
+     * @param has_converged false: the search ran out of periods. */
     virtual void
     at_end_of_search(const unsigned int period, const bool has_converged) = 0;
 

@@ -65,7 +65,7 @@ namespace Crevasse
 
     /** Keeps what a run with more periods or a smaller tolerance can resume
      * from, if that is likely: checkpoints are wanted, or it has not converged.
-     * The end on one of several meshes is none of the run. */
+     * No checkpoint where another mesh follows. */
     void
     at_end_of_search(const unsigned int period,
                      const bool         has_converged) override

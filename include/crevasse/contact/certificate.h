@@ -82,8 +82,8 @@ namespace Crevasse
     double tension         = 0.; ///< largest −g
     double complementarity = 0.; ///< largest min(|g|, |Lq − gap|)
     double residual        = 0.; ///< largest |Aq − b| off the lip
-    /** What Newton's method, whose steps such problems are, leaves of the
-     * forces: it has a tolerance of its own. */
+    /** Largest residual of Newton's method (power laws), relative to the
+     * forces. */
     double newton_residual = 0.;
 
     /** The largest of the first four. */

@@ -61,7 +61,7 @@ namespace Crevasse
       return residual.linfty_norm() / (k * scales.force());
     }
 
-    /** Notes such an error of a law that is solved by several problems. */
+    /** Records the residual of Newton's method of a power law. */
     void
     note_newton_residual(const double relative_residual)
     {

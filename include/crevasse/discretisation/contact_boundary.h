@@ -17,7 +17,7 @@ namespace Crevasse
     double                          sign   = 1.; ///< of the normal displacement
     double                          gap    = 0.; ///< that is at least this
     double                          weight = 0.; ///< see LipBasis
-    double                          area   = 0.; ///< likewise
+    double area = 0.; ///< ∫φ, with the shares of nodes without weight
     /** The unknown of the node whose pressure it has: without weight another
      * one, or none. */
     dealii::types::global_dof_index source = dof;

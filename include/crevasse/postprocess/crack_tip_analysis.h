@@ -79,7 +79,7 @@ namespace Crevasse
 
   /** The one tip of a half model, or each tip with two lips. Collective.
    * Arguments must outlive what is returned.
-   * @param[out] without places of tips without K that is not demanded, and why.
+   * @param[out] without Tips without K, each with the reason.
    * @throw SceneError */
   std::vector<std::unique_ptr<const CrackTipAnalysis>>
   analyse_crack_tips(const Scene          &scene,

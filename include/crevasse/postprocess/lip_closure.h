@@ -51,8 +51,8 @@ namespace Crevasse
     std::vector<LipMoment>
     lip_at(const dealii::Point<dim> &tip) const;
 
-    /** The body at an instant within a step in which a lip changes. It lasts
-     * until the next one is asked for. Collective. */
+    /** The body at an instant within a step in which a lip changes. The sample
+     * is valid until the next call. Collective. */
     Sample
     sample_at(const double instant);
 

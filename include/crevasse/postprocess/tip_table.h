@@ -227,8 +227,7 @@ namespace Crevasse
       context.log.line("  warning: " + warning);
     }
 
-    /** What lives are computed from: ΔK and what summarise_closure() adds, C*,
-     * and the growth of the crack by its law.
+    /** Adds ΔK, K_op, ΔK_eff, C* and growth to the summary.
      *
      * @param opening K_I of Values.
      * @param intensity what drives growth by creep, of Values.
