@@ -25,7 +25,7 @@ from crevasse_run import PROGRAM, SOURCE, Results, check, check_close, execute, 
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import figures as make_figures, report as make_report  # noqa: E402
-from crevasse import histories, study_figures, wording  # noqa: E402
+from crevasse import histories, run_reader, study_figures, wording  # noqa: E402
 
 PAPER = SOURCE / "prm" / "raous1980.prm"
 
@@ -55,14 +55,14 @@ def command_line():
                                     ("results/nowhere", output, 2),
                                     ("results/bare", "results/no/report.html", 4)):
         process = subprocess.run([PROGRAM, "report", directory, "--output", file],
-                                 text=True, capture_output=True, timeout=300)
+                                 text=True, capture_output=True, timeout=1200)
         check(process.returncode == status and "Traceback" not in process.stderr,
               f"status {process.returncode}: {process.stderr}")
     check(output.read_text() == report("results/bare")[0], "another page")
     for words in (["report", "results/bare", "--output", output], ["report", "--help"]):
         with open("/dev/full", "w") as full:
             process = subprocess.run([PROGRAM, *words], text=True, stdout=full,
-                                     stderr=subprocess.PIPE, timeout=300)
+                                     stderr=subprocess.PIPE, timeout=1200)
         check(process.returncode == 4 and process.stderr.splitlines() == [
             "crevasse report: cannot write to the standard output (No space left on "
             "device)."], f"{words}: {process.returncode} {process.stderr}")
@@ -395,6 +395,31 @@ def unfinished_runs():
                "Checkpoint 3, before step 8 of period 2")
 
 
+def moving_run():
+    """One that is resumed and writes while it is read: files change just before they are
+    opened. Nothing of it is damaged."""
+    directory = copy("whole", "moving")
+    table = directory / "probe_C.csv"
+    shutil.copy(table, directory / "rows")
+    (directory / "half a row").write_text(table.read_text()[:-30])
+    next_of = {"summary.json": [None], "contact.csv": [None],
+               table.name: ["half a row", "rows"]}
+
+    def change(event, arguments):
+        if event == "open" and isinstance(arguments[0], os.PathLike | str):
+            path = pathlib.Path(arguments[0])
+            if path.parent == directory and next_of.get(path.name):
+                if name := next_of[path.name].pop(0):
+                    os.replace(directory / name, path)
+                else:
+                    path.unlink()
+    sys.addaudithook(change)
+    moving = run_reader.Run(directory)
+    check(not moving.damages and not moving.finished, f"{moving.damages}")
+    check("contact.csv" not in moving.tables
+          and len(moving.tables[table.name]["t"]) == 120, "whole rows")
+
+
 def damaged_runs():
     """The report has what is whole, and names what is not."""
     for name, file, pattern, replacement, message in (
@@ -502,6 +527,7 @@ sweep()
 study()
 charts_of_many_lines()
 unfinished_runs()
+moving_run()
 damaged_runs()
 odd_names()
 folders_without_results()

@@ -3,6 +3,7 @@
 
 """The report of one run: gathers what templates/run.html shows."""
 
+import contextlib
 import datetime
 import math
 import os
@@ -58,9 +59,10 @@ def notes_on(run, ending):
 
 def time_of(run):
     """When the newest of the files that tell the end was written."""
-    times = [os.path.getmtime(run.directory / name)
-             for name in ("summary.json", "log.txt", "used.prm")
-             if (run.directory / name).is_file()]
+    times = []
+    for name in ("used.prm", "log.txt", "summary.json"):
+        with contextlib.suppress(FileNotFoundError):  # a run that is resumed
+            times.append(os.path.getmtime(run.directory / name))
     return datetime.datetime.fromtimestamp(max(times)).strftime("%Y-%m-%d %H:%M")
 
 

@@ -5,6 +5,7 @@
 
 import collections
 import csv
+import io
 import pathlib
 import re
 
@@ -60,10 +61,7 @@ class Run:
                                f"{self.period:g} is not a period.")
         self.damages = []
         self.log = self.read_log()
-        self.finished = (self.directory / "summary.json").is_file()
-        self.summary = self.read_summary() if self.finished else {}
-        if not self.summary:
-            self.summary = self.summary_of_log()
+        self.finished, self.summary = self.read_summary()
         self.tables = {}
         for path in sorted(self.directory.glob("*.csv")):
             if path.name.startswith(tuple(COLUMNS)):  # not what others left there
@@ -103,11 +101,13 @@ class Run:
                 in MATERIAL.findall(text[1] if text else "")}
 
     def read_summary(self):
+        """Whether there is one, and what it or else the log says. A run that is resumed
+        removes it at any moment."""
         path = self.directory / "summary.json"
         summary, troubles = summary_file.read(path)
-        for trouble in troubles:
+        for trouble in troubles or ():
             self.note(path, trouble)
-        return summary
+        return troubles is not None, summary or self.summary_of_log()
 
     def summary_of_log(self):
         """What the log says of a run without summary: effects and sizes."""
@@ -125,13 +125,16 @@ class Run:
 
     def read_table(self, path):
         """Into the tables if it is whole. The last row of a run that is going
-        on may be half written and is left out then."""
+        on may be half written and is left out then; one that is resumed replaces its
+        tables."""
         try:
-            with open(path, newline="", encoding="utf-8") as file:
-                header, *rows = list(csv.reader(file)) or [[]]
+            text = path.read_text(encoding="utf-8")
+            header, *rows = list(csv.reader(io.StringIO(text))) or [[]]
+        except FileNotFoundError:
+            return None
         except (OSError, ValueError, csv.Error) as error:
             return self.note(path, f"{error}")
-        if not self.finished and not ends_with_line(path):
+        if not self.finished and not text.endswith("\n"):
             rows = rows[:-1]
         if not header:
             return self.note(path, "is empty") if self.finished else None
@@ -224,12 +227,14 @@ class Run:
     def instants(self):
         """(t, file) of every stored field; empty where none were wanted."""
         path = self.directory / "solution.pvd"
-        if not path.is_file():
-            return []
         try:
             return [(float(record.attrib["timestep"]),
                      self.directory / record.attrib["file"])
                     for record in read_xml(path).iter("DataSet")]
+        except ResultsError:
+            if path.is_file():
+                raise
+            return []
         except (KeyError, ValueError) as error:
             raise ResultsError(f"{path}: cannot be read ({error}).") from None
 
@@ -255,9 +260,3 @@ def columns_of(name):
     """Those that a table of this name must have."""
     return next(columns for begin, columns in COLUMNS.items()
                 if name.startswith(begin))
-
-
-def ends_with_line(path):
-    """Whether the last row of a table is complete."""
-    text = path.read_bytes()
-    return not text or text.endswith(b"\n")

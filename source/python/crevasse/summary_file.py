@@ -45,9 +45,12 @@ SHAPES = {
 
 
 def read(path):
-    """The summary, and sentences about what is wrong with it."""
+    """The summary, and sentences about what is wrong with it; None if there is no file.
+    """
     try:
         summary = json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return {}, None
     except (OSError, ValueError) as error:
         return {}, [f"{error}"]
     if not isinstance(summary, dict):
