@@ -7,6 +7,7 @@ serve); start() starts the program itself, for tests of the command line,
 signals, pipes and of the environment."""
 
 import atexit
+import contextlib
 import csv
 import functools
 import json
@@ -17,6 +18,7 @@ import resource
 import shutil
 import subprocess
 import sys
+import time
 
 from mpi_environment import ENVIRONMENT
 
@@ -27,6 +29,7 @@ sys.path.insert(0, str(SOURCE / "source/python"))
 from crevasse.program import Server  # noqa: E402: where it is, is known now
 
 SECONDS = [0.]  # CPU time, of the server's runs
+PATIENCE = 1800  # seconds for any run: a busy machine takes ten times as long
 
 # The tier: the preset "full" sets this.
 FULL = os.environ.get("CREVASSE_TESTS") == "full"
@@ -79,7 +82,7 @@ def print_cost():
           f"{SECONDS[0] + sum(u.ru_utime + u.ru_stime for u in used):.1f} s of CPU time")
 
 
-def execute(*arguments, cwd=".", seconds=300):
+def execute(*arguments, cwd=".", seconds=PATIENCE):
     """Runs the program; returns exit status (or minus the signal that ended it),
     standard output and error."""
     call = server().start(arguments, directory=os.path.abspath(cwd), seconds=seconds)
@@ -92,8 +95,19 @@ def start(*arguments, **options):
     """As execute(), by a start of the program."""
     process = subprocess.run(
         [str(PROGRAM), *map(str, arguments)], text=True, capture_output=True,
-        stdin=subprocess.DEVNULL, timeout=1200, **{"env": ENVIRONMENT, **options})
+        stdin=subprocess.DEVNULL, timeout=PATIENCE, **{"env": ENVIRONMENT, **options})
     return process.returncode, process.stdout, process.stderr
+
+
+def wait_until(condition, process):
+    """Until a condition has a value, which is returned, or the program has ended. Files
+    that it looks at may come and go."""
+    while process.poll() is None:
+        with contextlib.suppress(FileNotFoundError):
+            if value := condition():
+                return value
+        time.sleep(2e-3)
+    return None
 
 
 def overrides(settings):
@@ -144,7 +158,7 @@ def execute_on(n_ranks, *arguments):
     """Runs the program on several processes, as execute() does on one."""
     process = subprocess.run(
         ["mpirun", "-np", str(n_ranks), PROGRAM, *map(str, arguments)],
-        text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=1800,
+        text=True, capture_output=True, stdin=subprocess.DEVNULL, timeout=PATIENCE,
         env=ENVIRONMENT)
     return process.returncode, process.stdout, process.stderr
 

@@ -10,7 +10,7 @@ import time
 
 from crevasse_run import Failure, Results, execute, settings_of
 
-PATIENCE = 120  # seconds a run, on a busy machine
+PATIENCE = 600  # seconds a run, on a busy machine
 
 
 class Refused(Exception):

@@ -1,7 +1,6 @@
 """Runs that are interrupted and resumed, and how they compare with those that
 were not."""
 
-import contextlib
 import pathlib
 import re
 import shutil
@@ -11,7 +10,8 @@ import tempfile
 import time
 
 from cracked import BOTTOM, CRACK, TOP, square
-from crevasse_run import PROGRAM, SOURCE, Results, check, overrides
+from crevasse_run import (PATIENCE, PROGRAM, SOURCE, Results, check, overrides,
+                          wait_until)
 from mpi_environment import ENVIRONMENT
 
 SCENE = SOURCE / "prm/raous1980.prm"
@@ -106,7 +106,7 @@ def execute(directory, settings, n_ranks=1, more=(), **options):
     """Exit status and what was written to the standard error."""
     process = subprocess.run(
         command(directory, settings, n_ranks, more=more, **options), text=True,
-        capture_output=True, stdin=subprocess.DEVNULL, timeout=1800,
+        capture_output=True, stdin=subprocess.DEVNULL, timeout=PATIENCE,
         env=ENVIRONMENT)
     return process.returncode, process.stderr
 
@@ -128,18 +128,13 @@ def reference(name, settings):
 
 def wait_for(directory, n_rows, process):
     """Until a table has so many rows, or the program has ended."""
-    while process.poll() is None:
-        # A program that goes on may just replace it.
-        with contextlib.suppress(FileNotFoundError):
-            if (directory / "probe_mouth.csv").read_bytes().count(b"\n") >= n_rows:
-                return
-        time.sleep(2e-3)
+    wait_until(lambda: (directory / "probe_mouth.csv").read_bytes().count(b"\n")
+               >= n_rows, process)
 
 
 def wait_for_checkpoint(before, directory, process):
     """Until there is a new one, or the program has ended."""
-    while process.poll() is None and checkpoints(directory) <= before:
-        time.sleep(2e-3)
+    wait_until(lambda: not checkpoints(directory) <= before, process)
 
 
 def set_signals(ignored):
@@ -181,7 +176,7 @@ def interrupt(directory, settings, way, moment, n_ranks=1, ignored=()):
         process.send_signal(signal.SIGTERM)
     elif way in ("SIGTERM", "SIGINT", "SIGHUP", "SIGKILL"):
         process.send_signal(getattr(signal, way))
-    error = process.communicate(timeout=1200)[1]
+    error = process.communicate(timeout=PATIENCE)[1]
     return process.returncode, error
 
 
@@ -189,11 +184,11 @@ def wait_until_it_listens(process):
     """Until it handles signals itself, or has ended: the tables of an
     interrupted run are there before the program that goes on has begun."""
     status = pathlib.Path(f"/proc/{process.pid}/status")
-    while process.poll() is None:
+
+    def listens():
         caught = re.search(r"SigCgt:\s*(\w+)", status.read_text())
-        if caught and int(caught[1], 16) >> (signal.SIGUSR1 - 1) & 1:
-            return
-        time.sleep(2e-3)
+        return caught and int(caught[1], 16) >> (signal.SIGUSR1 - 1) & 1
+    wait_until(listens, process)
 
 
 def checkpoints(directory):

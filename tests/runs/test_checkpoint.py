@@ -11,10 +11,10 @@ import resource
 import shutil
 import signal
 import subprocess
-import time
 import zlib
 
-from crevasse_run import Results, check, check_below, overrides, tier
+from crevasse_run import (PATIENCE, Results, check, check_below, overrides, tier,
+                          wait_until)
 from crevasse_run import execute as served
 from interrupted_runs import (CASES, COMMON, REDISTRIBUTES, SCENE, check_same_bytes,
                               command, execute, finish, checkpoints, fresh,
@@ -203,7 +203,7 @@ def test_full_disk():
 
     process = subprocess.run(command(directory, settings), env=ENVIRONMENT,
                              stdin=subprocess.DEVNULL, capture_output=True,
-                             text=True, timeout=1200, preexec_fn=limit_files)
+                             text=True, timeout=PATIENCE, preexec_fn=limit_files)
     check(process.returncode in (0, 3)
           and "no checkpoint was written" in process.stderr,
           f"{process.returncode} {process.stderr}")
@@ -408,7 +408,7 @@ def test_two_runs():
     check(code == 4 and "Another run" in error
           and f"process {process.pid}" in error, f"{code} {error}")
     (directory / "stop").touch()
-    process.communicate(timeout=1200)
+    process.communicate(timeout=PATIENCE)
     check(process.returncode == 5, f"the first one: {process.returncode}")
     code, error = execute(directory, COMMON + periods(1))
     check(code in (0, 3), f"afterwards: {code} {error}")
@@ -418,10 +418,11 @@ def test_nobody_listens():
     """The run is worth more than the pipe that its log goes to."""
     process, directory = begin_long("pipe")
     process.stdout.close()
-    time.sleep(0.5)
+    log = directory / "log.txt"
+    wait_until(lambda: "standard output" in log.read_text(), process)
     (directory / "stop").touch()
-    process.wait(timeout=1200)
-    log = (directory / "log.txt").read_text()
+    process.wait(timeout=PATIENCE)
+    log = log.read_text()
     check(process.returncode == 5 and "standard output" in log
           and "--resume continues" in log, f"{process.returncode}\n{log}")
 

@@ -12,8 +12,8 @@ import time
 
 import jsonschema
 
-from crevasse_run import (PROGRAM, SOURCE, check, execute, plain, run, server, start,
-                          tier)
+from crevasse_run import (PATIENCE, PROGRAM, SOURCE, check, execute, plain, run, server,
+                          start, tier)
 
 from crevasse.results import parse_parameters
 
@@ -187,7 +187,7 @@ def test_progress():
         except OSError:  # the program has ended
             break
     os.close(terminal)
-    check(process.wait(timeout=1200) == 0, "exit status")
+    check(process.wait(timeout=PATIENCE) == 0, "exit status")
     seconds = time.monotonic() - begin  # a period takes less
     lines = re.findall(
         r"\r  period (\d+) of at most 400, step (\d+) at t = (\S+), (\d+) of the lip's "
@@ -439,7 +439,7 @@ def test_scripts():
 
     def call():
         process = subprocess.run([program, "report", "nowhere"], text=True,
-                                 capture_output=True, timeout=1200)
+                                 capture_output=True, timeout=PATIENCE)
         return process.returncode, process.stderr
     status, error = call()
     check(status == 4 and "package is missing" in error, f"no package: {error}")
@@ -460,10 +460,10 @@ def test_server():
     place.mkdir()
     write_scene(place / "long.prm")
     long = server().start(("long.prm", "--set", "Periodic state/Maximum periods=100000"),
-                          directory="served", seconds=300)
+                          directory="served", seconds=PATIENCE)
     log = place / "results/long/log.txt"
     while not log.exists() and long.status is None:
-        time.sleep(0.01)
+        server().wait(long, seconds=0.01)
     short = server().start(("--version",), unset=["HOME"])
     server().wait(short)
     check(short.status == 0 and "crevasse" in short.output and long.status is None,
@@ -495,13 +495,13 @@ def test_many_starts():
             env={**own, **more}, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE,
             stdout=subprocess.DEVNULL)
     for process in [begin(number) for number in range(tier(10, 200))]:
-        error = process.communicate(timeout=1200)[1]
+        error = process.communicate(timeout=PATIENCE)[1]
         check(process.returncode == 0 and not error,
               f"at once: {process.returncode} {error}")
     for name in ("ess_singleton_isolated=0", "orte_create_session_dirs=1"):
         name, value = name.split("=")
         process = begin("other", **{"OMPI_MCA_" + name: value})
-        error = process.communicate(timeout=1200)[1]
+        error = process.communicate(timeout=PATIENCE)[1]
         check(process.returncode != 0 and error, f"{name} is overridden")
 
 
@@ -551,7 +551,7 @@ def test_completion():
         (directory / name).touch()
     process = subprocess.run(
         ["bash", "-c", COMPLETE, "bash", SOURCE / "doc/completion.bash", PROGRAM],
-        cwd=directory, text=True, capture_output=True, timeout=1200)
+        cwd=directory, text=True, capture_output=True, timeout=PATIENCE)
     check(process.returncode == 0 and not process.stderr,
           f"completion: {process.returncode} {process.stderr}")
     found = process.stdout.splitlines()

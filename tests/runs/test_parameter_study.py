@@ -16,7 +16,8 @@ import time
 
 from bars import BAR
 from crevasse_run import (PROGRAM, SOURCE, check, check_below, check_close, execute,
-                          execute_on, full, overrides, rows_of_sweep, sweep, tier)
+                          execute_on, full, overrides, rows_of_sweep, sweep, tier,
+                          wait_until)
 from mpi_environment import ENVIRONMENT
 
 from crevasse.results import shortest
@@ -239,17 +240,12 @@ def begin(name, *more, environment=ENVIRONMENT):
     return directory, process
 
 
-def wait_for(path, process):
-    while not path.exists() and process.poll() is None:
-        time.sleep(0.002)
-
-
 def test_interruption():
     """The second and the third point end while the first one runs."""
     whole, _ = sweep("whole", CRACK, *LONG)
     for name in tier(("SIGTERM",), ("SIGTERM", "SIGINT", "SIGHUP")):
         directory, process = begin(name)
-        wait_for(directory / "steps_per_period_40/finished.json", process)
+        wait_until((directory / "steps_per_period_40/finished.json").exists, process)
         process.send_signal(getattr(signal, name))
         output, error = process.communicate()
         check(process.returncode == 5 and name in output, output + error)
@@ -274,10 +270,8 @@ def test_crash():
     directory, process = begin("crash", environment={
         name: text for name, text in ENVIRONMENT.items() if name != "OMP_NUM_THREADS"})
     lock = directory / "steps_per_period_1600/running"
-    while process.poll() is None and not (
-            lock.exists() and lock.read_text().endswith("\n")):
-        time.sleep(0.002)
-    number = int(lock.read_text().split()[1])
+    number = int(wait_until(lambda: re.fullmatch(r"process (\d+) .*\n", lock.read_text()),
+                            process)[1])
     check(b"\0OMP_NUM_THREADS=1\0" in b"\0" + pathlib.Path(
         f"/proc/{number}/environ").read_bytes(), "one thread")
     os.kill(number, signal.SIGKILL)

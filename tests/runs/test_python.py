@@ -12,13 +12,12 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 import warnings
 
 import numpy
 
 from bars import BAR
-from crevasse_run import PROGRAM, SOURCE, check, check_below, full, tier
+from crevasse_run import PROGRAM, SOURCE, check, check_below, full, tier, wait_until
 from mpi_environment import ENVIRONMENT
 
 import crevasse
@@ -160,7 +159,7 @@ def test_build():
     """In a build the program is beside the package."""
     process = python("from crevasse.program import find_program; import crevasse; "
                      "print(find_program(), *dir(crevasse))", cwd="/")
-    output, error = process.communicate(timeout=300)
+    output, error = process.communicate(timeout=1200)
     check(output.split() == [str(PROGRAM), "CommandError", "Results", "ResultsError",
                              "read", "run"], output + error)
 
@@ -174,11 +173,9 @@ def test_interrupt():
                      "'Periodic state/Maximum periods': 1000000},"
                      f"output='{directory}')")
     table = directory / "periods.csv"
-    while process.poll() is None and not (
-            table.exists() and table.read_text().count("\n") > 1):
-        time.sleep(0.01)
+    wait_until(lambda: table.read_text().count("\n") > 1, process)
     process.send_signal(signal.SIGINT)
-    _, error = process.communicate(timeout=300)
+    _, error = process.communicate(timeout=1200)
     check("KeyboardInterrupt" in error, error)
     check((directory / "checkpoint").is_dir()
           and "SIGTERM" in (directory / "log.txt").read_text(), "no checkpoint")

@@ -37,7 +37,7 @@ def test_no_program():
     """Told, without a trace of Python."""
     script = SOURCE / "doc/figures/signorini_rates.py"
     process = subprocess.run([sys.executable, script, "nowhere"], text=True,
-                             capture_output=True, timeout=300)
+                             capture_output=True, timeout=1200)
     check(process.returncode == 2 and "nowhere is no program" in process.stderr
           and "Traceback" not in process.stderr, process.stderr)
 

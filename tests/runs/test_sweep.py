@@ -14,7 +14,7 @@ import time
 from bars import BAR, RELAXING
 import crevasse_run
 from crevasse_run import (PROGRAM, check, check_below, execute, execute_on,
-                          full, overrides, rows_of_sweep)
+                          full, overrides, rows_of_sweep, wait_until)
 
 SCENE = "bar.prm"
 CRACK = "crack.prm"
@@ -118,7 +118,7 @@ def test_warnings():
              "--exact", "probe_top/u_1=t"]
     closed = subprocess.run(["sh", "-c", 'exec "$@" <&- >&-', "sh", PROGRAM,
                              *map(str, words)], capture_output=True, text=True,
-                            timeout=300)
+                            timeout=1200)
     check(closed.returncode == 0 and not closed.stderr, f"closed: {closed.stderr}")
     status, output, error = execute(*words)
     check(status == 0 and output.count("already there") == 6, output + error)
@@ -144,8 +144,7 @@ def test_resumption():
     process = subprocess.Popen(
         [PROGRAM, "sweep", SCENE, "--output", directory, *SETTINGS, *arguments],
         stdout=subprocess.DEVNULL)
-    while len(finished_at(directory)) < 4 and process.poll() is None:
-        time.sleep(0.002)
+    wait_until(lambda: len(finished_at(directory)) >= 4, process)
     process.send_signal(signal.SIGKILL)
     check(process.wait() == -signal.SIGKILL, "was not killed in time")
     before = finished_at(directory)
