@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/discretisation/rigid_modes.h>
 #include <crevasse/model/largest_load.h>
 #include <crevasse/postprocess/crack_front_table.h>
 #include <crevasse/postprocess/crack_tip_table.h>
@@ -14,8 +15,6 @@
 #include <crevasse/simulation/observers.h>
 #include <crevasse/simulation/secular_motion.h>
 #include <crevasse/simulation/tables.h>
-
-#include <deal.II/base/bounding_box.h>
 
 namespace Crevasse
 {
@@ -76,10 +75,19 @@ namespace Crevasse
       void
       summarise(Summary &summary) override
       {
-        Summary &extremes        = summary["extremes"];
-        extremes["stress"]       = run.largest_stress;
-        extremes["displacement"] = run.largest_displacement;
-        warn_of_large_displacements();
+        Summary &extremes         = summary["extremes"];
+        extremes["stress"]        = run.largest_stress;
+        extremes["displacement"]  = run.largest_displacement;
+        constexpr double small    = 0.1;
+        const double     diagonal = RigidParts<dim>(body.space.mesh()).size();
+        if (run.largest_displacement > small * diagonal)
+          work.output.log.line(
+            Text::Message()
+            << "  Beware: displacements reach " << run.largest_displacement
+            << ", and the body is " << diagonal
+            << " from corner to corner: the theory is one of small "
+               "strains. Check that loads, lengths and moduli use one system "
+               "of units, and that the body may creep this long.");
         if (body.effects.contact.on)
           extremes["opening"] = run.largest_opening;
         if (!body.effects.viscosity.on)
@@ -99,23 +107,6 @@ namespace Crevasse
       LipState lip; ///< of the last sample, with contact
 
     private:
-      void
-      warn_of_large_displacements() const
-      {
-        constexpr double       small = 0.1;
-        const BoundingBox<dim> box(body.space.mesh().get_vertices());
-        const auto            &corners = box.get_boundary_points();
-        const double diagonal          = corners.first.distance(corners.second);
-        if (run.largest_displacement > small * diagonal)
-          work.output.log.line(
-            Text::Message()
-            << "  Beware: displacements reach " << run.largest_displacement
-            << ", and the body is " << diagonal
-            << " from corner to corner: the theory is one of small "
-               "strains. Check that loads, lengths and moduli use one system "
-               "of units, and that the body may creep this long.");
-      }
-
       const Workspace<dim> &work;
       const Body<dim>      &body;
       RunState             &run;
@@ -230,26 +221,6 @@ namespace Crevasse
       double          last_shown  = 0.;
       double          done_before = -1.; ///< by an earlier run, on other meshes
     };
-
-
-
-    template <int dim>
-    std::unique_ptr<FieldWriter<dim>>
-    make_field_writer(const Workspace<dim> &work, FieldInstants instants)
-    {
-      const FieldTimes &times = *work.setup.scene.output.field_times;
-      instants.all            = times.all;
-      if (!times.of_extremes)
-        instants.followed.clear();
-      for (const double t : times.instants(work.steps.period()))
-        instants.chosen.insert(work.steps.instant(work.steps.nearest(t)));
-      return std::make_unique<FieldWriter<dim>>(work.setup.body,
-                                                work.setup.recovery,
-                                                work.steps,
-                                                instants,
-                                                work.output.directory,
-                                                work.output.log);
-    }
   } // namespace
 
 
@@ -360,7 +331,20 @@ namespace Crevasse
       add(std::make_unique<CrackFrontTable>(
         *setup.crack_front, work.steps, tables.path("crack_front.csv"), log));
     if (body.effects.field_output.on)
-      add(make_field_writer(work, instants));
+      {
+        const FieldTimes &times = *setup.scene.output.field_times;
+        instants.all            = times.all;
+        if (!times.of_extremes)
+          instants.followed.clear();
+        for (const double t : times.instants(work.steps.period()))
+          instants.chosen.insert(work.steps.instant(work.steps.nearest(t)));
+        add(std::make_unique<FieldWriter<dim>>(body,
+                                               setup.recovery,
+                                               work.steps,
+                                               instants,
+                                               work.output.directory,
+                                               log));
+      }
     if (setup.scene.output.load_work)
       // ∫ loads · u (force times length, per thickness in the plane). For an
       // elastic body whose lip has no gap half of it is the strain energy, and
