@@ -149,16 +149,14 @@ namespace Crevasse
             "[Boundary] Gap, or hold the part by Fixed points.");
         before = on_lip;
       }
-    const std::uint64_t free = motions_left_free(forces);
-    counts.undetermined += free != 0 ? 1 : 0;
-    counts.never_held &= free;
+    counts.undetermined += leave_motions_free(forces) ? 1 : 0;
     return n_sets;
   }
 
 
 
-  std::uint64_t
-  CondensedActiveSet::motions_left_free(const LipVector &forces) const
+  bool
+  CondensedActiveSet::leave_motions_free(const LipVector &forces) const
   {
     const unsigned int n_motions = free_motions.n();
     // As in ContactBoundary: what rounding leaves of loads stops nothing.
@@ -176,12 +174,7 @@ namespace Crevasse
     FullMatrix<double> eigenvectors;
     matrix.compute_eigenvalues_symmetric(
       -1., 1e-12 * loads.size(), 0., eigenvalues, eigenvectors);
-    std::uint64_t free = 0;
-    for (unsigned int m = 0; m < std::min(n_motions, 64u); ++m)
-      for (unsigned int k = 0; k < eigenvalues.size(); ++k)
-        if (std::abs(eigenvectors(m, k)) > 1e-6)
-          free |= std::uint64_t(1) << m;
-    return free;
+    return eigenvalues.size() > 0;
   }
 
 

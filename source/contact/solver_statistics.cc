@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
-#include <crevasse/base/problems.h>
-#include <crevasse/base/text.h>
 #include <crevasse/contact/solver_statistics.h>
 
 #include <algorithm>
@@ -33,26 +31,8 @@ namespace Crevasse
       this->*counter += other.*counter;
     certified += other.certified;
     undetermined += other.undetermined;
-    never_held &= other.never_held;
     certificate.merge(other.certificate);
     accuracy = std::max(accuracy, other.accuracy);
-  }
-
-
-
-  void
-  SolverStatistics::require_held(const std::vector<RigidMotion> &motions) const
-  {
-    std::vector<std::string> names;
-    for (unsigned int m = 0; m < motions.size() && m < 64; ++m)
-      if (certified > 0 && (never_held >> m & 1) == 1)
-        names.push_back(motions[m].name);
-    if (!names.empty())
-      throw NumericalError(
-        "Unconstrained rigid-body motions:\n  " + Text::join(names, "\n  ") +
-        "\nContact could stop them, but no load presses a lip that does: "
-        "nothing tells where the part is. Hold it by [Boundary] Clamped, "
-        "Symmetry or Fixed points, or load it.");
   }
 
 

@@ -182,11 +182,13 @@ namespace Crevasse
 
 
 
-    /** The same of the mean square of the lips' openings: where it vanishes the
-     * lips slide. */
+    /** The same of the mean square of the openings of all nodes of the lips, or
+     * of some: where it vanishes these slide. */
     template <int dim>
     FullMatrix<double>
-    opening_gram_matrix(const Space<dim> &space, const RigidParts<dim> &parts)
+    opening_gram_matrix(const Space<dim>        &space,
+                        const RigidParts<dim>   &parts,
+                        const std::vector<bool> &some = {})
     {
       const auto        &nodes = space.lip.nodes;
       FullMatrix<double> gram(parts.n_parts * parts.n_modes);
@@ -200,7 +202,8 @@ namespace Crevasse
           const Vector u =
             space.from_nodal_values(parts.displacement(space, mode));
           for (unsigned int i = 0; i < nodes.size(); ++i)
-            if (nodes[i].has_unknown() && u.in_local_range(nodes[i].unknown))
+            if ((some.empty() || some[i]) && nodes[i].has_unknown() &&
+                u.in_local_range(nodes[i].unknown))
               openings(i, m) = u(nodes[i].unknown);
         }
       openings.Tmmult(gram, openings);
@@ -359,6 +362,24 @@ namespace Crevasse
 
 
 
+  template <int dim>
+  void
+  require_held(const Space<dim> &space, const std::vector<bool> &pressed)
+  {
+    const RigidParts<dim> parts = parts_of(space);
+    FullMatrix<double>    gram  = constraint_gram_matrix(space, parts);
+    gram.add(1., opening_gram_matrix(space, parts, pressed));
+    if (const auto free = kernel(gram, parts); !free.empty())
+      throw NumericalError(
+        "Unconstrained rigid-body motions:\n  " +
+        Text::join(names_of(free, parts), "\n  ") +
+        "\nContact could stop them, but no load presses a lip that does: "
+        "nothing tells where the part is. Hold it by [Boundary] Clamped, "
+        "Symmetry or Fixed points, or load it.");
+  }
+
+
+
   std::string
   what_contact_holds(const std::vector<RigidMotion> &motions)
   {
@@ -372,5 +393,7 @@ namespace Crevasse
   template decltype(rigid_motions_held_by_contact<2>)
     rigid_motions_held_by_contact<2>;
   template decltype(rigid_motions_held_by_contact<3>)
-    rigid_motions_held_by_contact<3>;
+                                     rigid_motions_held_by_contact<3>;
+  template decltype(require_held<2>) require_held<2>;
+  template decltype(require_held<3>) require_held<3>;
 } // namespace Crevasse

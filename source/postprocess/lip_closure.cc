@@ -117,6 +117,22 @@ namespace Crevasse
 
 
   template <int dim>
+  void
+  LipClosure<dim>::end_of_period(const PeriodReport &report)
+  {
+    if (body.held_by_contact.empty() || report.period > 1)
+      return;
+    std::vector<bool> pressed(body.space.lip.nodes.size());
+    for (const Moment &moment : period)
+      for (unsigned int i = 0; i < places.size(); ++i)
+        if (moment.openings[i] < 0.)
+          pressed[places[i]] = true;
+    require_held(body.space, pressed);
+  }
+
+
+
+  template <int dim>
   std::pair<double, double>
   LipClosure<dim>::range(const unsigned int lip, const Moment &moment) const
   {

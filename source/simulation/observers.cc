@@ -61,7 +61,6 @@ namespace Crevasse
                                         ? 0.
                                         : run.largest_stress,
                                       report.largest_stress);
-        work.systems.statistics().require_held(body.held_by_contact);
       }
 
       void

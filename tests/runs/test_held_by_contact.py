@@ -3,7 +3,7 @@ load that tips them over, and what is refused."""
 
 import math
 
-from cracked import BOTTOM, CRACK, FRONT, LEFT, TOP, steps, write_block
+from cracked import BOTTOM, CRACK, FRONT, LEFT, TOP, steps, turned, write_block
 from crevasse_run import (check, check_below, check_close, execute, overrides, plain,
                           run, run_on, tier)
 
@@ -215,9 +215,39 @@ def test_enclosed():
           and "x1" not in error, f"{code}: {error}")
 
 
+def test_pushed_in_turn():
+    """A square within a crack, pushed first against one of its sides, then against
+    another: in each half of the period it may slide, but both together hold it,
+    however the body is turned. Pushed against one side alone it slides along it."""
+    def is_crack(middle, normal):
+        return abs(middle[normal]) == 0.5 > abs(middle[1 - normal])
+    for degrees in (0, 30):
+        write_block("turned.msh", (steps(-1, 1, 8), steps(-1, 1, 8)), is_crack,
+                    turned(degrees))
+        c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+        x, y = f"abs({c!r}*x + {s!r}*y)", f"abs({c!r}*y - {s!r}*x)"
+        text = scene("turned.msh", f"set Crack = {CRACK}\n  set Clamped = 1, 2, 3, 4\n"
+                     f"  set Gap = if(min({x}, {y}) > 0.49, -0.01, -1e-5)", "0; 0",
+                     "inside: 0, 0")
+        for old, new in (("relaxation time\n", "none\n"), ("ratio = 0.2", "ratio = 0"),
+                         (f"  set Loaded = {TOP}\n", "")):
+            text = text.replace(old, new, 1)
+
+        def push(first, then, x=x, y=y):
+            return "Loads/Body force=" + "; ".join(
+                f"if(max({x}, {y}) < 0.5, if(t < 300, {a!r}, {b!r}), 0)"
+                for a, b in zip(first, then, strict=True))
+        short = ["Periodic state/Maximum periods=1", "Time integration/Steps per period=4"]
+        results = run(text, f"in_turn_{degrees}", [*short, push((c, s), (-s, c))])
+        check("forces do not fix the position" in log(results), "one position of many")
+    refused(text, 3, "motions:\n  translation along x1 x2 of part 2 of 2",
+            "no load presses a lip", settings=[*short, push((c, s), (c, s))])
+
+
 test_block_on_block()
 test_block_on_plane()
 test_loads_that_pause()
 test_in_space()
 test_refused()
 test_enclosed()
+test_pushed_in_turn()

@@ -65,9 +65,9 @@ namespace Crevasse
     unsigned int
     solve_with_springs(LipVector &on_lip);
 
-    /** Bit m: these contact forces do not stop free motion m. */
-    std::uint64_t
-    motions_left_free(const LipVector &forces) const;
+    /** Whether these contact forces do not stop some motion without energy. */
+    bool
+    leave_motions_free(const LipVector &forces) const;
 
     void
     require_no_escape(const LipVector &step) const;

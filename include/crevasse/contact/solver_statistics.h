@@ -6,7 +6,6 @@
 
 #include <crevasse/base/summary.h>
 #include <crevasse/contact/certificate.h>
-#include <crevasse/discretisation/rigid_motions.h>
 
 namespace Crevasse
 {
@@ -28,10 +27,6 @@ namespace Crevasse
      * and forces are certain, the position is one of many. */
     std::size_t undetermined = 0;
 
-    /** Bit m: no contact force has stopped free motion m in any solution. The
-     * first 64 motions. */
-    std::uint64_t never_held = ~std::uint64_t(0);
-
     /** The maxima over all solves. */
     Certificate certificate;
 
@@ -41,12 +36,6 @@ namespace Crevasse
 
     void
     add(const SolverStatistics &other);
-
-    /** @param motions that contact alone holds.
-     * @throw NumericalError if no solution's contact forces stop one of them.
-     */
-    void
-    require_held(const std::vector<RigidMotion> &motions) const;
 
     /** Counters and certificate of summary.json. */
     void

@@ -40,6 +40,13 @@ namespace Crevasse
   std::vector<RigidMotion>
   rigid_motions_held_by_contact(const Space<dim> &space);
 
+  /** @param pressed nodes of LipBasis; those of other ranks do not count.
+   * @throw NumericalError with the names of unconstrained motions that open or
+   * close none of these. Collective. */
+  template <int dim>
+  void
+  require_held(const Space<dim> &space, const std::vector<bool> &pressed);
+
   /** "contact alone holds the body against …", the first of these motions; what
    * many methods cannot do with. */
   std::string

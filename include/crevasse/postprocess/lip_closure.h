@@ -39,6 +39,10 @@ namespace Crevasse
     void
     observe(const Sample &sample) override;
 
+    /** @throw NumericalError after the first period, see require_held(). */
+    void
+    end_of_period(const PeriodReport &report) override;
+
     void
     serialize(StateArchive &archive) override;
 
