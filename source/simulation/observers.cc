@@ -278,7 +278,7 @@ namespace Crevasse
         instants.followed.emplace_back(
           [&lip](auto &) { return lip.largest_opening; });
         instants.followed.emplace_back(
-          [&lip](auto &) { return lip.closed_nodes > 0 ? lip.force : 0.; });
+          [&lip](auto &) { return lip.closed_nodes > 0 ? lip.force : NAN; });
       }
     if (!body.space.roles.crack.empty())
       add(std::make_unique<SlipWhileClosed<dim>>(body, log));

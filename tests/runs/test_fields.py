@@ -183,6 +183,13 @@ def automatic_instants():
     for extreme in (max, min):
         t = table["t"][table["K_I"].index(extreme(table["K_I"]))]
         check(0 < t < 600 and t in stored, f"no field at t = {t}: {stored}")
+    # A lip that never closes has no instant of its largest force. The largest
+    # opening and K are reached at T/4, and the smallest K at 3T/4.
+    results = run(SCENE, "instants_of_open_lip", [
+        "Loads/Traction=0; 10 + 3*sin(2*pi*t/600)", "Crack tip/Stress intensity=true",
+        "Material/Viscosity=none", "Time integration/Steps per period=40",
+        "Output/Field times=automatic"])
+    check(instants_of(results) == [150, 450, 600], f"{instants_of(results)}")
     results = run(BARS, "instants_of_stress",
                   ["Loads/Traction=if(y < 0.5, 1, 10)*sin(2*pi*t/600)^3; 0",
                    "Material/Viscosity=none", "Output/Field times=automatic"])
