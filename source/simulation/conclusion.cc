@@ -290,7 +290,7 @@ namespace Crevasse
         many * std::max(scene.periodic_state.tolerance, least_tolerance);
       const double rate    = summary["drift"]["largest_closing_rate"];
       const double opening = summary["extremes"]["opening"];
-      if (rate * scene.loads.period <= part * opening)
+      if (!(rate * scene.loads.period > part * opening)) // nan: noise
         return;
       throw_another_state(
         choice,

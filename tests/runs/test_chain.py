@@ -183,7 +183,7 @@ def test_spring():
     print("secular flow:", secular["why"])
     check(not secular["on"] and "spring" in secular["why"], secular["why"])
     opening = summary["extremes"]["opening"]
-    check_below(secular["largest_rate"] * 600 / opening, 1e-10,
+    check_below((secular["largest_rate"] or 0.) * 600 / opening, 1e-10,
                 "gain in a period")
     # Always open and homogeneous: u = u_el (mean / (1 - sum w) + what
     # alternates), whose mean over a period is that of the spring alone.

@@ -99,27 +99,37 @@ namespace Crevasse
                                 {"why", work.start.split.effect.why}};
       if (effects.viscosity.on)
         {
-          const double period = work.steps.period();
-          if (is_noise(largest_displacement(setup.body.space, gain)))
-            gain = 0.;
-          drift["largest_rate"] =
-            largest_displacement(setup.body.space, gain) / period;
+          const double largest  = largest_displacement(setup.body.space, gain);
+          const double per_time = // null: unknown
+            is_noise(largest) ? NAN : 1. / work.steps.period();
+          drift["largest_rate"] = largest * per_time;
           for (const auto &probe : setup.probes)
             drift["per_probe"][probe.name()] =
-              components(probe.displacement(gain) / period);
+              components(probe.displacement(gain) * per_time);
           if (effects.contact.on)
-            drift["largest_closing_rate"] = largest_closing_rate();
+            {
+              // At a node of the lip, which no β closes.
+              double closing = 0.;
+              for (const LipNode<dim> &node : setup.body.lip.nodes)
+                closing = std::max(closing, -node.sign * gain(node.dof));
+              closing = dealii::Utilities::MPI::max(closing, communicator);
+              drift["largest_closing_rate"] =
+                is_noise(closing) ? NAN : closing / work.steps.period();
+            }
           if (follows_lip)
             summarise_lip(secular);
           if (work.start.flow)
             summarise_flow(secular);
-          else
-            {
-              secular["largest_rate"] = drift["largest_rate"];
-              for (const auto &probe : setup.probes)
-                secular["per_probe"][probe.name()]["beta"] =
-                  drift["per_probe"][probe.name()];
-            }
+          const auto complete = [&](Summary &gain_of, Summary &flow_of) {
+            if (!work.start.flow)
+              flow_of = gain_of;
+            else if (is_noise(largest))
+              gain_of = flow_of;
+          };
+          complete(drift["largest_rate"], secular["largest_rate"]);
+          for (const auto &probe : setup.probes)
+            complete(drift["per_probe"][probe.name()],
+                     secular["per_probe"][probe.name()]["beta"]);
           summary["drift"] = drift;
         }
       summary["secular"] = secular;
@@ -193,38 +203,25 @@ namespace Crevasse
                                work.state.largest_displacement;
     }
 
-    /** How fast the lip closes at a node at most, which no β does. */
-    double
-    largest_closing_rate() const
-    {
-      double closing = 0.;
-      for (const LipNode<dim> &node : setup.body.lip.nodes)
-        closing = std::max(closing, -node.sign * gain(node.dof));
-      closing = dealii::Utilities::MPI::max(closing, communicator);
-      return is_noise(closing) ? 0. : closing / work.steps.period();
-    }
-
     void
     summarise_flow(Summary &secular) const
     {
-      State mean;
-      mean.displacement   = work.start.flow->velocity;
-      mean.contact_forces = work.start.flow->contact_forces;
+      const std::vector<double> &forces = work.start.flow->contact_forces;
+      Vector                     beta   = work.start.flow->velocity;
       // The flow is a solve of its own: rounding of the mean load limits it.
       constexpr double rounding = 1e-12;
-      if (largest_displacement(setup.body.space, mean.displacement) *
-            work.steps.period() <=
+      if (largest_displacement(setup.body.space, beta) * work.steps.period() <=
           rounding * work.state.largest_displacement)
-        mean.displacement = 0.;
-      secular["largest_rate"] =
-        largest_displacement(setup.body.space, mean.displacement);
-      secular["contact_force"] = dealii::Utilities::MPI::sum(
-        contact_force(setup.body.lip, mean.contact_forces), communicator);
+        beta = 0.;
+      secular["largest_rate"] = largest_displacement(setup.body.space, beta);
+      secular["contact_force"] =
+        dealii::Utilities::MPI::sum(contact_force(setup.body.lip, forces),
+                                    communicator);
       for (const auto &probe : setup.probes)
         {
           auto        &entry    = secular["per_probe"][probe.name()];
-          const double pressure = probe.pressure(mean.contact_forces);
-          entry["beta"] = components(probe.displacement(mean.displacement));
+          const double pressure = probe.pressure(forces);
+          entry["beta"]         = components(probe.displacement(beta));
           if (probe.on_lip)
             entry["mean_pressure"] = pressure;
         }
