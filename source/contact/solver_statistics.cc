@@ -42,11 +42,12 @@ namespace Crevasse
   {
     for (const auto &[name, counter] : counters)
       summary["counters"][name] = this->*counter;
-    summary["certificate"] = {{"penetration", certificate.penetration},
-                              {"tension", certificate.tension},
-                              {"complementarity", certificate.complementarity},
-                              {"residual", certificate.residual},
-                              {"accuracy", accuracy}};
+    summary["certificate"].update(
+      {{"penetration", certificate.penetration},
+       {"tension", certificate.tension},
+       {"complementarity", certificate.complementarity},
+       {"residual", certificate.residual},
+       {"accuracy", accuracy}});
     if (implicit_stages > 0)
       summary["certificate"]["newton_residual"] = certificate.newton_residual;
   }

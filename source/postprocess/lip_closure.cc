@@ -312,9 +312,18 @@ namespace Crevasse
   void
   LipClosure<dim>::summarise(Summary &summary)
   {
-    for (const Change &change : changes)
-      for (unsigned int lip = 0; lip <= n_lips; ++lip)
-        locate(change, lip);
+    try
+      {
+        for (const Change &change : changes)
+          for (unsigned int lip = 0; lip < n_lips; ++lip)
+            locate(change, lip);
+      }
+    catch (const std::runtime_error &error)
+      {
+        failure = "the change of a lip within a step was not found: ";
+        failure += error.what();
+        summary["warnings"].push_back(failure);
+      }
     if (period.size() > 1)
       {
         const auto [wholly, partly] = closed_parts(period_of(n_lips));

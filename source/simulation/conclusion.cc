@@ -100,11 +100,7 @@ namespace Crevasse
                         work.start.warnings.end());
     summary["warnings"] = all_warnings;
 
-    work.systems.summarise(summary);
-    summary["counters"]["rate_evaluations"] =
-      std::size_t(meters["rate evaluations"].calls);
     summarise_steps(work, log, summary);
-    describe_certificate(work.systems.statistics(), setup.scene, log);
   }
 
 
@@ -116,6 +112,13 @@ namespace Crevasse
     const RunState       &state        = work.state;
     const PeriodicResult &result       = state.result;
     const MPI_Comm        communicator = work.setup.body.space.communicator();
+    // With the problems that observers solved for their summaries.
+    work.systems.summarise(summary);
+    summary["counters"]["rate_evaluations"] =
+      std::size_t(meters["rate evaluations"].calls);
+    describe_certificate(work.systems.statistics(),
+                         work.setup.scene,
+                         work.output.log);
     // Behind those with tables, which have their numbers.
     for (const Summary &tip : work.setup.tips_without_intensity)
       summary["crack_tips"].push_back(tip);

@@ -198,6 +198,29 @@ def test_no_opening():
     check_close(tip["closed_part"]["wholly"], 1, 1e-12, "closed")
 
 
+def test_failed_trial():
+    """A load that has no value between two samples, where the lip opens: the run is
+    summarised, without K_op."""
+    opens = 600 - math.asin(0.3) * 600 / (2 * math.pi)
+    results = run(ONE_CRACK, "no_value", [
+        "Loads/Traction=0; 10*(sin(2*pi*t/600) + 0.3) "
+        f"+ 0*sqrt(abs(t - {opens!r}) - 0.02)"])
+    tip, warnings = results.summary["crack_tip"], results.summary["warnings"]
+    check(tip["K_opening"] is None and tip["Delta_K_eff"] is None
+          and "no finite value at" in tip["no_K_opening"], f"{tip}")
+    check(any("no finite value at" in warning for warning in warnings), f"{warnings}")
+    check("no K_op: the change of a lip" in (results.directory / "log.txt").read_text(),
+          "the log has the reason")
+    check_close(tip["closed_part"]["wholly"], math.acos(0.3) / math.pi, 0.02, "closed")
+
+
+def test_certified_trials():
+    """Problems that were solved for K_op are counted and certified."""
+    summary = run(ONE_CRACK, "counted").summary
+    check(summary["counters"]["vi_solves"] == summary["calls"]["contact problems"] > 51,
+          f"{summary['counters']}, {summary['calls']}")
+
+
 def test_touching():
     """A lip that touches at an instant without pressing is always open: that of a
     periodic motion without mean load, and one that flows open."""
@@ -301,6 +324,8 @@ test_gap()
 test_phases()
 test_creeping_phases()
 test_no_opening()
+test_failed_trial()
+test_certified_trials()
 test_touching()
 test_jumps()
 test_ranks_and_resume()

@@ -51,6 +51,9 @@ namespace Crevasse
     void
     summarise(Summary &summary) override;
 
+    /** Why an instant of change was not found; empty: all were. */
+    std::string failure;
+
     /** The last period of the lip that begins at a tip, after summarise(). */
     std::vector<LipMoment>
     lip_at(const dealii::Point<dim> &tip) const;

@@ -270,14 +270,16 @@ namespace Crevasse
       const std::vector<LipMoment> lip =
         context.closure->lip_at(analysis.intensity.region.tip.position);
       const auto [wholly, partly] = closed_parts(lip);
-      const auto       worst      = std::max_element(of_last_period.begin(),
+      const auto   worst          = std::max_element(of_last_period.begin(),
                                           of_last_period.end(),
                                           [&](const auto &a, const auto &b) {
                                             return opening(a) < opening(b);
                                           });
-      const double     most       = opening(*worst);
-      const LipOpening opens =
+      const double most           = opening(*worst);
+      LipOpening   opens =
         last_opening(lip, instants[worst - of_last_period.begin()]);
+      if (opens.why_not.empty())
+        opens.why_not = context.closure->failure;
       tip["K_opening"] = tip["opening_ratio"] = Summary();
       tip["Delta_K_eff"] = wholly + partly == 0. ? tip["Delta_K"] : Summary();
       tip["closed_part"] = {{"wholly", wholly}, {"partly", partly}};
