@@ -157,6 +157,8 @@ namespace Crevasse
                ExcMessage("This unknown was not to be held."));
         set[place - lip.begin()] = false;
       }
+    // Anew: what was held before would round it, and a resumed run has no past.
+    not_held->choose(std::vector<bool>(lip.size(), false));
     not_held->choose(set);
   }
 

@@ -84,6 +84,9 @@ CASES = {
         "Time integration/Relative tolerance=1e-3"],
     "active set": REDISTRIBUTES + periods(4) + ["Contact/Solver=active set",
                                                 "Linear solver/Type=amg"],
+    "multigrid": REDISTRIBUTES + periods(4) + [
+        "Linear solver/Type=gmg", "Geometry/Subdivisions=12, 12",
+        "Geometry/Refinements=1"],
     "adaptive events": REDISTRIBUTES + periods(5) + [
         "Time integration/Step control=adaptive",
         "Time integration/Relative tolerance=1e-3",
