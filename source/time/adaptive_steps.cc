@@ -87,12 +87,17 @@ namespace Crevasse
         while (true)
           {
             error = 0.;
-            const TimeStep step{f, t, length, rate, r, &error};
-            integrator.advance(step);
-            step_error = relative_error(f, r);
-            if (step_error <= 1. && !looks_at_end)
-              step_error =
-                std::max(step_error, relative_error_of_end(integrator, step));
+            try
+              {
+                step_error =
+                  try_step(integrator, {f, t, length, rate, r, &error});
+              }
+            catch (const NumericalError &)
+              {
+                if (length < shortest_step(f) * steps.period())
+                  throw;
+                step_error = no_stability_limit; // a shorter one may be solved
+              }
             if (step_error <= 1.)
               break;
             if (length < shortest_step(f) * steps.period())
@@ -255,6 +260,17 @@ namespace Crevasse
           parameters.relative_tolerance * f.stress_scale() +
           parameters.absolute_tolerance;
         return largest == 0. ? 0. : part_of_estimate * largest / allowed;
+      }
+
+      /** Takes a trial step: its error relative to the tolerance. */
+      double
+      try_step(Integrator &integrator, const TimeStep &step)
+      {
+        integrator.advance(step);
+        const double step_error = relative_error(step.f, step.r);
+        return step_error <= 1. && !looks_at_end
+                 ? std::max(step_error, relative_error_of_end(integrator, step))
+                 : step_error;
       }
 
       /** The same, if no stage of a method has looked at the end of the step,

@@ -73,12 +73,17 @@ namespace Crevasse
     try
       {
         evaluate();
+        thrown = nullptr;
         return 0;
+      }
+    catch (const NumericalError &)
+      {
+        thrown = std::current_exception();
+        return SUN_NLS_CONV_RECVR; // to ARKODE: a shorter step may mend it
       }
     catch (...)
       {
-        if (!thrown)
-          thrown = std::current_exception();
+        thrown = std::current_exception();
         return -1;
       }
   }
@@ -88,11 +93,11 @@ namespace Crevasse
   int
   ArkodeDriver::check(const int code)
   {
+    if (code >= 0)
+      return code;
     if (thrown)
       std::rethrow_exception(std::exchange(thrown, nullptr));
-    if (code < 0)
-      throw NumericalError(describe_arkode_failure(code, current_time, words));
-    return code;
+    throw NumericalError(describe_arkode_failure(code, current_time, words));
   }
 
 
@@ -194,7 +199,6 @@ namespace Crevasse
 
 
 
-  // To ARKODE what is negative is a failure that no other step mends.
   int
   ArkodeDriver::solve_stage(N_Vector correction)
   {
@@ -232,6 +236,7 @@ namespace Crevasse
                                 TimeIntegrationParameters::most_steps));
     // A jump of the load is met by steps of the size of the tolerance.
     check(ARKStepSetMaxErrTestFails(memory.get(), 50));
+    check(ARKStepSetMaxConvFails(memory.get(), 50));
   }
 
 

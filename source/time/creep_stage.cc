@@ -215,8 +215,8 @@ namespace Crevasse
       << "Newton's method leaves a residual of " << residual
       << " of the largest nodal force after " << most
       << " iterations at t = " << stage.t
-      << ". Take shorter steps, or a larger [Time integration] Newton "
-         "tolerance.");
+      << ". Take shorter steps, [Time integration] Step control = adaptive, or "
+         "a larger Newton tolerance.");
   }
 
 
@@ -246,7 +246,7 @@ namespace Crevasse
                         to,
                         material.kappa(to),
                         InelasticStrain<dim>(material, known),
-                        // What the failure has left serves nothing.
+                        // The tangent of a trial that failed is useless.
                         has_failed ? instants.renew_tangent(t, to, state.stress)
                                             : instants.tangent_at(t, to, state.stress),
                         state};
@@ -262,17 +262,12 @@ namespace Crevasse
             from       = to;
             to         = std::min(c, longer * to);
           }
-        catch (const NumericalError &error)
+        catch (const NumericalError &)
           {
-            to = from > 0. ? std::sqrt(from * to) : shorter * to;
+            state = solved;
+            to    = from > 0. ? std::sqrt(from * to) : shorter * to;
             if (to < least * c || to < (1. + 0.01) * from)
-              throw NumericalError(
-                Text::Message()
-                << "The stress at the end of an implicit step was not found. "
-                   "Take shorter steps at first, or [Time integration] Step "
-                   "control = adaptive, or Scheme = sdirk2. Of the last trial: "
-                << error.what());
-            state      = solved;
+              throw; // of this trial, whatever it is
             has_failed = true;
           }
       }

@@ -564,6 +564,51 @@ namespace
                 1e-12);
   }
 
+  /** Whose stages are found in short steps alone. */
+  class NearStages : public Relaxation
+  {
+  public:
+    using Relaxation::Relaxation;
+
+    void
+    implicit_rate(const double  t,
+                  const Vector &known,
+                  const double  c,
+                  Vector       &rate) override
+    {
+      if (c > 1e-3)
+        throw NumericalError("The stage was not found.");
+      Relaxation::implicit_rate(t, known, c, rate);
+    }
+  };
+
+  void
+  check_steps_that_fail(const std::string &scheme)
+  {
+    TimeIntegrationParameters parameters;
+    parameters.scheme             = value_of<Scheme>(scheme);
+    parameters.step_control       = StepControlType::adaptive;
+    parameters.steps_per_period   = 1;
+    parameters.relative_tolerance = 0.1;
+    StepList   steps(parameters, 2.);
+    const auto integrator = make_integrator(parameters, 2., false);
+    const auto control =
+      make_step_control(parameters, steps, integrator->properties, 1.);
+    NearStages equation(0.5, 0.6);
+    Vector     r(1), rate(1);
+    r(0) = equation.solution(0.);
+    control->begin_period(steps);
+    for (unsigned int k = 0; k < steps.n_steps(); ++k)
+      {
+        const PeriodStep step{*integrator, equation, steps, k, r, rate};
+        control->start(step);
+        control->advance(step);
+      }
+    check_below(scheme + ", error where stages of long steps are not found",
+                std::abs(r(0) - equation.solution(2.)),
+                1e-4);
+  }
+
   void
   check_step_list()
   {
@@ -626,5 +671,7 @@ time_schemes()
   check_contact_events();
   check_phi_functions();
   check_relaxation_times();
+  for (const std::string name : {"sdirk2", "arkode implicit"})
+    check_steps_that_fail(name);
   check_step_list();
 }
