@@ -31,11 +31,9 @@ namespace Crevasse
 
   template <int dim>
   ContactBoundary<dim>::ContactBoundary(const Space<dim> &space,
-                                        Expression      &&gap_formula,
-                                        const double      negligible_force)
+                                        Expression      &&gap_formula)
     : space(space)
     , gap(std::move(gap_formula))
-    , negligible_force(negligible_force)
     , rounding(rounding_of_coordinates<dim>(space.mesh()))
   {
     const auto &all   = space.lip.nodes;

@@ -6,7 +6,6 @@
 #include <crevasse/base/text.h>
 #include <crevasse/grid/curved_edges.h>
 #include <crevasse/model/body.h>
-#include <crevasse/model/largest_load.h>
 #include <crevasse/model/linear_choice.h>
 #include <crevasse/model/mesh_materials.h>
 #include <crevasse/model/refinement.h>
@@ -226,9 +225,8 @@ namespace Crevasse
     , points(space)
     , material(space, points, law, temperature)
     , strain_operator(space, points)
+    , lip(space, Expression(*scene.boundary.gap))
     , loads(space, strain_operator, scene.loads)
-    , largest_nodal_force(largest_load(*this, StepList(scene)))
-    , lip(space, Expression(*scene.boundary.gap), 1e-9 * largest_nodal_force)
   {
     require_materials(scene, *mesh);
     // What the tables say must be what is computed.

@@ -179,7 +179,7 @@ namespace Crevasse
                                     body,
                                     choose_solvers(scene, body),
                                     steps,
-                                    body.largest_nodal_force,
+                                    largest_load(body, steps),
                                     quiet);
     StressEstimator<dim>    estimator(body.space,
                                    body.points,

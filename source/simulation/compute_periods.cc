@@ -93,7 +93,7 @@ namespace Crevasse
         direct.rule,
         work.steps.step(0),
         RigidParts<dim>(work.setup.body.space.mesh()).size(),
-        work.setup.body.largest_nodal_force);
+        work.setup.largest_nodal_force);
       std::vector<Observer *> all = observers;
       all.push_back(&motion);
       ObservedPeriods<dim> periods(

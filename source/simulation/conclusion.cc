@@ -259,7 +259,7 @@ namespace Crevasse
                             communicator);
       const double difference = std::abs(measured - expected);
       const double error = std::max(rounding, setup.scene.contact.tolerance) *
-                           setup.body.largest_nodal_force *
+                           setup.largest_nodal_force *
                            Utilities::MPI::sum(n_nodes, communicator);
       if (difference <= far * std::max(measured, expected) ||
           difference <= part_of_load * start.split.mean_load.l1_norm() ||

@@ -82,16 +82,15 @@ namespace Crevasse
      * @param space must outlive this object.
      * @param gap_formula The least u_N, at most 0 (an initial opening is
      * negative).
-     * @param negligible_force Contact forces up to this one are rounding beside
-     * the loads.
      * @throw SceneError if the gap is positive somewhere, with the place.
      */
-    ContactBoundary(const Space<dim> &space,
-                    Expression      &&gap_formula,
-                    const double      negligible_force = 0.);
+    ContactBoundary(const Space<dim> &space, Expression &&gap_formula);
 
     /** Of this rank, in the order of their unknowns. */
     std::vector<LipNode<dim>> nodes;
+
+    /** Contact forces up to this one are rounding beside the loads. */
+    double negligible_force = 0.;
 
     /** What the nodes of this rank do. Collective. */
     std::vector<LipNodeState>
@@ -129,7 +128,6 @@ namespace Crevasse
 
     const Space<dim>  &space;
     const Expression   gap;
-    const double       negligible_force;
     const double       rounding; ///< of coordinates, where a gap ends at a tip
     std::vector<Place> places;
   };

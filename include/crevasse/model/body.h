@@ -47,9 +47,8 @@ namespace Crevasse
     const QuadratureField<dim>     points;
     const MaterialField<dim>       material;
     const StrainOperator<dim>      strain_operator;
+    ContactBoundary<dim>           lip;
     const ExternalLoads<dim>       loads;
-    const double                   largest_nodal_force; ///< by largest_load()
-    const ContactBoundary<dim>     lip;
   };
 
   /** What a property of the material tends to at a tip, if that is the same

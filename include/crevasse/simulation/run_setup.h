@@ -30,7 +30,7 @@ namespace Crevasse
      * unstable. */
     RunSetup(const Scene &of_run, std::shared_ptr<const Mesh<dim>> mesh)
       : scene(of_run)
-      , body(scene, std::move(mesh))
+      , own_body(scene, std::move(mesh))
       , recovery(body.space,
                  body.points,
                  body.material.materials_of_cells(body.space, body.points))
@@ -47,9 +47,11 @@ namespace Crevasse
       relaxation_times =
         body.material.relaxation_times(instants, steps.period());
       largest_thermal_strain = body.material.largest_thermal_strain(instants);
-      missed_load            = load_missed_by_steps(body, steps);
+      largest_nodal_force    = largest_load(body, steps);
+      own_body.lip.negligible_force = 1e-9 * largest_nodal_force;
+      missed_load                   = load_missed_by_steps(body, steps);
       // Choices depend on the jumps.
-      steps.set_jumps(find_jumps(scene, body, steps, body.largest_nodal_force));
+      steps.set_jumps(find_jumps(scene, body, steps, largest_nodal_force));
       periodic_choice =
         choose_periodic_method(scene, body, steps, relaxation_times.largest);
       secular_split =
@@ -126,14 +128,22 @@ namespace Crevasse
       return all.list();
     }
 
-    const Scene                             scene;
-    const Body<dim>                         body;
+    const Scene scene;
+
+  private:
+    /** The force that its lip neglects is known after the surveys, which find
+     * formulas without a value first. */
+    Body<dim> own_body;
+
+  public:
+    const Body<dim>                        &body = own_body;
     const StressRecovery<dim>               recovery;
     const std::vector<ProbeEvaluator<dim>>  probes;
     StepList                                steps;      ///< of the first period
     const std::unique_ptr<const Integrator> integrator; ///< what it is like
     RelaxationTimes                         relaxation_times;
     double                                  largest_thermal_strain;
+    double                                  largest_nodal_force;
     double                                  missed_load; ///< by the steps
     PeriodicChoice                          periodic_choice;
     Effects::Effect                         stress_intensity;

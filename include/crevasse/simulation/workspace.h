@@ -43,7 +43,7 @@ namespace Crevasse
                 setup.body,
                 setup.solvers,
                 steps,
-                setup.body.largest_nodal_force,
+                setup.largest_nodal_force,
                 output.log)
       , evolution(setup.body.strain_operator,
                   setup.body.points,
