@@ -153,9 +153,8 @@ namespace Crevasse
     prm.add_parameter("Steps per period",
                       steps_per_period,
                       "Number of equal steps of the step control \"uniform\"; "
-                      "with \"adaptive\" that of the longest steps, which "
-                      "others divide: none steps over what happens at their "
-                      "ends.",
+                      "with \"adaptive\" that of the longest steps; shorter "
+                      "steps divide these, so that none misses their ends.",
                       Integer(1, most_steps));
     add_selection("Step control", step_control, prm);
     prm.add_parameter("Steps",
@@ -321,8 +320,8 @@ namespace Crevasse
                       checkpoint_every,
                       "Number of periods after which a checkpoint is written, "
                       "from which --resume continues; one more is written at "
-                      "the end. 0: only when the run is asked to stop, by "
-                      "SIGUSR1, or at an end that is not periodic.",
+                      "the end. 0: only on a request to stop, on SIGUSR1, and "
+                      "at the end of a run that is not periodic.",
                       Integer(0));
   }
 } // namespace Crevasse
