@@ -100,6 +100,9 @@ namespace Crevasse
                         work.start.warnings.end());
     summary["warnings"] = all_warnings;
 
+    work.systems.summarise(summary);
+    summary["counters"]["rate_evaluations"] =
+      std::size_t(meters["rate evaluations"].calls);
     summarise_steps(work, log, summary);
   }
 
@@ -112,10 +115,11 @@ namespace Crevasse
     const RunState       &state        = work.state;
     const PeriodicResult &result       = state.result;
     const MPI_Comm        communicator = work.setup.body.space.communicator();
-    // With the problems that observers solved for their summaries.
+    // The certificate holds for the problems that observers solved for their
+    // summaries, too; the counters are those of the search.
+    const Summary counters = summary["counters"];
     work.systems.summarise(summary);
-    summary["counters"]["rate_evaluations"] =
-      std::size_t(meters["rate evaluations"].calls);
+    summary["counters"] = counters;
     describe_certificate(work.systems.statistics(),
                          work.setup.scene,
                          work.output.log);

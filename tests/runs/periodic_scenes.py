@@ -165,8 +165,8 @@ def period(results, table, column, which=-1):
 
 
 def flow(results, probe):
-    """The rate at which the lip opens at a probe."""
-    return results.summary["secular"]["per_probe"][probe]["beta"][1]
+    """The rate at which the lip opens at a probe; 0 if it is not resolved."""
+    return results.summary["secular"]["per_probe"][probe]["beta"][1] or 0.
 
 
 def error_estimate(results):
