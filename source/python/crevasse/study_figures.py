@@ -4,7 +4,7 @@
 """The results of a sweep against what varies, a figure for each, one line for each
 combination of the parameters that are not followed along a line."""
 
-from crevasse import findings, sweep_table
+from crevasse import sweep_table
 from crevasse.histories import spans_decades
 from crevasse.plotting import add_legend, line_style, name_numbers, pyplot
 
