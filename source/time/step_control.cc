@@ -53,12 +53,9 @@ namespace Crevasse
       message << "; or choose Scheme = sdirk2, which is stable with any step.";
       throw NumericalError(message.str());
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /** The largest rate at which the stress of the elastic body relaxes. */
     double
     elastic_relaxation_rate(const PeriodStep &step)
