@@ -262,12 +262,15 @@ namespace Crevasse
             from       = to;
             to         = std::min(c, longer * to);
           }
-        catch (const NumericalError &)
+        catch (const NumericalError &error)
           {
             state = solved;
             to    = from > 0. ? std::sqrt(from * to) : shorter * to;
             if (to < least * c || to < (1. + 0.01) * from)
-              throw; // of this trial, whatever it is
+              throw NumericalError(
+                std::string(error.what()) +
+                " Where a load is there at once, take Scheme = sdirk2: arkode "
+                "implicit begins with an explicit stage unless Order = 2.");
             has_failed = true;
           }
       }
