@@ -182,8 +182,8 @@ namespace Crevasse
 
 
 
-    /** The same of the mean square of the openings of all nodes of the lips, or
-     * of some: where it vanishes these slide. */
+    /** The Gram matrix of the mean square of the openings of all nodes of the
+     * lips, or of some: a motion in its kernel slides along them. */
     template <int dim>
     FullMatrix<double>
     opening_gram_matrix(const Space<dim>        &space,
