@@ -167,15 +167,16 @@ def test_phases():
 
 
 def test_creeping_phases():
-    """With creep K_op and the closed part approach those of many steps by the second
-    order."""
+    """With creep K_op, the closed part and K_min, at a kink where the lip closes,
+    approach those of many steps by the second order."""
     def intensity(method, n, phase):
         tip = run(CREEPING, f"creeping_{method}_{n}", [
             f"Loads/Traction=0; 10*(sin(2*pi*(t/600 + {phase / n})) - 0.3)",
             f"Time integration/Steps per period={n}", "Material/Relaxation time=600",
             f"Periodic state/Method={method}"]).summary["crack_tip"]
-        return tip["K_opening"], tip["closed_part"]["wholly"], tip["K_I"]["largest"]
-    opening, closed, largest = intensity("fourier", 320, 0)
+        return (tip["K_opening"], tip["closed_part"]["wholly"],
+                tip["K_I"]["smallest"], tip["K_I"]["largest"])
+    opening, closed, smallest, largest = intensity("fourier", 320, 0)
     for method in ("fourier", "march"):
         for n in (20, 40, 80):
             for phase in (0, 0.5):
@@ -183,6 +184,8 @@ def test_creeping_phases():
                 what = f"{method}, {n} steps, phase {phase}"
                 check_below(abs(values[0] - opening) / largest, 5. / n**2, what)
                 check_below(abs(values[1] - closed), 1. / n**2, f"closed, {what}")
+                check_below(abs(values[2] - smallest) / largest, 5. / n**2,
+                            f"smallest, {what}")
 
 
 def test_no_opening():

@@ -47,6 +47,7 @@ namespace Crevasse
     {
       if (instants.empty())
         return;
+      add_changes_of_lip();
       using Values         = CrackTipValues;
       const auto intensity = [](const Values &v) { return v.intensity; };
       const auto error     = [](const Values &v) { return v.error; };

@@ -62,6 +62,7 @@ namespace Crevasse
     {
       if (instants.empty())
         return;
+      add_changes_of_lip();
       using Values = MixedModeValues;
       const std::string title =
         "  crack tip " +

@@ -123,6 +123,29 @@ namespace Crevasse
     virtual Values
     evaluate(const Sample &sample) const = 0;
 
+    /** Adds the instants within steps at which the lip opens or closes: K has
+     * kinks there. Collective. */
+    void
+    add_changes_of_lip()
+    {
+      if (context.closure == nullptr || !context.closure->failure.empty())
+        return;
+      const std::vector<LipMoment> lip =
+        context.closure->lip_at(analysis.intensity.region.tip.position);
+      for (std::size_t i = 1; i + 1 < lip.size(); ++i)
+        if (const auto next = std::lower_bound(instants.begin(),
+                                               instants.end(),
+                                               lip[i].instant);
+            *next != lip[i].instant && (lip[i].status != lip[i - 1].status ||
+                                        lip[i].status != lip[i + 1].status))
+          {
+            of_last_period.insert(
+              of_last_period.begin() + (next - instants.begin()),
+              evaluate(context.closure->sample_at(lip[i].instant)));
+            instants.insert(next, lip[i].instant);
+          }
+    }
+
     /** Those of a row, behind t. */
     virtual std::vector<double>
     numbers_of(const Values &values) const = 0;
@@ -286,13 +309,9 @@ namespace Crevasse
       std::string line   = ", no K_op: " + opens.why_not;
       if (opens.why_not.empty())
         {
-          // That of a sample, or of an instant within a step.
           const auto at =
             std::find(instants.begin(), instants.end(), opens.instant);
-          const double K_op =
-            opening(at != instants.end()
-                      ? of_last_period[at - instants.begin()]
-                      : evaluate(context.closure->sample_at(opens.instant)));
+          const double K_op = opening(of_last_period[at - instants.begin()]);
           const double effective = equivalent(most - K_op);
           tip["K_opening"]       = K_op;
           tip["Delta_K_eff"]     = effective;
