@@ -194,20 +194,17 @@ namespace Crevasse
       tip[name]                = extremes(intensity);
       tip[name + "_error"]     = error;
       context.log.line(
-        Text::format("%s%s from %.5g to %.5g in the last period, estimated "
+        title + name +
+        Text::format(" from %.5g to %.5g in the last period, estimated "
                      "error %.1g (%.2g %%)",
-                     title.c_str(),
-                     name.c_str(),
                      least,
                      most,
                      error,
                      size > 0. ? 100. * error / size : 0.));
       if (least < -10. * error && mode == CrackMode::opening)
         context.log.line(
-          analysis.body.effects.viscosity.on
-            ? "    negative: creep has left compressive stress ahead of the tip"
-            : "    negative: the load presses on the crack, and its lips do "
-              "not touch at the tip");
+          "    negative: the load, or stress left by creep, "
+          "compresses the body ahead of the tip");
     }
 
     /** Warns if K is uncertain.
