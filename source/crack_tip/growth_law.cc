@@ -12,19 +12,6 @@ namespace Crevasse
   namespace
   {
     double
-    paris_growth(const CrackTipParameters &law, const TipHistory &history)
-    {
-      // NaN propagates.
-      return history.range <= law.paris_threshold
-               ? 0.
-               : law.paris_factor *
-                   std::pow(history.range - law.paris_threshold,
-                            law.paris_exponent);
-    }
-
-
-
-    double
     creep_growth(const CrackTipParameters &law, const TipHistory &history)
     {
       const auto speed = [&law](const double driver) {
@@ -71,10 +58,9 @@ namespace Crevasse
                 ? " (dK - " + Text::from_number(law.paris_threshold) + ")"
                 : " dK") +
              "^" + Text::from_number(law.paris_exponent);
-    if (parts.has_paris_part && parts.has_creep_part)
-      text += ", and ";
     if (parts.has_creep_part)
-      text += "da/dt = " + Text::from_number(law.creep_factor) + " " +
+      text += (text.empty() ? "da/dt = " : ", and da/dt = ") +
+              Text::from_number(law.creep_factor) + " " +
               (law.creep_parameter == CreepParameter::stress_intensity
                  ? "K_I"
                  : (needs_c_star(law) ? "C*" : "C(t)")) +
@@ -93,18 +79,23 @@ namespace Crevasse
   {
     if (law.growth_law == GrowthLawType::none)
       return;
-    const std::string text  = describe_growth_law(law);
-    const auto       &parts = traits(law.growth_law);
-    const double      growth =
-      (parts.has_paris_part ? paris_growth(law, history) : 0.) +
+    const std::string text   = describe_growth_law(law);
+    const auto       &parts  = traits(law.growth_law);
+    const double      growth = // NaN propagates
+      (parts.has_paris_part
+         ? law.paris_factor *
+             std::pow(std::max(history.range - law.paris_threshold, 0.),
+                      law.paris_exponent)
+         : 0.) +
       (parts.has_creep_part ? creep_growth(law, history) : 0.);
     tip["growth_law"] = text;
     tip["da_dN"]      = growth; // null if it is not finite
     if (!std::isfinite(growth))
       tip["no_da_dN"] = "the law gives no finite growth";
     tip["da_dt"] = growth / history.period();
-    log.line(title + "grows by " + Text::from_number(growth) + " a period (" +
-             text + ")");
+    log.line(title + "grows by " + Text::from_number(growth, 5) +
+             " a period (" + text +
+             (parts.has_paris_part ? "; dK takes K < 0 as 0)" : ")"));
   }
 
 

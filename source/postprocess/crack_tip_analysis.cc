@@ -22,7 +22,6 @@ namespace Crevasse
     , body(body)
     , intensity(scene, body, tip, steps, geometry)
     , energy(body.material, intensity.points)
-    , growth_law(describe_growth_law(scene.crack_tip))
     , has_singular_functions(body.space.singular_shapes() != nullptr &&
                              !body.effects.viscosity.on &&
                              !body.material.stiffness_varies)
@@ -61,11 +60,12 @@ namespace Crevasse
   CrackTipAnalysis::describe() const
   {
     const std::string &why = intensity.why_no_integral();
+    const std::string  law = describe_growth_law(scene.crack_tip);
     return "  crack tip: " + Text::from_point(intensity.region.tip.position) +
-           (intensity.region.tip.two_lips ? ", K_I and K_II by "
-                                          : ", K_I by ") +
+           ", K_I" +
+           (intensity.region.tip.two_lips ? " and K_II by " : " by ") +
            intensity.method() + (why.empty() ? "" : " (" + why + ")") +
-           (growth_law.empty() ? "" : "; " + growth_law);
+           (law.empty() ? "" : "; " + law);
   }
 
 
@@ -123,11 +123,11 @@ namespace Crevasse
 
 
   std::optional<double>
-  CrackTipAnalysis::c_star(const SecularFlow *flow) const
+  CrackTipAnalysis::c_star(const std::optional<SecularFlow> &flow) const
   {
     if (mean_load_vanishes)
       return 0.;
-    if (!no_c_star.empty() || flow == nullptr)
+    if (!no_c_star.empty() || !flow)
       return {};
     Vector stress;
     body.points.initialize(stress);
@@ -227,7 +227,7 @@ namespace Crevasse
       tip["no_C_star"] =
         no_c_star.empty() ? "the flow was not found" : no_c_star;
     if (history.c_star && *history.c_star > 0.)
-      log.line(title + "C* = " + Text::from_number(*history.c_star));
+      log.line(title + "C* = " + Text::from_number(*history.c_star, 5));
     Crevasse::summarise_growth(scene.crack_tip, history, title, tip, log);
   }
 } // namespace Crevasse

@@ -33,7 +33,7 @@ namespace Crevasse
     /** C* = Σ K²/E'_η over the modes with the K of the mean stress, which is η
      * times the strain rate of the flow. */
     std::optional<double>
-    c_star(const SecularFlow *flow) const;
+    c_star(const std::optional<SecularFlow> &flow) const;
 
     /** Of the coefficient of the singular function with unit K in this mode; 0
      * without has_singular_functions. Collective. */
@@ -54,7 +54,6 @@ namespace Crevasse
     const Body<2>        &body;
     const StressIntensity intensity;
     const StrainEnergy    energy;
-    const std::string     growth_law; ///< its description; empty: none
     /** Whether the coefficients of singular functions are intensities. */
     const bool  has_singular_functions;
     std::string no_c_star; ///< why; empty: it is known

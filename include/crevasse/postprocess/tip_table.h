@@ -272,9 +272,8 @@ namespace Crevasse
       history.instants = instants;
       for (const Values &values : of_last_period)
         history.intensity.push_back(intensity(values));
-      history.range    = equivalent(std::max(most, 0.) - std::max(least, 0.));
-      const auto &flow = context.flow;
-      history.c_star   = analysis.c_star(flow ? &*flow : nullptr);
+      history.range  = equivalent(std::max(most, 0.) - std::max(least, 0.));
+      history.c_star = analysis.c_star(context.flow);
       analysis.summarise_growth(history, title, tip, context.log);
     }
 
