@@ -112,18 +112,18 @@ namespace Crevasse
 
 
 
-  std::vector<std::string>
+  std::string
   FourierResult::describe() const
   {
-    std::vector<std::string> lines = {
-      "  harmonic balance: " + std::to_string(motion.loaded_harmonics) +
-      " loaded harmonics, " + std::to_string(motion.complex_factorisations) +
-      " complex factorisations"};
-    if (!contact.empty())
-      lines.push_back("  periodic contact at " +
-                      std::to_string(motion.instants_of_contact.size()) +
-                      " nodes: " + contact);
-    return lines;
+    const std::string counts = "  harmonic balance, loaded harmonics: " +
+                               std::to_string(motion.loaded_harmonics) +
+                               ", complex factorisations: " +
+                               std::to_string(motion.complex_factorisations);
+    return contact.empty()
+             ? counts
+             : counts + "\n  periodic contact at " +
+                 std::to_string(motion.instants_of_contact.size()) +
+                 " nodes: " + contact;
   }
 
 

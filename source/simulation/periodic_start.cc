@@ -93,8 +93,7 @@ namespace Crevasse
                                   setup.steps,
                                   work.systems,
                                   setup.relaxation_times.smallest);
-          for (const std::string &line : result.describe())
-            log.line(line);
+          log.line(result.describe());
           for (const std::string &warning : result.warnings)
             log.line("  warning: " + warning);
           start.warnings = result.warnings;

@@ -213,7 +213,7 @@ def test_exact_harmonics():
 
 
 def counts(results):
-    found = re.search(r"harmonic balance: (\d+) loaded harmonics?, (\d+) complex",
+    found = re.search(r"loaded harmonics: (\d+), complex factorisations: (\d+)",
                       log(results))
     check(found, "the log tells what was computed")
     return int(found[1]), int(found[2])

@@ -42,7 +42,7 @@ namespace Crevasse
     std::string contact;
 
     /** Lines for the log. */
-    std::vector<std::string>
+    std::string
     describe() const;
 
     /** Adds "harmonic_balance". */

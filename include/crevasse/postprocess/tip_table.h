@@ -317,11 +317,11 @@ namespace Crevasse
         }
       else
         tip["no_K_opening"] = opens.why_not;
-      return line + Text::format(
-                      "; lip wholly closed for %.1f %% of the period, "
-                      "partly for %.1f %%",
-                      100. * wholly,
-                      100. * partly);
+      line += Text::format("; lip wholly closed for %.1f %% of the period",
+                           100. * wholly);
+      return partly < 5e-4 // 0.0 %
+               ? line
+               : line + Text::format(", partly for %.1f %%", 100. * partly);
     }
 
     /** For the summary. */
