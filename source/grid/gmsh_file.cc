@@ -298,8 +298,7 @@ namespace Crevasse
   only_hypercubes(const unsigned int dim)
   {
     return Text::format(
-      "the mesh has %s are allowed (Gmsh: Mesh.RecombineAll "
-      "= 0, Mesh.SubdivisionAlgorithm = %u).",
+      "the mesh has %s are allowed (Gmsh: Mesh.SubdivisionAlgorithm = %u).",
       dim == 2 ? "triangles; only quadrilaterals"
                : "tetrahedra or other cells; only hexahedra",
       dim - 1);
