@@ -348,10 +348,11 @@ namespace Crevasse
         "Unconstrained rigid-body motions:\n  " +
         Text::join(names_of(sliding, parts), "\n  ") +
         "\nContact does not stop them: they open or close a lip by less "
-        "than a thousandth of their size. Hold the body by [Boundary] Clamped, "
-        "Symmetry or Fixed points, for "
-        "example --set \"Boundary/Fixed points=" +
-        (dim == 2 ? "0, 0" : "0, 0, 0") + "\"." + ids_without_role(space));
+        "than a thousandth of their size. Hold each part that moves by "
+        "[Boundary] Clamped, Symmetry or Fixed points, which are vertices: " +
+        (dim == 2 ? "\"x, y; X, y: 2\""
+                  : "\"x, y, z; X, y, z: 2, 3; x, Y, z: 3\"") +
+        " stop all motions of a free part." + ids_without_role(space));
     std::vector<RigidMotion> motions;
     for (const auto &motion : free)
       motions.push_back(

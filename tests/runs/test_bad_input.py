@@ -611,8 +611,7 @@ CASES = [
     # Rigid motions
     Case("free_translation", 3,
          ["Unconstrained rigid-body motions:\n  translation along x1\nContact",
-          r"\[Boundary\] Clamped, Symmetry or Fixed points",
-          r'--set "Boundary/Fixed points=0, 0"'],
+          r"\[Boundary\] Clamped, Symmetry or Fixed points"],
          ["Boundary/Fixed points=none"]),
     Case("free_mesh", 3,
          [r"Unconstrained rigid-body motions:\n(.*\n)+Contact .* Boundary ids of the mesh that have no role: "
@@ -841,6 +840,27 @@ def test_not_yet_periodic():
                    [r'"Maximum periods" \(about \d+ more at the current rate'])
 
 
+def test_advised_points():
+    """Fixed points as the message advises hold a body, a part, and a box."""
+    free = ["Boundary/Symmetry=none", "Boundary/Contact=none", "Loads/Traction="]
+    for scene, settings, held, vertices in (
+            (SCENE, free, "", {"x": 0, "y": 0, "X": 1}),
+            (SCENE, IN_SPACE + free + ["Output/Probes="], "",
+             {"x": 0, "y": 0, "z": 0, "X": 1, "Y": 1}),
+            (MESH_SCENE, [mesh("two_parts"), "Boundary/Contact=none"], "0, 0: 1; ",
+             {"x": 2, "y": 0, "X": 3})):
+        path = pathlib.Path("advised_points.prm")
+        path.write_text(plain(scene))
+        _, _, error = execute(path, "--check", *overrides(
+            settings + [f"Boundary/Fixed points={held or 'none'}"]))
+        advised = re.search('vertices: "(.*?)" stop all', error)
+        check(advised, f"no points are advised: {error}")
+        points = re.sub("[xyzXY]", lambda letter: str(vertices[letter[0]]), advised[1])
+        status, _, error = execute(path, "--check", *overrides(
+            settings + [f"Boundary/Fixed points={held}{points}"]))
+        check(status == 0, f"{held}{points} does not hold the body: {error}")
+
+
 UNUSED = [  # settings, and the warnings that they give
     (["Geometry/Thickness=2"],
      [r"\[Geometry\] Thickness = 2 is not used: Dimension = 2"]),
@@ -1010,4 +1030,5 @@ test_missing_scene()
 test_output_directory()
 test_what_is_in_the_way()
 test_stability_bound()
+test_advised_points()
 test_not_yet_periodic()
