@@ -36,8 +36,7 @@ namespace Crevasse
           parts.push_back(std::to_string(number) + ' ' + name);
           std::replace(parts.back().begin(), parts.back().end(), '_', ' ');
         }
-      log.line("");
-      log.line("  " + Text::join(parts, ", "));
+      log.line("\n  " + Text::join(parts, ", "));
     }
 
 
@@ -50,8 +49,7 @@ namespace Crevasse
       const double tolerance = scene.contact.tolerance;
       if (statistics.certified == 0)
         return; // nothing to certify
-      log.line("");
-      log.line("  certificate of " + std::to_string(statistics.certified) +
+      log.line("\n  certificate of " + std::to_string(statistics.certified) +
                " solves: " + statistics.certificate.describe() +
                Text::format(" (accepted up to %.2g)", statistics.accuracy));
       if (statistics.implicit_stages > 0)
@@ -315,8 +313,7 @@ namespace Crevasse
                        const PeriodicChoice          &choice,
                        const PeriodicResult          &result)
     {
-      const bool    marches = choice.method == PeriodicMethodType::march;
-      const double  error   = result.stress_error_estimate.back();
+      const double  error = result.stress_error_estimate.back();
       Text::Message message;
       message << "The stress is not yet periodic: after " << result.periods
               << (result.periods == 1 ? " period" : " periods");
@@ -333,7 +330,7 @@ namespace Crevasse
                result.return_defect > parameters.tolerance)
         message << ", for the viscous strain does not yet return";
       message << ". All results so far are written. Raise \"Maximum periods\"";
-      if (marches && result.steps_repeat)
+      if (choice.method == PeriodicMethodType::march && result.steps_repeat)
         message << periods_to_go(result, parameters.tolerance);
       message << " and continue by --resume, allow a larger \"Tolerance\"";
       if (!choice.alternative.empty())

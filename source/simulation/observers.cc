@@ -154,8 +154,7 @@ namespace Crevasse
         , lip(lip)
         , log(log)
       {
-        log.line("");
-        log.line("  period        t  change of stress  estimated error  VIs");
+        log.line("\n  period        t  change of stress  estimated error  VIs");
       }
 
       void

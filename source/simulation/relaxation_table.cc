@@ -75,9 +75,8 @@ namespace Crevasse
     factors.push_back(best);
     std::sort(factors.begin(), factors.end());
 
-    log.line("");
     log.line(
-      Text::format("  SOR without constraints: iterations to the direct "
+      Text::format("\n  SOR without constraints: iterations to the direct "
                    "solver's residual, %.2e of the largest load",
                    target / largest));
     log.line(

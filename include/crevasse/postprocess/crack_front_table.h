@@ -82,14 +82,13 @@ namespace Crevasse
           front[names[m]]["largest"]  = place(at, m);
           front[names[m]]["smallest"] = place(smallest - values.begin(), m);
           front[names[m] + "_error"]  = error;
-          log.line(
-            Text::format("  crack front: %s from %.6g to %.6g in the last "
-                         "period, estimated error %.1e; largest at ",
-                         names[m].c_str(),
-                         smallest->intensity[m],
-                         largest->intensity[m],
-                         error) +
-            Text::from_point(vertex(at).point));
+          log.line("  crack front: " + names[m] +
+                   Text::format(" from %.6g to %.6g in the last "
+                                "period, estimated error %.1e; largest at ",
+                                smallest->intensity[m],
+                                largest->intensity[m],
+                                error) +
+                   Text::from_point(vertex(at).point));
         }
     }
 

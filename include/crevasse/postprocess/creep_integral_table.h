@@ -111,14 +111,13 @@ namespace Crevasse
                   {"error_of_largest", errors[largest - C.begin()]},
                   {"last", C[last]},
                   {"error_of_last", errors[last]}});
-      log.line(
-        Text::format("%sC(t) at most %.6g in the last period, %.6g at "
-                     "its end, estimated errors %.1e and %.1e",
-                     title.c_str(),
-                     *largest,
-                     C[last],
-                     errors[largest - C.begin()],
-                     errors[last]));
+      log.line(title +
+               Text::format("C(t) at most %.6g in the last period, %.6g at "
+                            "its end, estimated errors %.1e and %.1e",
+                            *largest,
+                            C[last],
+                            errors[largest - C.begin()],
+                            errors[last]));
       summarise_growth(law, history, title, tip, log);
       summary["creep_integrals"].push_back(tip);
     }

@@ -230,14 +230,13 @@ namespace Crevasse
       const double size = largest(size_of), error = largest(error_of);
       if (error <= large * size || size <= negligible * usual)
         return;
-      const std::string warning =
-        "[Crack tip] Stress intensity: " + name + " is uncertain by about " +
-        Text::from_number(std::round(100. * error / size)) +
-        " %; refine the mesh ([Refinement])" +
-        (analysis.intensity.region.tip.two_lips
-           ? ""
-           : " or use [Discretisation] Singular functions");
-      warn(warning, summary);
+      warn("[Crack tip] Stress intensity: " + name + " is uncertain by about " +
+             Text::from_number(std::round(100. * error / size)) +
+             " %; refine the mesh ([Refinement])" +
+             (analysis.intensity.region.tip.two_lips
+                ? ""
+                : " or use [Discretisation] Singular functions"),
+           summary);
     }
 
     void
