@@ -139,6 +139,8 @@ def test_mesh_files():
         values = [float(row[f"K_I_largest_{tip}"]) for row in rows]
         check_below(abs(values[1] / values[0] - 2), 1e-9, f"tip {tip}: twice the load")
         check(values[:2] == values[2:], "the same mesh")
+        for row in rows:
+            check(row[f"Delta_K_eff_{tip}"] == row[f"Delta_K_{tip}"], "open cracks")
     chart = check_shown("meshes", "Mesh file", "largest K_I at tip 2", [
         [row["Geometry/Mesh file"], float(row["K_I_largest_2"])] for row in rows[::2]],
         "K_I_largest_2")

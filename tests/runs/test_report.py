@@ -25,7 +25,7 @@ from crevasse_run import PROGRAM, SOURCE, Results, check, check_close, execute, 
 
 sys.path.insert(0, str(SOURCE / "source" / "python"))
 from crevasse import figures as make_figures, report as make_report  # noqa: E402
-from crevasse import histories, run_reader, study_figures, wording  # noqa: E402
+from crevasse import findings, histories, run_reader, study_figures, wording  # noqa: E402
 
 PAPER = SOURCE / "prm" / "raous1980.prm"
 
@@ -164,14 +164,27 @@ def first_numbers():
     tips = results.summary["crack_tips"]
     k = max(range(4), key=lambda k: tips[k]["equivalent_intensity"]["largest"])
     check(f"Tip {k + 1} of 4" in first, f"another tip: {first}")
-    numbers = [(tips[k]["K_I"]["largest"], 4), (tips[k]["K_I_error"], 2),
+    numbers = [(tips[k]["K_I"]["largest"], 4), (tips[k]["K_I"]["smallest"], 4),
+               (tips[k]["K_I_error"], 2), (tips[k]["K_opening"], 4),
                (tips[k]["K_II_error"], 2), (tips[k]["Delta_K"], 4),
                (results.summary["extremes"]["opening"], 4)]
     for value, digits in numbers:
         text = wording.significant(value, digits)
         check(text in first and text in said.getvalue(), f"{text} is not in {first}")
-    for tip in tips:
+    found = findings.read(results.directory)
+    for number, tip in enumerate(tips, 1):
         check_says(page, f"± {wording.significant(tip['K_II_error'], 2)}")
+        for name in ("K_opening", "Delta_K_eff"):
+            check(found[f"{name}_{number}"] == tip[name], f"{name} of tip {number}")
+    check_says(page, "K II of largest magnitude")
+    with_reasons = shutil.copytree(results.directory, pathlib.Path("results/reasons"),
+                                   dirs_exist_ok=True)
+    for tip, why in zip(tips, ("one", "one", "other", "other"), strict=True):
+        tip.update(K_opening=None, no_K_opening=f"{why} reason")
+    (with_reasons / "summary.json").write_text(
+        json.dumps({**results.summary, "crack_tips": tips}))
+    check_says(report(with_reasons)[0], "No opening intensity K op at (−0.5, −0.1), "
+               "(0.1, −0.1): one reason.", "(0.5, 0.1): other reason.")
     chart = data_of(page)["charts"][0]
     table = results.table(f"crack_tip_{k + 1}.csv")
     K, t = max((K, t) for K, t in zip(table["equivalent_intensity"], table["t"])

@@ -21,6 +21,8 @@ FINDINGS = {name: Finding(*rest) for name, *rest in (
     ("K_I_largest", "largest K_I", INTENSITY, ("tip", "K_I", "largest")),
     ("K_I_smallest", "smallest K_I", INTENSITY, ("tip", "K_I", "smallest")),
     ("Delta_K", "ΔK", INTENSITY, ("tip", "Delta_K")),
+    ("K_opening", "K_op", INTENSITY, ("tip", "K_opening")),
+    ("Delta_K_eff", "ΔK_eff", INTENSITY, ("tip", "Delta_K_eff")),
     ("K_II_largest", "largest K_II", INTENSITY, ("tip", "K_II", "largest")),
     ("K_II_smallest", "smallest K_II", INTENSITY, ("tip", "K_II", "smallest")),
     ("K_III_largest", "largest K_III", INTENSITY, ("tip", "K_III", "largest")),

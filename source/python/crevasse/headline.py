@@ -61,20 +61,25 @@ def place_of(tips, k):
 
 
 def numbers_of_tip(tip):
-    """K_II and K_III by their largest size."""
+    """K_I by both extremes, K_II and K_III by the one of larger magnitude."""
     for mode in ("I", "II", "III"):
         extremes = tip.get(f"K_{mode}") or {}
         ends = [extremes.get(end) for end in ("largest", "smallest")]
         if all(map(is_number, ends)):
-            value = ends[0] if mode == "I" else max(ends, key=abs)
-            yield Number(f"largest K_{mode}", value, tip.get(f"K_{mode}_error"),
-                         INTENSITY)
+            error = tip.get(f"K_{mode}_error")
+            if mode == "I":
+                yield Number("largest K_I", ends[0], error, INTENSITY)
+                yield Number("smallest K_I", ends[1], error, INTENSITY)
+            else:
+                yield Number(f"K_{mode} of largest magnitude", max(ends, key=abs),
+                             error, INTENSITY)
     for label, path, error, unit in (
             ("largest equivalent K", ("equivalent_intensity", "largest"), None, INTENSITY),
             ("ΔK_I", ("Delta_K_I",), None, INTENSITY),
             ("ΔK_II", ("Delta_K_II",), None, INTENSITY),
             ("equivalent ΔK" if "Delta_K_I" in tip else "ΔK_I", ("Delta_K",), None,
              INTENSITY),
+            ("K_op", ("K_opening",), None, INTENSITY),
             ("ΔK_eff", ("Delta_K_eff",), None, INTENSITY),
             ("largest C(t)", ("largest",), "error_of_largest", FLOW),
             ("C*", ("C_star",), None, FLOW),

@@ -28,7 +28,7 @@ SHAPES = {
                     "equivalent_intensity": {EACH: NUMBER}, "growth_angle": NUMBER,
                     "growth_angle_G": NUMBER, "Delta_K": NUMBER,
                     "Delta_K_I": NUMBER, "Delta_K_II": NUMBER,
-                    "Delta_K_eff": NUMBER, "K_opening": NUMBER,
+                    "Delta_K_eff": NUMBER, "K_opening": NUMBER, "no_K_opening": TEXT,
                     "closed_part": {EACH: NUMBER}}],
     "creep_integrals": [{"position": [NUMBER], "direction": [NUMBER],
                          "radius": NUMBER, "largest": NUMBER, "last": NUMBER,
