@@ -131,7 +131,7 @@ namespace Crevasse
       throw NumericalError(
         "MUMPS has found a factor of a complex stiffness that leaves the "
         "relative residual " +
-        Text::from_number(residual / size) +
+        Text::from_number(residual / size, 3) +
         ": the stiffness is too ill-conditioned for a direct solver. Check "
         "the moduli of [Material] for extreme contrasts and the mesh for "
         "degenerate cells.");

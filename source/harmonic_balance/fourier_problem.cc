@@ -64,9 +64,9 @@ namespace Crevasse
       std::vector<std::string> warnings;
       if (step > 2. * smallest_relaxation_time)
         warnings.push_back(
-          "the steps of " + Text::from_number(step) +
+          "the steps of " + Text::from_number(step, 5) +
           " are longer than twice the smallest relaxation time, " +
-          Text::from_number(smallest_relaxation_time) +
+          Text::from_number(smallest_relaxation_time, 5) +
           ": the fastest relaxation is not resolved. Raise [Time integration] "
           "Steps per period.");
       const auto &counts = motion.instants_of_contact;

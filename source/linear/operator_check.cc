@@ -69,7 +69,7 @@ namespace Crevasse
         throw NumericalError(
           "The matrix-free product with the stiffness differs from that of "
           "strains and stresses by " +
-          Text::from_number(error / size) + " (allowed " +
+          Text::from_number(error / size, 3) + " (allowed " +
           Text::from_number(tolerance) +
           "): an error of the program or of its compilation. Use [Linear "
           "solver] Type = amg, cholesky or mumps, and report it.");

@@ -243,10 +243,10 @@ namespace Crevasse
     double length = 0.;
     for (const auto &chain : region.curve.chains())
       length += chain.length();
-    return "  crack front: length " + Text::from_number(length) + ", " +
+    return "  crack front: length " + Text::from_number(length, 5) + ", " +
            std::to_string(region.vertices.size()) + " vertices, " +
            Text::join(names(), ", ") + " by interaction integral up to " +
-           Text::from_number(radius) + " from it";
+           Text::from_number(radius, 5) + " from it";
   }
 
 

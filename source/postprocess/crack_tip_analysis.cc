@@ -109,10 +109,10 @@ namespace Crevasse
           force = Utilities::MPI::sum(force, body.space.communicator());
           if (std::abs(force) > negligible * loads.l1_norm())
             throw SceneError(
-              "[Crack tip]: at t = " + Text::from_number(t) + " the loads " +
+              "[Crack tip]: at t = " + Text::from_number(t, 6) + " the loads " +
               (tip.two_lips ? "are not in equilibrium"
                             : "push the body along the crack") +
-              ", with the resultant " + Text::from_number(force) +
+              ", with the resultant " + Text::from_number(force, 3) +
               ", which the support at the crack tip " +
               Text::from_point(tip.position) +
               " would bear: its stress has a singularity of its own there. "

@@ -66,7 +66,7 @@ namespace Crevasse
         log.line(
           "  Beware: the stiffness is badly conditioned. Rounding leaves "
           "an accuracy of " +
-          Text::from_number(statistics.accuracy) +
+          Text::from_number(statistics.accuracy, 3) +
           " only, not [Contact] Tolerance = " + Text::from_number(tolerance) +
           ". Very flat cells, a Poisson ratio close to its limits or moduli "
           "that differ by many orders of magnitude do this.");
