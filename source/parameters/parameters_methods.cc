@@ -168,7 +168,7 @@ namespace Crevasse
                       relative_tolerance,
                       "Error of the stress that the step control \"adaptive\" "
                       "aims at, relative to the largest elastic stress of the "
-                      "period.",
+                      "period; both in the root mean square over the volume.",
                       fraction);
     prm.add_parameter("Absolute tolerance",
                       absolute_tolerance,

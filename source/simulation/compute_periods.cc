@@ -62,9 +62,12 @@ namespace Crevasse
       if (start.flow && start.split.is_split)
         work.evolution.split_off(*start.flow);
       if (work.integrator != nullptr &&
-          work.setup.scene.time_integration.step_control ==
-            StepControlType::adaptive)
-        work.evolution.set_scales(instants_of_scale(body, work.steps));
+          (work.setup.scene.time_integration.step_control ==
+             StepControlType::adaptive ||
+           (work.integrator->properties.begins_explicitly &&
+            body.law.is_power_law())))
+        work.evolution.set_scales(body.space,
+                                  instants_of_scale(body, work.steps));
       if (work.state.displacement.size() > 0)
         work.systems.system_at(0.).contact_solver().start_from(
           touching_bounds(unilateral_bounds(body.lip, body.space),

@@ -110,35 +110,14 @@ namespace Crevasse
                 choice.limit,
                 {{0., 0.5, 1.}, {}},
                 false,
+                false,
                 true};
       return {name,
               choice.limit,
-              {{table->c, table->c + n}, {table->b, table->b + n}}};
-    }
-
-
-
-    /** How much larger the largest entry of the rate of stress is than the root
-     * mean square of all, for the elastic body over a period; at least 1. */
-    double
-    peak_of_elastic_rates(CachedRate   &equation,
-                          const Vector &strain_per_stress,
-                          const double  period)
-    {
-      constexpr unsigned int n_instants = 8;
-      Vector                 none, rate;
-      none.reinit(strain_per_stress);
-      rate.reinit(strain_per_stress, true);
-      double largest = 0., mean = 0.;
-      for (unsigned int k = 0; k < n_instants; ++k)
-        {
-          equation.rate(period * k / n_instants, none, rate);
-          for (std::size_t i = 0; i < rate.locally_owned_size(); ++i)
-            rate.local_element(i) /= strain_per_stress.local_element(i);
-          largest += std::pow(rate.linfty_norm(), 2);
-          mean += rate.norm_sqr() / rate.size();
-        }
-      return mean > 0. ? std::sqrt(largest / mean) : 1.;
+              {{table->c, table->c + n}, {table->b, table->b + n}},
+              false,
+              parameters.scheme == Scheme::arkode_implicit &&
+                table->A[0][0] == 0.};
     }
 
 
@@ -146,10 +125,9 @@ namespace Crevasse
     class Arkode : public Integrator
     {
     public:
-      Arkode(const TimeIntegrationParameters &parameters, const double period)
+      explicit Arkode(const TimeIntegrationParameters &parameters)
         : Integrator(properties_of(parameters))
         , parameters(parameters)
-        , period(period)
       {
       }
 
@@ -176,7 +154,10 @@ namespace Crevasse
           driver->restart(step.t, step.r, properties.controls_steps);
         is_continuing             = true;
         constexpr double rounding = 1e-10;
-        if (!properties.controls_steps)
+        if (properties.begins_explicitly &&
+            step.length * step.f.relaxation_rate() > 1.)
+          driver->controlled_step(step.length);
+        else if (!properties.controls_steps)
           driver->fixed_step(step.length);
         else
           // A step ends at each sample: what acts there is not stepped over.
@@ -218,7 +199,11 @@ namespace Crevasse
       void
       make_driver(const TimeStep &step)
       {
-        if (properties.controls_steps && allowed_errors.size() == 0)
+        // Steps of a list are controlled where creep is a power of the stress.
+        const bool has_error =
+          properties.controls_steps ||
+          (properties.begins_explicitly && step.f.stress_scale() > 0.);
+        if (has_error && allowed_errors.size() == 0)
           allowed_errors = tolerances(step.f, step.r);
         driver = std::make_unique<ArkodeDriver>(parameters.scheme ==
                                                   Scheme::arkode_implicit,
@@ -226,9 +211,10 @@ namespace Crevasse
                                                 equation,
                                                 step.t,
                                                 step.r);
+        if (has_error)
+          driver->control_steps(allowed_errors);
         if (!properties.controls_steps)
           return;
-        driver->control_steps(allowed_errors);
         if (properties.stability_limit != no_stability_limit)
           driver->limit_steps(properties.stability_limit);
         if (parameters.locate_contact_events)
@@ -240,10 +226,13 @@ namespace Crevasse
       Vector
       tolerances(const RateEquation &f, const Vector &r)
       {
-        const double scale = f.stress_scale();
-        double       stress =
-          parameters.relative_tolerance * scale + parameters.absolute_tolerance;
-        constexpr double rounding = 1e-13;
+        const double     scale          = f.stress_scale();
+        constexpr double of_listed_step = 0.1;
+        double           stress         = properties.controls_steps
+                                            ? parameters.relative_tolerance * scale +
+                              parameters.absolute_tolerance
+                                            : of_listed_step * scale;
+        constexpr double rounding       = 1e-13;
         if (stress < rounding * scale)
           throw NumericalError(
             "[Time integration] Relative tolerance = " +
@@ -254,13 +243,13 @@ namespace Crevasse
           stress = 1.;
         Vector result;
         f.strain_per_stress(r, result);
+        // ARKODE's norm is the root of the mean over all entries.
         result *= choice_of(parameters).excess * stress /
-                  peak_of_elastic_rates(equation, result, period);
+                  std::sqrt(static_cast<double>(result.size()));
         return result;
       }
 
       const TimeIntegrationParameters parameters;
-      const double                    period;
 
       CachedRate                    equation;
       std::unique_ptr<ArkodeDriver> driver;         ///< once there is an r
@@ -272,8 +261,8 @@ namespace Crevasse
 
 
   std::unique_ptr<Integrator>
-  make_arkode(const TimeIntegrationParameters &parameters, const double period)
+  make_arkode(const TimeIntegrationParameters &parameters)
   {
-    return std::make_unique<Arkode>(parameters, period);
+    return std::make_unique<Arkode>(parameters);
   }
 } // namespace Crevasse

@@ -329,6 +329,17 @@ namespace Crevasse
 
 
 
+  void
+  ArkodeDriver::controlled_step(const double step)
+  {
+    check(ARKStepSetFixedStep(memory.get(), 0.));
+    check(ARKStepReset(memory.get(), current_time, view));
+    check(ARKStepSetInitStep(memory.get(), step));
+    evolve(current_time + step);
+  }
+
+
+
   bool
   ArkodeDriver::evolve(const double end)
   {

@@ -30,7 +30,8 @@ namespace Crevasse
         : Integrator({method->properties.name + " with contact events",
                       method->properties.stability_limit,
                       method->properties.quadrature,
-                      method->properties.has_matrix_of_step})
+                      method->properties.has_matrix_of_step,
+                      method->properties.begins_explicitly})
         , method(std::move(method))
       {
       }

@@ -262,15 +262,12 @@ namespace Crevasse
             from       = to;
             to         = std::min(c, longer * to);
           }
-        catch (const NumericalError &error)
+        catch (const NumericalError &)
           {
             state = solved;
             to    = from > 0. ? std::sqrt(from * to) : shorter * to;
             if (to < least * c || to < (1. + 0.01) * from)
-              throw NumericalError(
-                std::string(error.what()) +
-                " Where a load is there at once, take Scheme = sdirk2: arkode "
-                "implicit begins with an explicit stage unless Order = 2.");
+              throw;
             has_failed = true;
           }
       }

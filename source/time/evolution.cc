@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Crevasse authors
 
+#include <crevasse/discretisation/cell_values.h>
 #include <crevasse/discretisation/strain_operator.h>
 #include <crevasse/time/evolution.h>
+
+#include <numeric>
 
 namespace Crevasse
 {
@@ -315,24 +318,45 @@ namespace Crevasse
 
   template <int dim>
   void
-  Evolution<dim>::set_scales(const std::vector<double> &all_instants)
+  Evolution<dim>::set_scales(const Space<dim>          &space,
+                             const std::vector<double> &all_instants)
   {
-    elastic_stress = 0.;
-    stiffness_norms.assign(last.stress.locally_owned_size() /
-                             QuadratureField<dim>::n_components,
-                           0.);
+    using Field = QuadratureField<dim>;
+    std::vector<double> shares(last.stress.locally_owned_size() /
+                               Field::n_components);
+    for_each_point(space,
+                   dealii::update_JxW_values,
+                   [&shares](const dealii::FEValues<dim> &values,
+                             const unsigned int           q,
+                             const std::size_t            point) {
+                     shares[point] = values.JxW(q);
+                   });
+    const MPI_Comm communicator = space.communicator();
+    const double   volume       = dealii::Utilities::MPI::sum(
+      std::accumulate(shares.begin(), shares.end(), 0.), communicator);
+
+    stress_scales.assign(shares.size(), 0.);
+    double largest = 0.;
     for (const double t : all_instants)
       {
         elastic_state(t);
-        elastic_stress = std::max(elastic_stress, last.stress.linfty_norm());
         const MaterialState<dim> &material = instants.at(t).material;
         fractions                          = material.fractions;
-        for (std::size_t point = 0; point < stiffness_norms.size(); ++point)
-          stiffness_norms[point] =
-            std::max(stiffness_norms[point],
-                     material.stiffness_factor *
-                       (*material.stiffness)[point].norm());
+        double sum                         = 0.;
+        for (std::size_t point = 0; point < shares.size(); ++point)
+          {
+            const double share = shares[point] / volume;
+            stress_scales[point] =
+              std::max(stress_scales[point],
+                       std::sqrt(share) * material.stiffness_factor *
+                         (*material.stiffness)[point].norm());
+            sum += share * Field::get(last.stress, point * Field::n_components)
+                             .norm_square();
+          }
+        largest =
+          std::max(largest, dealii::Utilities::MPI::sum(sum, communicator));
       }
+    elastic_stress = std::sqrt(largest);
   }
 
 
@@ -356,10 +380,10 @@ namespace Crevasse
     constexpr unsigned int n = QuadratureField<dim>::n_components;
     scale.reinit(r, true);
     std::size_t entry = 0;
-    for (const double stiffness : stiffness_norms)
+    for (const double stress : stress_scales)
       for (const double fraction : fractions)
         for (unsigned int c = 0; c < n; ++c)
-          scale.local_element(entry++) = 1. / (fraction * stiffness);
+          scale.local_element(entry++) = 1. / (fraction * stress);
   }
 
 

@@ -280,8 +280,7 @@ namespace Crevasse
 
 
     std::unique_ptr<Integrator>
-    make_method(const TimeIntegrationParameters &parameters,
-                const double                     period)
+    make_method(const TimeIntegrationParameters &parameters)
     {
       switch (parameters.scheme)
         {
@@ -302,7 +301,7 @@ namespace Crevasse
             return std::make_unique<RungeKutta>(trapezoid());
           case Scheme::arkode_explicit:
           case Scheme::arkode_implicit:
-            return make_arkode(parameters, period);
+            return make_arkode(parameters);
         }
       return nullptr;
     }
@@ -311,12 +310,10 @@ namespace Crevasse
 
 
   std::unique_ptr<Integrator>
-  make_integrator(TimeIntegrationParameters parameters,
-                  const double              period,
-                  const bool                has_contact)
+  make_integrator(TimeIntegrationParameters parameters, const bool has_contact)
   {
     parameters.locate_contact_events &= has_contact;
-    std::unique_ptr<Integrator> method = make_method(parameters, period);
+    std::unique_ptr<Integrator> method = make_method(parameters);
     if (parameters.locate_contact_events && !method->properties.controls_steps)
       return locate_contact_events(std::move(method));
     return method;

@@ -101,7 +101,6 @@ namespace Crevasse
       if (!body.effects.viscosity.on)
         return nullptr;
       return Crevasse::make_integrator(scene.time_integration,
-                                       scene.loads.period,
                                        body.effects.contact.on);
     }
 

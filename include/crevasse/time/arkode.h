@@ -18,13 +18,14 @@ namespace Crevasse
    * stops where a node of the lip switches, and begins anew there.
    *
    * Tolerances are on the stress that an error of r makes where the strain is
-   * held: constant for each point, for r itself may drift. ARKODE looks at the
-   * root mean square over all points, but the error is largest where the stress
-   * is, at the tip: tolerances are divided by how much larger the largest rate
-   * of stress of the elastic body is than its root mean square.
+   * held: constant for each point, for r itself may drift.
+   *
+   * Implicit methods of order 3 and more begin with an explicit stage. Where
+   * that creeps by a power of a stress that relaxes within the step, a step of
+   * the list with an error of more than a tenth of the elastic stress is cut.
    */
   std::unique_ptr<Integrator>
-  make_arkode(const TimeIntegrationParameters &parameters, const double period);
+  make_arkode(const TimeIntegrationParameters &parameters);
 } // namespace Crevasse
 
 #endif

@@ -60,6 +60,11 @@ namespace Crevasse
     void
     fixed_step(const double step);
 
+    /** The same by ARKODE's own steps, of which the first has this length and
+     * the error of control_steps() or is cut. */
+    void
+    controlled_step(const double step);
+
     /** ARKODE's own steps up to @p end, where the last one ends, or to an
      * event: whether there is one. */
     bool

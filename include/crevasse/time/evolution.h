@@ -116,9 +116,10 @@ namespace Crevasse
     }
 
     /** Makes stress scale and strain per stress those of the largest elastic
-     * stress and of the largest stiffness of each point at these instants. */
+     * stress and of the largest stiffness of each point at these instants.
+     * Collective. */
     void
-    set_scales(const std::vector<double> &instants);
+    set_scales(const Space<dim> &space, const std::vector<double> &instants);
 
     /** The state of a body without viscous strain at the instant @p t. */
     void
@@ -220,8 +221,8 @@ namespace Crevasse
 
     // See set_scales().
     double              elastic_stress = 0.;
-    std::vector<double> stiffness_norms; ///< |kK| of each point
-    std::vector<double> fractions;       ///< wᵢ
+    std::vector<double> stress_scales; ///< √(dV/V) |kK| of each point
+    std::vector<double> fractions;     ///< wᵢ
 
     /** Of this rank's points in the last evaluation: see relaxation_rate();
      * negative: the stress has no say. */

@@ -39,6 +39,8 @@ namespace Crevasse
     /** Whether every length of step has a matrix, and so a factorisation, of
      * its own. */
     bool has_matrix_of_step = false;
+    /** Whether its implicit stages follow an explicit one. */
+    bool begins_explicitly = false;
     /** Whether it chooses its own steps by their error. The last one reaches
      * beyond the end of the step it was given, and is not shown: its state can
      * be kept at the beginning of a period alone. */

@@ -13,9 +13,7 @@ namespace Crevasse
    *
    * @param has_contact whether there are events to locate. */
   std::unique_ptr<Integrator>
-  make_integrator(TimeIntegrationParameters parameters,
-                  const double              period,
-                  const bool                has_contact);
+  make_integrator(TimeIntegrationParameters parameters, const bool has_contact);
 } // namespace Crevasse
 
 #endif

@@ -51,13 +51,16 @@ namespace Crevasse
                      const double       c,
                      Vector            &values) = 0;
 
-    /** The largest stress of the elastic body over a period: what tolerances
-     * are relative to. */
+    /** The largest stress of the elastic body over a period, in the root mean
+     * square over its volume: what tolerances are relative to. */
     virtual double
     stress_scale() const = 0;
 
-    /** For each entry of r what it takes to change the stress by 1 where the
-     * strain is held: an error of r divided by it is one of the stress.
+    /** For each entry of r what it takes to change the root mean square of the
+     * stress over the volume by 1 where the strain is held: the norm of an
+     * error of r divided by this is the error of the stress. (At a crack tip
+     * the largest stress depends on the mesh, and of a power law it relaxes at
+     * once.)
      *
      * @param[out] scale with the layout of r; given its size here. */
     virtual void

@@ -195,11 +195,10 @@ namespace
     points.initialize(r);
     Vector                    rate(r);
     TimeIntegrationParameters parameters;
-    parameters.scheme = Scheme::heun;
-    const std::unique_ptr<Integrator> heun =
-      make_integrator(parameters, 1., false);
-    const double time_step = 0.5;
-    double       integral = 0., stress_error = 0., strain_error = 0.;
+    parameters.scheme                      = Scheme::heun;
+    const std::unique_ptr<Integrator> heun = make_integrator(parameters, false);
+    const double                      time_step = 0.5;
+    double integral = 0., stress_error = 0., strain_error = 0.;
     for (unsigned int k = 0; k < 5; ++k)
       {
         const double t = k * time_step;

@@ -168,7 +168,7 @@ namespace
     TimeIntegrationParameters parameters;
     parameters.scheme      = value_of<Scheme>(name);
     parameters.heun_weight = heun_weight;
-    return make_integrator(parameters, 1., false);
+    return make_integrator(parameters, false);
   }
 
   double
@@ -327,7 +327,7 @@ namespace
     TimeIntegrationParameters parameters;
     parameters.scheme                = Scheme::rk4;
     parameters.locate_contact_events = true;
-    return make_integrator(parameters, 2., true);
+    return make_integrator(parameters, true);
   }
 
   /** 200 nodes that switch one after the other within a step. */
@@ -405,14 +405,14 @@ namespace
             const std::string name =
               "arkode " + kind + ", order " + std::to_string(order);
             check_order(name,
-                        *make_integrator(parameters, 2., false),
+                        *make_integrator(parameters, false),
                         Relaxation(0.5, 0.6),
                         order,
                         order < 4 ? 320 : 20);
             if (kind == "explicit")
-              check_bound(name, *make_integrator(parameters, 1e6, false));
+              check_bound(name, *make_integrator(parameters, false));
             else
-              check_no_bound(name, *make_integrator(parameters, 1e6, false));
+              check_no_bound(name, *make_integrator(parameters, false));
           }
 
         double least = 1e300, largest = 0.;
@@ -421,7 +421,7 @@ namespace
             auto parameters               = arkode(kind, 4);
             parameters.step_control       = StepControlType::adaptive;
             parameters.relative_tolerance = tolerance;
-            const auto   scheme = make_integrator(parameters, 2., false);
+            const auto   scheme           = make_integrator(parameters, false);
             Relaxation   equation(0.5, 0.6);
             const double error = std::abs(
               integrate(*scheme, equation, equation.solution(0.), 2., 4) -
@@ -492,7 +492,7 @@ namespace
   {
     auto parameters         = arkode("explicit", 4);
     parameters.step_control = StepControlType::adaptive;
-    const auto scheme       = make_integrator(parameters, 2., false);
+    const auto scheme       = make_integrator(parameters, false);
     Hopeless   equation(throws);
     try
       {
@@ -591,7 +591,7 @@ namespace
     parameters.steps_per_period   = 1;
     parameters.relative_tolerance = 0.1;
     StepList   steps(parameters, 2.);
-    const auto integrator = make_integrator(parameters, 2., false);
+    const auto integrator = make_integrator(parameters, false);
     const auto control =
       make_step_control(parameters, steps, integrator->properties, 1.);
     NearStages equation(0.5, 0.6);
