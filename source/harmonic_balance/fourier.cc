@@ -119,7 +119,7 @@ namespace Crevasse
     const LipPart  part(
       communicator,
       bounds,
-      loaded_bounds(flow, bounds, mean_load().linfty_norm(), communicator));
+      loaded_bounds(flow, bounds, load[0].linfty_norm(), communicator));
     HarmonicResponses<dim> responses(
       body, material, linear_solver, part, memory);
 
@@ -132,7 +132,6 @@ namespace Crevasse
     if (part.n_nodes() > 0)
       {
         problem.mean_forces = part.gather(flow->contact_forces);
-        problem.mean_forces *= material.viscosity_factor;
         const PeriodicContactSolution contact = solve_contact(problem);
         motion.instants_of_contact            = count_instants(contact);
         add_contact(contact, responses, part, motion);

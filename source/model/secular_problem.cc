@@ -348,7 +348,7 @@ namespace Crevasse
     flow.velocity /= factor;
     flow.strain_rate /= factor;
     for (double &force : flow.contact_forces)
-      force /= factor;
+      force *= material.viscosity_factor / factor;
     if (own != nullptr)
       systems.add(own->statistics());
     return flow;

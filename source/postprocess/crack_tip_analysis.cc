@@ -45,6 +45,8 @@ namespace Crevasse
       return split.effect.why;
     if (const auto force = Effects::first_on(body.effects.volume_forces))
       return "there is a " + force->name + ", which the integral does not know";
+    if (body.effects.varying_viscosity.on)
+      return "the viscosity varies in time";
     const MaterialState<2> material = body.material.at(0.);
     viscosity.emplace(body, material);
     viscous_region = intensity.region.uniform(intensity.points, viscosity->sum);
@@ -129,7 +131,8 @@ namespace Crevasse
       return 0.;
     if (!no_c_star.empty() || !flow)
       return {};
-    Vector stress;
+    const double factor = body.law.viscosity_factor(0.);
+    Vector       stress;
     body.points.initialize(stress);
     body.strain_operator.for_each_strain(
       flow->velocity,
@@ -137,7 +140,7 @@ namespace Crevasse
         const std::size_t point = offset / QuadratureField<2>::n_components;
         QuadratureField<2>::set(stress,
                                 offset,
-                                viscosity->sum[point] * strain_rate);
+                                factor * (viscosity->sum[point] * strain_rate));
       });
     const PlaneElasticity viscous(viscous_region->matrix);
     const double size = intensity.region.aligned_radius(viscous_region->radius);
@@ -157,7 +160,7 @@ namespace Crevasse
                                  body.space.roles.has_axis ? viscous.kappa()
                                                            : 0.})
               .of_uniform_body(stress, flow->contact_forces, viscous.kappa());
-          c_star += K * K / viscous.modulus();
+          c_star += K * K / (factor * viscous.modulus());
         }
     return c_star;
   }

@@ -264,7 +264,8 @@ namespace Crevasse
                            setup.largest_nodal_force *
                            Utilities::MPI::sum(n_nodes, communicator);
       if (difference <= far * std::max(measured, expected) ||
-          difference <= part_of_load * start.split.mean_load.l1_norm() ||
+          difference <= part_of_load * setup.body.law.viscosity_factor(0.) *
+                          start.split.mean_load.l1_norm() ||
           difference <= error)
         return;
       throw_another_state(

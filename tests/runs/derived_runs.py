@@ -1,8 +1,10 @@
-"""Families of derived numbers of runs that are resumed, of schemes and of steps."""
+"""Families of derived numbers of runs that are resumed, of schemes and of steps,
+and of viscosities written in two ways."""
 
 import math
 
-from derived_draws import PLAIN, Wave, creeping, growth, log_uniform, plate
+from derived_draws import (PLAIN, Wave, creeping, growth, log_uniform, plate, same_tip,
+                           tip_of)
 from interrupted_runs import check_same_bytes, has_checkpoint
 
 
@@ -154,3 +156,26 @@ def pulse(instance):
     h = 1 / n_steps / width
     allowed = 0.05 if adaptive else (n + 1) * (n * (n - 1) / 12 + n / 4) * h**2 + 1e-3
     instance.expect(f"creep by {scheme}", crept / exact, 1., allowed)
+
+
+def written(instance):
+    """A viscosity in its modulus, or time, or in its factor; with a mean load or not."""
+    dice = instance.dice
+    settings, _ = plate(dice)
+    tau, E = log_uniform(dice, 0.05, 3.), float(settings["Material/Young modulus"])
+    name, value = dice.choice([("Viscous modulus", tau * E), ("Relaxation time", tau)])
+    kind = "isotropic" if name == "Viscous modulus" else "relaxation time"
+    settings |= growth(dice) | {
+        "Material/Viscosity": kind, "Material/Viscous Poisson ratio": "0.3",
+        "Loads/Traction": f"0; {Wave(dice, 1.).formula()}",
+        "Time integration/Steps per period": "20",
+        "Time integration/Scheme": dice.choice(["sdirk2", "trapezoid"]),
+        "Periodic state/Method": dice.choice(["march", "anderson"]),
+        "Periodic state/Tolerance": "1e-7", "Periodic state/Maximum periods": "400"}
+    one, other = (instance.run(f"written_{k}", PLAIN, settings | {
+        f"Material/{name}": repr(value / factor),
+        "Material/Viscosity time factor": repr(factor)})
+        for k, factor in enumerate((1., log_uniform(dice, 1e-3, 1e3))))
+    same_tip(instance, tip_of(one), tip_of(other), 1e-6, fluidity=1 / E / tau)
+    forces = [results.summary["secular"].get("contact_force") for results in (one, other)]
+    instance.expect("mean contact force", forces[1], forces[0], 1e-6)

@@ -259,6 +259,17 @@ def test_c_star():
     tip = run(SCENE, "elastic").summary["crack_tip"]
     check(tip["C_star"] is None and "viscosity" in tip["no_C_star"],
           "no C* without viscosity")
+    # A viscosity is its factor times what the relaxation time says.
+    one, other = (run(SCENE, f"factor_{factor}", STEADY + [
+        f"Material/Relaxation time={TAU / factor!r}",
+        f"Material/Viscosity time factor={factor}"]).summary["crack_tip"]
+        for factor in (1, 4))
+    for name in ("C_star", "Delta_K"):
+        check_close(other[name] / one[name], 1, 1e-9, f"{name} of a viscosity in its time factor")
+    tip = run(SCENE, "factor_varies", STEADY + [
+        "Material/Viscosity time factor=1 + 0.5*sin(2*pi*t/600)"]).summary["crack_tip"]
+    check(tip["C_star"] is None and "varies in time" in tip["no_C_star"],
+          "no C* of a viscosity that varies")
 
 
 def test_viscoelastic():

@@ -421,6 +421,15 @@ def test_contact_force():
                 "mean contact force")
     check_below(abs(secular["mean_contact_force_of_last_period"] / force - 1),
                 1e-2, "that of the last period")
+    # Also of a viscosity in its time factor: a search that found the state ends well.
+    for factor in (1, 4):
+        secular = run(SOURCE / "prm/studies/periodic_compressive.prm", "factor", [
+            f"Material/Relaxation time={60 / factor!r}", "Periodic state/Method=anderson",
+            f"Material/Viscosity time factor={factor}", "Periodic state/Tolerance=1e-6",
+            "Periodic state/Maximum periods=100"]).summary["secular"]
+        check_below(abs(secular["mean_contact_force_of_last_period"]
+                        / secular["contact_force"] - 1), 0.02,
+                    f"mean contact force, factor {factor}")
 
 
 if __name__ == "__main__":

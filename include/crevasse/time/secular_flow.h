@@ -16,7 +16,8 @@ namespace Crevasse
   {
     Vector velocity;    ///< β; zero in constrained entries
     Vector strain_rate; ///< αᵢ, in the layout of r
-    /** ḡ for each local lip node: the mean of g/η₀ over a period. */
+    /** For each local lip node: η₀(0) times ḡ, the mean of g/η₀ over a period.
+     */
     std::vector<double> contact_forces;
   };
 } // namespace Crevasse
