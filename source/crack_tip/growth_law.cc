@@ -23,21 +23,18 @@ namespace Crevasse
       const std::vector<double> &driver =
         law.creep_parameter == CreepParameter::C_of_t ? history.creep_integral
                                                       : history.intensity;
-      const auto known  = [](const double value) { return !std::isnan(value); };
-      double     length = 0.;
+      const auto known = [](const double value) { return !std::isnan(value); };
+      // The next period is as this one.
+      std::vector<double> two_periods = driver;
+      two_periods.insert(two_periods.end(), driver.begin(), driver.end());
+      double length = 0.;
       for (std::size_t k = 1; k < driver.size(); ++k)
         {
           // Before a jump the last value goes on, behind it the next one.
-          double begin = driver[k - 1], end = driver[k];
-          if (!known(begin) && !known(end))
-            if (const auto next =
-                  std::find_if(driver.begin() + k, driver.end(), known);
-                next != driver.end())
-              end = *next;
-          if (!known(begin))
-            begin = end;
-          if (!known(end))
-            end = begin;
+          const double begin = *std::find_if(two_periods.begin() + k - 1,
+                                             two_periods.end() - 1,
+                                             known);
+          const double end   = known(driver[k]) ? driver[k] : begin;
           length += 0.5 * (history.instants[k] - history.instants[k - 1]) *
                     (speed(std::max(begin, 0.)) + speed(std::max(end, 0.)));
         }
