@@ -59,7 +59,7 @@ namespace Crevasse
       text += (text.empty() ? "da/dt = " : ", and da/dt = ") +
               Text::from_number(law.creep_factor) + " " +
               (law.creep_parameter == CreepParameter::stress_intensity
-                 ? "K_I"
+                 ? "K"
                  : (needs_c_star(law) ? "C*" : "C(t)")) +
               "^" + Text::from_number(law.creep_exponent);
     return text;

@@ -326,6 +326,22 @@ def test_reversed_shear():
     check_close(growth[0] / growth[1], 8, 1e-6, "da/dN of reversed shear")
 
 
+def test_growth_of_shear():
+    """Growth by the intensity is that of the equivalent one, and is described so."""
+    top = f"abs(y) > {7.99 * A!r}"
+    along, across = (f"1e7*if({s}>0, 1, -1)" for s in "yx")
+    results = run(scene("sheared", 4, 2), "sheared", [
+        "Boundary/Loaded=1, 2, 3, 4",
+        f"Loads/Traction=if({top}, {along}, 0); if({top}, 0, {across})",
+        "Crack tip/Crack growth law=creep", "Crack tip/Creep factor=1e-20",
+        "Crack tip/Creep growth parameter=stress intensity",
+        "Crack tip/Creep exponent=2"])
+    for tip in results.summary["crack_tips"]:
+        K = tip["equivalent_intensity"]["largest"]
+        check_close(tip["da_dt"] / (1e-20 * K**2), 1, 1e-9, "growth by shear")
+        check(tip["growth_law"].endswith(" K^2"), tip["growth_law"])
+
+
 def test_creep():
     """With a viscosity in proportion to the stiffness, loads that leave the crack
     open, or closed, make the elastic stress: K and T follow the load however far
@@ -391,8 +407,8 @@ def test_refusals():
 
 TESTS = [test_inclined, test_half_model, test_invariances,
          test_singular_functions, test_singular_functions_of_two_modes,
-         test_growth_law, test_reversed_shear, test_creep, test_support_at_tip,
-         test_refusals]
+         test_growth_law, test_reversed_shear, test_growth_of_shear, test_creep,
+         test_support_at_tip, test_refusals]
 
 if __name__ == "__main__":
     for test in TESTS:

@@ -43,13 +43,13 @@ namespace Crevasse
    * - da/dN = C (ΔK − ΔK_th)^m above the threshold (Paris, Erdogan, J. Basic
    *   Eng. 85, 1963; with a threshold: Donahue et al., Int. J. Fract. Mech. 8,
    *   1972);
-   * - da/dt = D C*^φ over the whole period, or D K_I(t)^φ or D C(t)^φ by the
+   * - da/dt = D C*^φ over the whole period, or D K(t)^φ or D C(t)^φ by the
    *   trapezoidal rule over the steps. Where C(t) is not known yet, as after a
    *   jump, it is taken to be what it is next, in the next period if need be;
    *   before one, what it was last.
    *
    * It is nan if the history lacks what the law needs. A crack that is pressed
-   * together has K_I = 0, and one that is pushed shut C(t) = 0.
+   * together has K = 0, and one that is pushed shut C(t) = 0.
    *
    * @param title of the line. */
   void
