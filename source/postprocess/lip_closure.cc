@@ -69,18 +69,24 @@ namespace Crevasse
 
   template <int dim>
   std::vector<double>
-  LipClosure<dim>::openings(const State &state) const
+  LipClosure<dim>::openings(const Sample &sample) const
   {
-    const auto here = body.lip.states(state.displacement, state.contact_forces);
+    const auto here =
+      body.lip.states(sample.state.displacement, sample.state.contact_forces);
+    const auto rates =
+      sample.secular_flow == nullptr
+        ? std::vector<double>(here.size())
+        : opening_rates(body.lip, sample.secular_flow->velocity);
     std::vector<double> values(places.size());
     for (unsigned int k = 0; k < here.size(); ++k)
       {
         const auto place = std::lower_bound(places.begin(),
                                             places.end(),
                                             body.lip.nodes[k].number);
+        // What the flow opens for good bears only what the search leaves.
         // Without weight a node may be the only one that is pressed.
         constexpr double least         = std::numeric_limits<double>::min();
-        values[place - places.begin()] = here[k].is_closed
+        values[place - places.begin()] = here[k].is_closed && rates[k] == 0.
                                            ? -std::max(here[k].pressure, least)
                                            : std::max(0., here[k].opening);
       }
@@ -99,7 +105,7 @@ namespace Crevasse
         period.clear();
         changes.clear();
       }
-    period.push_back({sample.instant, openings(sample.state)});
+    period.push_back({sample.instant, openings(sample)});
     if (period.size() > 1)
       {
         const Moment &begin = *(period.end() - 2), &end = period.back();
@@ -234,7 +240,7 @@ namespace Crevasse
         std::uintmax_t                        trials = most_trials;
         const auto [last, next] = boost::math::tools::toms748_solve(
           [&](const double t) {
-            tried[t] = openings(sample_at(t).state);
+            tried[t] = openings(sample_at(t));
             return scaled(value({t, tried[t]}));
           },
           begin[0].instant,

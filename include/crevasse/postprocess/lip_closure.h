@@ -84,9 +84,10 @@ namespace Crevasse
     std::vector<unsigned int>
     numbers_of_lips() const;
 
-    /** Moment::openings. Collective. */
+    /** Moment::openings: those of the periodic state where a flow is split
+     * off. Collective. */
     std::vector<double>
-    openings(const State &state) const;
+    openings(const Sample &sample) const;
 
     /** The least and the largest opening of a lip; of all if its number is
      * n_lips. */

@@ -36,6 +36,23 @@ namespace Crevasse
     return sum;
   }
 
+  /** β_N of each node that the flow opens for good; 0 of the others.
+   * Collective. */
+  template <int dim>
+  std::vector<double>
+  opening_rates(const ContactBoundary<dim> &lip, const Vector &velocity)
+  {
+    constexpr double    rounding = 1e-10;
+    const double        opens    = rounding * velocity.linfty_norm();
+    std::vector<double> rates;
+    for (const LipNode<dim> &node : lip.nodes)
+      {
+        const double rate = node.sign * velocity(node.dof);
+        rates.push_back(rate > opens ? rate : 0.);
+      }
+    return rates;
+  }
+
   /** Collective. */
   template <int dim>
   LipState

@@ -40,14 +40,11 @@ namespace Crevasse
     {
       if (!follows_lip)
         return;
-      const Vector    &beta     = work.start.flow->velocity;
-      const auto      &nodes    = setup.body.lip.nodes;
-      constexpr double rounding = 1e-10;
-      const double     opens    = rounding * beta.linfty_norm();
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        if (const double rate = nodes[k].sign * beta(nodes[k].dof);
-            rate > opens)
-          opening_nodes.push_back({k, rate});
+      const auto rates =
+        opening_rates(setup.body.lip, work.start.flow->velocity);
+      for (unsigned int k = 0; k < rates.size(); ++k)
+        if (rates[k] > 0.)
+          opening_nodes.push_back({k, rates[k]});
     }
 
     void
