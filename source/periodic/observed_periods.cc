@@ -223,6 +223,28 @@ namespace Crevasse
       show(sample(k, r));
     if (has_memory())
       step_control.advance({*integrator, evolution, steps, k, r, rate});
+    if (steps.jumps_at(steps.instant(k + 1)))
+      end_before_jump(k + 1, r, is_shown);
+  }
+
+
+
+  template <int dim>
+  void
+  ObservedPeriods<dim>::end_before_jump(const unsigned int k,
+                                        const Vector      &r,
+                                        const bool         is_shown)
+  {
+    Sample end  = sample(k, r);
+    end.instant = integration.steps.just_before(end.instant);
+    if (has_memory())
+      integration.evolution.rate(end.instant, r, rate);
+    else
+      integration.evolution.elastic_state(end.instant);
+    history.record(end.instant, end.state.stress);
+    if (is_shown)
+      for (Observer *observer : observers)
+        observer->before_jump(end);
   }
 
 

@@ -16,9 +16,10 @@ namespace Crevasse
 
   namespace
   {
-    constexpr double       one_instant = 1e-6; ///< part of a step
-    constexpr unsigned int most_trials = 60;   ///< for one instant
-  }                                            // namespace
+    constexpr double       one_instant = 1e-6;  ///< part of a step
+    constexpr double       in_jump     = 2e-11; ///< of the period, is no step
+    constexpr unsigned int most_trials = 60;    ///< for one instant
+  }                                             // namespace
 
 
 
@@ -280,6 +281,7 @@ namespace Crevasse
     double       change = begin == 0. ? 0. : 0.5 * length;
     // A line that vanishes somewhat later is no jump.
     if ((before < 0.) == (begin < 0.) && falls > 0. &&
+        last_length > in_jump * period.back().instant &&
         std::abs(begin) * last_length <= (length + last_length) * falls)
       change = std::min(std::abs(begin) * last_length / falls, length);
     return begin < 0. ? change : length - change;
@@ -321,8 +323,9 @@ namespace Crevasse
     try
       {
         for (const Change &change : changes)
-          for (unsigned int lip = 0; lip < n_lips; ++lip)
-            locate(change, lip);
+          if (change.end - change.begin > in_jump * period.back().instant)
+            for (unsigned int lip = 0; lip < n_lips; ++lip)
+              locate(change, lip);
       }
     catch (const std::runtime_error &error)
       {

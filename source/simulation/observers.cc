@@ -55,6 +55,12 @@ namespace Crevasse
       }
 
       void
+      before_jump(const Sample &sample) override
+      {
+        observe(sample);
+      }
+
+      void
       end_of_period(const PeriodReport &report) override
       {
         run.largest_stress = std::max(work.start.choice.periods_are_iterates()

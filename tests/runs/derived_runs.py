@@ -1,5 +1,5 @@
-"""Families of derived numbers of runs that are resumed, of schemes and of steps,
-and of viscosities written in two ways."""
+"""Families of derived numbers of runs that are resumed, of schemes and of steps, of
+jumps, and of viscosities written in two ways."""
 
 import math
 
@@ -179,3 +179,33 @@ def written(instance):
     same_tip(instance, tip_of(one), tip_of(other), 1e-6, fluidity=1 / E / tau)
     forces = [results.summary["secular"].get("contact_force") for results in (one, other)]
     instance.expect("mean contact force", forces[1], forces[0], 1e-6)
+
+
+def shifted_jumps(instance):
+    """The phase of a load with a jump changes nothing, if steps end there: K_max and
+    growth are those of the factor of the load."""
+    dice = instance.dice
+    settings, _ = plate(dice)
+    n_steps, width = dice.choice([8, 20]), dice.uniform(0.2, 0.9)
+    first, slope = dice.randint(0, n_steps - 1), dice.uniform(-0.9, 3.)
+    settings |= {"Crack tip/Crack growth law": "creep", "Crack tip/Creep factor": "1",
+                 "Crack tip/Creep growth parameter": "stress intensity",
+                 "Crack tip/Creep exponent": "1", "Time integration/Scheme": "automatic"}
+    if dice.random() < 0.5:
+        settings |= {"Material/Viscosity": "relaxation time",
+                     "Time integration/Scheme": "sdirk2"}
+    else:
+        settings |= {"Material/Viscosity": "none"}
+    n_high = max(1, round(width * n_steps))
+    K = tip_of(instance.run("unit", PLAIN, settings | {
+        "Loads/Traction": "0; 1", "Material/Viscosity": "none",
+        "Time integration/Steps per period": "1"}))["K_I"]["largest"]
+    place = f"(t - {first / n_steps!r} - floor(t - {first / n_steps!r} + 1e-13))"
+    end = n_high / n_steps
+    tip = tip_of(instance.run("jumps", PLAIN, settings | {
+        "Loads/Period": "1", "Time integration/Steps per period": str(n_steps),
+        "Loads/Traction": f"0; if({place} < {end - 1e-13!r}, 1 + {slope!r}*{place}, 0.05)"}))
+    largest = max(1., 1 + slope * end, 0.05)
+    instance.expect("K_max", tip["K_I"]["largest"] / K, largest, 1e-5)
+    instance.expect("da_dN", tip["da_dN"] / K, end + slope * end**2 / 2
+                    + 0.05 * (1 - end), 1e-5)

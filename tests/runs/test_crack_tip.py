@@ -604,6 +604,31 @@ def test_growth():
                 "da/dt of C*")
 
 
+def test_growth_of_jumps():
+    """The values just before a jump are extremes, too, and growth by K does not mix
+    both sides."""
+    by_K = ["Crack tip/Crack growth law=creep", "Crack tip/Creep factor=1e-6",
+            "Crack tip/Creep growth parameter=stress intensity",
+            "Crack tip/Creep exponent=2"]
+    paris = ["Crack tip/Crack growth law=paris", "Crack tip/Paris factor=1e-7",
+             "Crack tip/Paris exponent=3"]
+    K = run(SCENE, "steady_K", ["Loads/Traction=0; 10"]
+            ).summary["crack_tip"]["K_I"]["largest"]
+    for viscosity in ("none", "relaxation time"):
+        creep = [f"Material/Viscosity={viscosity}", "Time integration/Scheme=automatic"
+                 if viscosity == "none" else "Time integration/Scheme=sdirk2"]
+        for name, load in (("ends", "t/600"), ("within", "if(t < 300, t/300, 0)")):
+            tip = run(SCENE, f"{name}_{viscosity[:4]}", creep + paris + [
+                f"Loads/Traction=0; 10*{load}"]).summary["crack_tip"]
+            check_close(tip["K_I"]["largest"] / K, 1, 1e-6, f"K before a jump, {name}")
+            check_close(tip["da_dN"] / (1e-7 * K**3), 1, 1e-5, f"da/dN, {name}")
+        tip = run(SCENE, f"uneven_{viscosity[:4]}", creep + by_K + [
+            "Loads/Traction=0; if(t < 300, 2, 10)", "Time integration/Step control=list",
+            "Time integration/Steps=150, 300, 301, 305, 320, 400"]).summary["crack_tip"]
+        check_close(tip["da_dN"] / (1e-6 * K**2 * 300 * 1.04), 1, 1e-5,
+                    f"growth by K across a jump, {viscosity}")
+
+
 def test_ranks():
     """The same on two processes."""
     with open("ranks.prm", "w") as file:
@@ -654,7 +679,7 @@ TESTS = [test_reference, test_linearity, test_units, test_mirrored,
          test_uniform_temperature,
          test_autofrettage, test_shipped_scenes, test_interface,
          test_two_viscosities, test_methods,
-         test_chain, test_growth, test_ranks, test_refusals]
+         test_chain, test_growth, test_growth_of_jumps, test_ranks, test_refusals]
 
 if __name__ == "__main__":
     for test in TESTS:

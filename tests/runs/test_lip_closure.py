@@ -296,6 +296,20 @@ def test_jumps():
         tip = run(ONE_CRACK, name, [f"Loads/Traction=0; 10*{load}"]).summary["crack_tip"]
         check_below(abs(tip["K_opening"]) / tip["Delta_K"], 1e-9, f"{name}: K_op")
         check_close(tip["Delta_K_eff"] / tip["Delta_K"], 1, 1e-9, f"{name}: effective")
+    results = run(ONE_CRACK, "tooth", ["Loads/Traction=0; 10*if(t < 300, t/150 - 1, -1)"])
+    tip, lip = results.summary["crack_tip"], results.table("lip.csv")
+    whole = run(ONE_CRACK, "whole", ["Loads/Traction=0; 10"])
+    largest = whole.summary["crack_tip"]["K_I"]["largest"]
+    check_close(tip["K_I"]["largest"] / largest, 1, 1e-9, "tooth: K before the jump")
+    check_below(abs(tip["K_opening"]) / largest, 1e-5, "tooth: K_op")
+    check_close(tip["closed_part"]["wholly"], 0.75, 1e-6, "tooth: closed part")
+    for node in lip["closed_part"]:
+        check_close(node, 0.75, 1e-6, "tooth: closed part of a node")
+    check_close(results.summary["extremes"]["opening"],
+                whole.summary["extremes"]["opening"], 1e-9, "tooth: opening")
+    lip = run(ONE_CRACK, "pressed_tooth", ["Loads/Traction=0; -10*t/600"]
+              ).table("lip.csv")
+    check_close(lip["largest_pressure"][1] / 10, 1, 0.01, "tooth: pressure")
 
 
 def same(one, other, what):

@@ -171,6 +171,10 @@ namespace Crevasse
     void
     advance_step(const unsigned int k, Vector &r, const bool is_shown = true);
 
+    /** Solves for the state at instant @p k as it is before a jump there. */
+    void
+    end_before_jump(const unsigned int k, const Vector &r, const bool is_shown);
+
     /** Computes the last period of a resumed run again, for its stresses. */
     void
     replay();

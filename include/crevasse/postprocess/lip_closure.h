@@ -39,6 +39,12 @@ namespace Crevasse
     void
     observe(const Sample &sample) override;
 
+    void
+    before_jump(const Sample &sample) override
+    {
+      observe(sample);
+    }
+
     /** @throw NumericalError after the first period, see require_held(). */
     void
     end_of_period(const PeriodReport &report) override;

@@ -97,11 +97,18 @@ namespace Crevasse
     {
       if (sample.step == 0)
         instants.clear(), of_last_period.clear();
-      instants.push_back(sample.instant);
-      of_last_period.push_back(evaluate(sample));
+      before_jump(sample);
       std::vector<double> row = numbers_of(of_last_period.back());
       row.insert(row.begin(), sample.time);
       table.add_row(row);
+    }
+
+    /** Adds no row to the table. */
+    void
+    before_jump(const Sample &sample) override
+    {
+      instants.push_back(sample.instant);
+      of_last_period.push_back(evaluate(sample));
     }
 
     /** Numbers of the sample observed last. */

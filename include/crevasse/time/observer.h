@@ -55,6 +55,13 @@ namespace Crevasse
     virtual void
     observe(const Sample &sample) = 0;
 
+    /** Sees the end of a step where loads or material jump, as they are just
+     * before; observe() sees what comes after. */
+    virtual void
+    before_jump(const Sample &)
+    {
+    }
+
     virtual void
     end_of_period(const PeriodReport &)
     {
